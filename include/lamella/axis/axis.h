@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef lamella_axis_axis_h
+#define lamella_axis_axis_h
+
+#include <lamella/base/linear_algebra.h>
+
+#include <deal.II/dofs/dof_handler.h>
+
+#include <deal.II/fe/fe_q.h>
+
+#include <deal.II/grid/tria.h>
+
+#include <string>
+#include <vector>
+
+namespace lamella
+{
+  /// What a scene says of the mesh along the axis.
+  struct AxisMesh
+  {
+    double length = 0.;
+    /// Degree of N_i: 1, 2, 3 for B2, B3, B4.
+    unsigned int degree = 3;
+    /// Equal elements in each piece between 0, the breaks and the length.
+    std::vector<unsigned int> elements;
+    std::vector<double>       breaks;
+    /// Nodes at equal distances, as in the CUF literature's B4, instead of at
+    /// the Gauss-Lobatto points of FE_Q: the same space, other contact pairs.
+    bool equidistant_nodes = false;
+  };
+
+  /// The shape functions that do not vanish on an axis element, at a point.
+  struct AxisPoint
+  {
+    unsigned int        cell = 0;
+    double              y    = 0.;
+    std::vector<double> N, dN;
+  };
+
+  /**
+   * The axis of a beam: FE_Q<1>(1..3) on a mesh of [0, length], nodes numbered
+   * along y, and the four matrices of Eq. 12 over the axis,
+   *   A_NN = int N_i N_j,  A_NdN = int N_i N_j',  A_dNdN = int N_i' N_j'.
+   */
+  class Axis
+  {
+  public:
+    explicit Axis(const AxisMesh &description);
+
+    unsigned int
+    degree() const
+    {
+      return fe.degree;
+    }
+
+    double
+    length() const
+    {
+      return description.length;
+    }
+
+    unsigned int
+    n_nodes() const
+    {
+      return node_positions.size();
+    }
+
+    unsigned int
+    n_cells() const
+    {
+      return cell_nodes.size();
+    }
+
+    /// y of each node, ascending.
+    const std::vector<double> &
+    nodes() const
+    {
+      return node_positions;
+    }
+
+    /// Nodes of @p cell in the order of AxisPoint::N.
+    const std::vector<unsigned int> &
+    nodes_of_cell(const unsigned int cell) const
+    {
+      return cell_nodes[cell];
+    }
+
+    double
+    cell_begin(const unsigned int cell) const
+    {
+      return cell_bounds[cell].first;
+    }
+
+    double
+    cell_end(const unsigned int cell) const
+    {
+      return cell_bounds[cell].second;
+    }
+
+    /// Shape functions and their derivatives with respect to y at @p eta of
+    /// [0, 1] of @p cell.
+    AxisPoint
+    evaluate(const unsigned int cell, const double eta) const;
+
+    /// The cells that hold @p y within @p tolerance, with the place in [0, 1]:
+    /// two at a node between elements, none outside of the axis.
+    std::vector<std::pair<unsigned int, double>>
+    locate(const double y, const double tolerance) const;
+
+    /// A cell that has @p node, and the node's place in it.
+    std::pair<unsigned int, double>
+    place_of_node(const unsigned int node) const;
+
+    /// int N_i dy of each node.
+    std::vector<double>
+    node_weights() const;
+
+    /// The integration points, degree + 1 Gauss points a cell, with weights.
+    const std::vector<AxisPoint> &
+    integration_points() const
+    {
+      return points;
+    }
+
+    const std::vector<double> &
+    integration_weights() const
+    {
+      return weights;
+    }
+
+    /// p, q in {0, 1}: whether the row's and the column's function is
+    /// differentiated. A(0, 1) = A_NdN.
+    const Matrix &
+    A(const unsigned int p, const unsigned int q) const
+    {
+      return matrices[2 * p + q];
+    }
+
+  private:
+    void
+    number_nodes();
+    void
+    make_matrices();
+
+    AxisMesh                  description;
+    dealii::Triangulation<1> mesh;
+    dealii::FE_Q<1>           fe;
+    dealii::DoFHandler<1>     dof_handler;
+
+    std::vector<double>                    node_positions;
+    std::vector<std::vector<unsigned int>> cell_nodes;
+    std::vector<std::pair<double, double>> cell_bounds;
+
+    std::vector<AxisPoint> points;
+    std::vector<double>    weights;
+
+    dealii::SparsityPattern sparsity;
+    std::array<Matrix, 4>   matrices;
+  };
+} // namespace lamella
+
+#endif

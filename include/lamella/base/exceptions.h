@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef lamella_base_exceptions_h
+#define lamella_base_exceptions_h
+
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace lamella
+{
+  /**
+   * A fault of the input or of the scene: exit status 1. The message names the
+   * entry, the value, the rule and the remedy, for the user and not for us.
+   */
+  class InputError : public std::runtime_error
+  {
+  public:
+    using std::runtime_error::runtime_error;
+  };
+
+  /**
+   * A failure of the numerics (singular, indefinite, not converged, beyond the
+   * range of the linear theory): exit status 2. The message says what to try.
+   */
+  class NumericsError : public std::runtime_error
+  {
+  public:
+    using std::runtime_error::runtime_error;
+  };
+
+  /**
+   * The member of @p valid with the smallest edit distance (Levenshtein) to
+   * @p name, letters compared without case; empty if @p valid is empty.
+   */
+  std::string
+  nearest_name(const std::string &name, const std::vector<std::string> &valid);
+} // namespace lamella
+
+#endif

@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef lamella_body_beam_h
+#define lamella_body_beam_h
+
+#include <lamella/axis/axis.h>
+#include <lamella/body/beam_dof_map.h>
+#include <lamella/body/body.h>
+#include <lamella/body/placement.h>
+#include <lamella/section/section.h>
+
+namespace lamella
+{
+  /**
+   * A beam in the Carrera Unified Formulation: a section times an axis,
+   *   u(x, y, z) = sum N_i(y) Phi_alpha(x, z) u_(i,alpha)     (Eqs. 1 and 7),
+   * with the stiffness of Eq. 12 as a sum of Kronecker products,
+   *   K = A_NN (x) S_00 + A_NdN (x) S_01 + A_dNN (x) S_10 + A_dNdN (x) S_11.
+   *
+   * An element of the beam, a "cell" in Location, is the product of an axis
+   * element and a section cell, numbered
+   * axis element * (number of section cells) + section cell; its unit
+   * coordinates are (xi, place along the axis element, eta).
+   */
+  class Beam : public Body
+  {
+  public:
+    /// Every axis node carries all fields of the section.
+    Beam(const std::string             &name,
+         std::shared_ptr<const Section> section,
+         std::shared_ptr<const Axis>    axis,
+         const Placement               &placement);
+
+    /// Node-dependent kinematics: @p fields_of_node as in BeamDofMap.
+    Beam(const std::string                            &name,
+         std::shared_ptr<const Section>                section,
+         std::shared_ptr<const Axis>                   axis,
+         const Placement                              &placement,
+         const std::vector<std::vector<unsigned int>> &fields_of_node);
+
+    std::string
+    theory() const override;
+    DofIndex
+    n_dofs() const override
+    {
+      return dof_map.n_dofs();
+    }
+    unsigned int
+    dof_level(const DofIndex dof) const override;
+    std::vector<Vector>
+    rigid_motions() const override;
+    dealii::Point<3>
+    centre() const override;
+    double
+    size() const override;
+    dealii::BoundingBox<3>
+    bounding_box() const override;
+
+    void
+    add_internal_forces(const Vector &u, Vector &f) const override;
+    Deformation
+    deformation(const Vector &u) const override;
+
+    std::vector<std::vector<Location>>
+    locate(const std::vector<dealii::Point<3>> &points) const override;
+    std::vector<std::vector<Row>>
+    rows(const std::vector<Location> &locations,
+         const Quantity               quantity,
+         const Frame                  frame = Frame::scene) const override;
+    FieldSample
+    sample(const Location &location, const Vector &u) const override;
+
+    std::vector<std::string>
+    surfaces() const override;
+    std::vector<SurfacePoint>
+    surface_points(const std::string &surface) const override;
+    std::vector<dealii::Point<3>>
+    body_points() const override;
+    std::vector<SurfacePoint>
+    surface_quadrature(const std::string &surface) const override;
+    std::vector<double>
+    line_breaks(const dealii::Point<3> &a,
+                const dealii::Point<3> &b) const override;
+    unsigned int
+    degree() const override;
+
+    std::vector<OutputCell>
+    cut(const double       position,
+        const unsigned int n,
+        const Vector      &u) const override;
+    std::vector<OutputCell>
+    output_cells(const unsigned int n, const Vector &u) const override;
+
+    const Section &
+    section() const
+    {
+      return *beam_section;
+    }
+    const Axis &
+    axis() const
+    {
+      return *beam_axis;
+    }
+    const BeamDofMap &
+    dofs() const
+    {
+      return dof_map;
+    }
+
+  protected:
+    void
+    assemble_stiffness(const Constraints       &constraints,
+                       dealii::SparsityPattern &sparsity,
+                       Matrix                  &matrix) const override;
+
+  private:
+    /// The fields' coefficients and their derivatives along y at a point of the
+    /// axis: for each alpha, sum_i N_i u_(i,alpha) and sum_i N_i' u_(i,alpha).
+    struct AxisState
+    {
+      std::vector<double> value, derivative;
+    };
+
+    AxisState
+    axis_state(const AxisPoint &point, const Vector &u) const;
+
+    /// Displacement, strain and stress in the body frame.
+    struct PointState
+    {
+      dealii::Tensor<1, 3> displacement, slope;
+      Voigt                 strain;
+      double                twist = 0.;
+    };
+
+    static PointState
+    point_state(const SectionPoint &point, const AxisState &state);
+
+    /// The body frame's fields in scene and ply axes.
+    FieldSample
+    field_sample(const PointState &state, const unsigned int cell) const;
+
+    /// The elements of one axis element with n x m x n grids of samples, m = n
+    /// or, for a cut, one layer at @p eta.
+    std::vector<OutputCell>
+    sample_axis_cell(const unsigned int         axis_cell,
+                     const std::vector<double> &etas,
+                     const unsigned int         n,
+                     const Vector              &u) const;
+
+    Location
+    location(const dealii::Point<3> &position,
+             const unsigned int      axis_cell,
+             const double            eta,
+             const unsigned int      section_cell,
+             const dealii::Point<2> &unit) const;
+
+    SurfacePoint
+    lateral_point(const EdgePoint &edge,
+                  const double     weight,
+                  const unsigned int axis_cell,
+                  const double       eta) const;
+
+    SurfacePoint
+    end_point(const EdgePoint &point, const bool at_start) const;
+
+    std::shared_ptr<const Section> beam_section;
+    std::shared_ptr<const Axis>    beam_axis;
+    Placement                      placement;
+    BeamDofMap                     dof_map;
+  };
+} // namespace lamella
+
+#endif

@@ -1,0 +1,243 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef lamella_body_body_h
+#define lamella_body_body_h
+
+#include <lamella/base/factorisation.h>
+#include <lamella/base/row.h>
+#include <lamella/material/elasticity.h>
+
+#include <deal.II/base/bounding_box.h>
+#include <deal.II/base/point.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace lamella
+{
+  /// What rows and samples can speak of.
+  enum class Quantity
+  {
+    displacement, ///< three components, scene axes
+    strain,       ///< six, order of Eq. 4, engineering shear strains
+    stress        ///< six, order of Eq. 4
+  };
+
+  /// The axes that a strain or a stress is given in.
+  enum class Frame
+  {
+    scene,
+    ply ///< 1 along the fibre, 2 across, 3 normal to the ply: 11,22,33,12,13,23
+  };
+
+  /**
+   * A point of a body on one side of its ply interfaces. Where elements of the
+   * same ply meet it has a place in each of them, and stands for their mean.
+   */
+  struct Location
+  {
+    struct Place
+    {
+      unsigned int     cell;
+      dealii::Point<3> unit;
+    };
+    dealii::Point<3>   position;
+    unsigned int       ply = 0;
+    std::vector<Place> places;
+  };
+
+  /// The fields at a location.
+  struct FieldSample
+  {
+    dealii::Tensor<1, 3> displacement;
+    Voigt                 strain, stress;
+    Voigt                 ply_stress;
+    /// The largest difference of stress between the places of the location over
+    /// the largest stress there, Euclidean norms: what the mesh leaves open.
+    double jump = 0.;
+  };
+
+  /// A point of a body's surface, at a node or at an integration point.
+  struct SurfacePoint
+  {
+    dealii::Point<3>     position;
+    dealii::Tensor<1, 3> normal;
+    /// The tributary area, or the integration weight.
+    double   area = 0.;
+    Location location;
+    /// n.n : C : n.n of the ply there, and the depth of the cell below.
+    double normal_modulus = 0., depth = 0.;
+  };
+
+  /// An element of a body for pictures: fields on a grid of (n+1)^3 points, the
+  /// first coordinate running fastest.
+  struct OutputCell
+  {
+    unsigned int                  ply = 0;
+    dealii::Tensor<1, 3>          fibre;
+    std::vector<dealii::Point<3>> positions;
+    std::vector<FieldSample>      samples;
+  };
+
+  /// What a displacement field does to a body as a whole.
+  struct Deformation
+  {
+    double energy = 0.;
+    /// The largest |curl u| / 2 at the integration points, in rad.
+    double max_rotation = 0.;
+  };
+
+  /**
+   * A linear elastic body: DoFs, a stiffness, rows at its points, points on its
+   * surfaces. Supports, loads, contact and reports see nothing else of it, so
+   * they do not know whether it is a beam or a solid. All positions are those of
+   * the scene. A body takes displacements as an argument and stores none.
+   */
+  class Body
+  {
+  public:
+    explicit Body(std::string name);
+    virtual ~Body();
+
+    const std::string &
+    name() const
+    {
+      return body_name;
+    }
+
+    /// The structural theory, as the user writes it.
+    virtual std::string
+    theory() const = 0;
+
+    virtual DofIndex
+    n_dofs() const = 0;
+
+    /// 0 for DoFs that hold the rigid motions, higher for finer ones. Supports
+    /// eliminate coarse DoFs first and so leave the hierarchy intact.
+    virtual unsigned int
+    dof_level(const DofIndex dof) const = 0;
+
+    /// The six rigid motions as displacement vectors: three unit translations
+    /// along the scene's axes, three unit rotations about them through centre().
+    virtual std::vector<Vector>
+    rigid_motions() const = 0;
+
+    virtual dealii::Point<3>
+    centre() const = 0;
+
+    /// Half the largest extension: the length that makes a rotation comparable
+    /// with a translation.
+    virtual double
+    size() const = 0;
+
+    virtual dealii::BoundingBox<3>
+    bounding_box() const = 0;
+
+    /**
+     * f += integral B^T C (B u) dV, strain first: the rounding is that of the
+     * strains and not that of the entries of an assembled matrix, which loses
+     * the bending energy of slender bodies (doc/stable-basis.md).
+     */
+    virtual void
+    add_internal_forces(const Vector &u, Vector &f) const = 0;
+
+    virtual Deformation
+    deformation(const Vector &u) const = 0;
+
+    /// The places of each point, one location a ply; none outside of the body.
+    virtual std::vector<std::vector<Location>>
+    locate(const std::vector<dealii::Point<3>> &points) const = 0;
+
+    /// For each location the rows of @p quantity: three for displacements, six
+    /// for strains and stresses (in @p frame).
+    virtual std::vector<std::vector<Row>>
+    rows(const std::vector<Location> &locations,
+         const Quantity               quantity,
+         const Frame                  frame = Frame::scene) const = 0;
+
+    virtual FieldSample
+    sample(const Location &location, const Vector &u) const = 0;
+
+    /// Names that the functions below take.
+    virtual std::vector<std::string>
+    surfaces() const = 0;
+
+    /**
+     * Points that fix the trace on @p surface, with outward normals and
+     * tributary areas int N_i F_tau dA, which sum to the area.
+     */
+    virtual std::vector<SurfacePoint>
+    surface_points(const std::string &surface) const = 0;
+
+    /// Points that fix the displacement of the whole body.
+    virtual std::vector<dealii::Point<3>>
+    body_points() const = 0;
+
+    /// Integration points of @p surface.
+    virtual std::vector<SurfacePoint>
+    surface_quadrature(const std::string &surface) const = 0;
+
+    /// The parameters in [0, 1], ascending, where the segment from @p a to @p b
+    /// crosses from element to element, its ends among them.
+    virtual std::vector<double>
+    line_breaks(const dealii::Point<3> &a, const dealii::Point<3> &b) const = 0;
+
+    /// The polynomial degree of displacements along a line within an element.
+    virtual unsigned int
+    degree() const = 0;
+
+    /// Points of the segment from @p a to @p b that fix the displacement there.
+    std::vector<dealii::Point<3>>
+    line_points(const dealii::Point<3> &a, const dealii::Point<3> &b) const;
+
+    /// Gauss points of that segment with weights (lengths).
+    std::vector<std::pair<dealii::Point<3>, double>>
+    line_quadrature(const dealii::Point<3> &a, const dealii::Point<3> &b) const;
+
+    /// Numbers of the elements in the section at @p position along the axis and
+    /// their fields on an n x n grid each, for contours (solid: not offered).
+    virtual std::vector<OutputCell>
+    cut(const double position, const unsigned int n, const Vector &u) const = 0;
+
+    /// All elements with the fields on their grids.
+    virtual std::vector<OutputCell>
+    output_cells(const unsigned int n, const Vector &u) const = 0;
+
+    /**
+     * Assembles the stiffness, condensed by the homogeneous part of
+     * @p constraints (constrained DoFs keep a positive diagonal and nothing
+     * else). The body refers to @p constraints from then on.
+     */
+    void
+    assemble(const Constraints &constraints);
+
+    /// Factorises the assembled stiffness; NumericsError if not positive.
+    void
+    factorise();
+
+    const Matrix &
+    stiffness() const;
+    const Constraints &
+    constraints() const;
+    const Factorisation &
+    factorisation() const;
+
+  protected:
+    /// The entries of the unconstrained stiffness with a sparsity pattern that
+    /// leaves room for the condensation by @p constraints.
+    virtual void
+    assemble_stiffness(const Constraints       &constraints,
+                       dealii::SparsityPattern &sparsity,
+                       Matrix                  &matrix) const = 0;
+
+  private:
+    std::string                    body_name;
+    const Constraints             *body_constraints = nullptr;
+    dealii::SparsityPattern        sparsity;
+    Matrix                         matrix;
+    std::unique_ptr<Factorisation> factor;
+  };
+} // namespace lamella
+
+#endif

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef lamella_conditions_load_h
+#define lamella_conditions_load_h
+
+#include <lamella/conditions/region.h>
+
+#include <array>
+#include <string>
+#include <vector>
+
+namespace lamella
+{
+  /**
+   * A given force. Its values are expressions of the scene's x, y, z, in the
+   * language of muParser.
+   */
+  struct Load
+  {
+    std::string         name;
+    std::vector<Region> on;
+    /// Scene components: a force at a point, a force per length along a line, a
+    /// force per area on a surface. Empty if the load is a pressure.
+    std::array<std::string, 3> force;
+    /// On a surface, force per area against its outward normal.
+    std::string pressure;
+  };
+
+  /**
+   * f += the load vector of @p load at load factor 1,
+   *   f . v = sum or integral of force . v.
+   * Throws InputError for regions outside of their body and for expressions
+   * that do not parse.
+   */
+  void
+  add_load(const Load &load, const Bodies &bodies, BlockVector &f);
+} // namespace lamella
+
+#endif

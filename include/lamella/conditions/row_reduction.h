@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef lamella_conditions_row_reduction_h
+#define lamella_conditions_row_reduction_h
+
+#include <lamella/conditions/support.h>
+
+#include <deal.II/lac/lapack_full_matrix.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace lamella
+{
+  /**
+   * The prescribed rows R u = d of one body, reduced to
+   * u = G v + u_p with the unconstrained DoFs v: as many DoFs are eliminated as
+   * rows are independent (Gauss-Jordan elimination of the rows of each group
+   * that shares DoFs, with rank detection). Coarse DoFs go first, so that what
+   * stays is still hierarchical; among rows with a pivot within a factor of ten
+   * of the largest the shortest is taken, which keeps the fill low.
+   */
+  class RowReduction
+  {
+  public:
+    /**
+     * Takes those of @p rows that belong to @p body, number @p index. Throws
+     * InputError if rows contradict each other; @p support_names then name
+     * them.
+     */
+    RowReduction(const Body                       &body,
+                 const unsigned int                index,
+                 const std::vector<PrescribedRow> &rows,
+                 const std::vector<std::string>   &support_names);
+
+    /// u = G v, for load factor 0.
+    const Constraints &
+    constraints() const
+    {
+      return homogeneous;
+    }
+
+    /// u_p at load factor 1: non-zero in constrained DoFs only.
+    const Vector &
+    particular() const
+    {
+      return particular_solution;
+    }
+
+    /**
+     * The forces mu in the rows that hold a body with unbalanced forces
+     * @p residual (internal minus external): residual = R^T mu. Pairs of the
+     * row's number in the rows given to the constructor and its force, on the
+     * body, in the direction of the row's component. Rows that depend on others
+     * have none: the multipliers of dependent rows are not unique, their
+     * resultants are.
+     */
+    std::vector<std::pair<unsigned int, double>>
+    multipliers(const Vector &residual) const;
+
+  private:
+    /// The independent rows of a group and the DoFs that they eliminate.
+    struct Group
+    {
+      std::vector<unsigned int>                 rows;
+      std::vector<DofIndex>                     pivots;
+      std::unique_ptr<dealii::LAPACKFullMatrix<double>> transposed;
+    };
+
+    struct Equation;
+
+    /// Eliminates one group of rows (numbers in the constructor's list).
+    void
+    reduce(const Body                       &body,
+           const std::vector<unsigned int>  &group,
+           const std::vector<PrescribedRow> &rows,
+           const std::vector<std::string>   &support_names);
+
+    Constraints        homogeneous;
+    Vector             particular_solution;
+    std::vector<Group> groups;
+  };
+} // namespace lamella
+
+#endif

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef lamella_conditions_support_h
+#define lamella_conditions_support_h
+
+#include <lamella/conditions/region.h>
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace lamella
+{
+  /// Prescribed displacements, imposed exactly.
+  struct Support
+  {
+    std::string         name;
+    std::vector<Region> on;
+    /// The scene components of u at load factor 1; those without are free.
+    std::array<std::optional<double>, 3> u;
+  };
+
+  /// One scene component of the displacement of one point: row(u) = value.
+  struct PrescribedRow
+  {
+    BodyRow          row;
+    double           value = 0.;
+    unsigned int     support = 0, component = 0;
+    dealii::Point<3> position;
+  };
+
+  /**
+   * The rows of @p supports. They may depend on each other; RowReduction sees
+   * to that. Throws InputError for regions that are not in their body.
+   */
+  std::vector<PrescribedRow>
+  prescribed_rows(const std::vector<Support> &supports, const Bodies &bodies);
+
+  /**
+   * The rigid motions of @p body, number @p index, that @p rows leave free, in
+   * words ("translation along x", "rotation about y"); none if it is held.
+   *
+   * They are the null space of R E, where E are the body's rigid motions (the
+   * rotations scaled with its size), found by a singular value decomposition
+   * with the threshold 1e-8 of the largest singular value.
+   */
+  std::vector<std::string>
+  free_rigid_motions(const Body                       &body,
+                     const unsigned int                index,
+                     const std::vector<PrescribedRow> &rows);
+} // namespace lamella
+
+#endif

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef lamella_material_library_h
+#define lamella_material_library_h
+
+#include <lamella/base/units.h>
+#include <lamella/material/elasticity.h>
+
+#include <string>
+#include <vector>
+
+namespace lamella
+{
+  /// The names of the built-in materials.
+  std::vector<std::string>
+  library_materials();
+
+  /**
+   * The constants of the built-in material @p name in the stresses of
+   * @p units: those of the paper's Tables 3 (IM7-8552) and 7
+   * (glass-polyester), of its sandwich core (foam-35) and of its half-cylinders
+   * (hertz-200, whose modulus has no unit and is not converted).
+   * Throws InputError with the nearest name if there is none.
+   */
+  EngineeringConstants
+  library_material(const std::string &name, const Units &units);
+} // namespace lamella
+
+#endif

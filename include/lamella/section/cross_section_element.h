@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef lamella_section_cross_section_element_h
+#define lamella_section_cross_section_element_h
+
+#include <lamella/section/section_mesh.h>
+
+#include <deal.II/base/point.h>
+
+#include <memory>
+
+#include <string>
+#include <vector>
+
+namespace lamella
+{
+  /// The expansion functions that do not vanish on a cell, at one of its points.
+  struct FunctionValues
+  {
+    /// The point, x and z in the section's plane, and the Jacobian
+    /// d(x, z) / d(xi, eta) of the map from the unit square.
+    dealii::Point<2>     position;
+    dealii::Tensor<2, 2> jacobian;
+    /// F_tau and (dF_tau/dx, dF_tau/dz) in the order of cell_functions().
+    std::vector<double>                values;
+    std::vector<dealii::Tensor<1, 2>> gradients;
+  };
+
+  /// A point of a section's boundary where contact and supports are collocated.
+  struct EdgePoint
+  {
+    dealii::Point<2>     position;
+    dealii::Tensor<1, 2> normal;
+    /// The length of boundary that belongs to the point; over all points of a
+    /// boundary these sum to its length.
+    double weight = 0.;
+    /// Where the point lies: a cell, the place on its unit square, and the
+    /// cell's depth normal to the boundary.
+    unsigned int     cell = 0;
+    dealii::Point<2> unit;
+    double           depth = 0.;
+  };
+
+  /**
+   * The cross-section expansion F_tau(x, z), tau = 0 ... n_functions() - 1, of
+   * the paper's Eq. 1 on a section mesh.
+   *
+   * Every expansion is hierarchical: its first three functions are 1,
+   * (x - x_c) / h and (z - z_c) / h, differentiated analytically, so that the
+   * rigid motions of the section are DoFs of their own and slender beams keep
+   * their bending energy (doc/stable-basis.md). What follows is warping.
+   */
+  class CrossSectionElement
+  {
+  public:
+    virtual ~CrossSectionElement() = default;
+
+    /// As a user writes it: LE-2 (L9).
+    virtual std::string
+    name() const = 0;
+
+    /// The polynomial degree that integrals over the section must cope with.
+    virtual unsigned int
+    degree() const = 0;
+
+    virtual unsigned int
+    n_functions() const = 0;
+
+    /// The functions that do not vanish on @p cell, ascending.
+    virtual const std::vector<unsigned int> &
+    cell_functions(const unsigned int cell) const = 0;
+
+    /// cell_functions() and the geometry at @p unit of the unit square.
+    virtual FunctionValues
+    evaluate(const unsigned int cell, const dealii::Point<2> &unit) const = 0;
+
+    /// Points that fix the trace of the expansion on the boundary named
+    /// @p boundary, with outward normals and weights.
+    virtual std::vector<EdgePoint>
+    edge_points(const std::string &boundary) const = 0;
+
+    /// Points that fix the expansion on the whole section (normal not set;
+    /// weights are areas).
+    virtual std::vector<EdgePoint>
+    section_points() const = 0;
+
+    /// Gauss points of the boundary named @p boundary, @p n on each side of a
+    /// cell, with outward normals; weights are those of the integral over its
+    /// length.
+    std::vector<EdgePoint>
+    edge_quadrature(const std::string &boundary, const unsigned int n) const;
+
+    const SectionMesh &
+    section_mesh() const
+    {
+      return *mesh;
+    }
+
+    /// The point (x_c, z_c) and the length h of the linear functions.
+    dealii::Point<2>
+    centre() const
+    {
+      return origin;
+    }
+
+    double
+    reference_length() const
+    {
+      return length;
+    }
+
+  protected:
+    /// The sides of cells, as pairs of cell and face, of the boundary @p name.
+    std::vector<std::pair<unsigned int, unsigned int>>
+    boundary_faces(const std::string &name) const;
+
+    /// The depth of @p cell behind its side @p face: area over length of side.
+    double
+    depth(const unsigned int cell, const unsigned int face) const;
+
+    /// x_c, z_c is the centre of area, h half the bounding box's diagonal.
+    explicit CrossSectionElement(std::shared_ptr<const SectionMesh> mesh);
+
+    std::shared_ptr<const SectionMesh> mesh;
+    dealii::Point<2>                   origin;
+    double                             length;
+  };
+
+  /// The point of the unit square at the parameter @p t in [0, 1] of @p face.
+  dealii::Point<2>
+  face_point(const unsigned int face, const double t);
+
+  /**
+   * The outward normal, scaled with the length of face per unit of its
+   * parameter, where @p jacobian is that of the cell's map.
+   */
+  dealii::Tensor<1, 2>
+  scaled_face_normal(const unsigned int          face,
+                     const dealii::Tensor<2, 2> &jacobian);
+} // namespace lamella
+
+#endif

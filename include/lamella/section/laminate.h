@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef lamella_section_laminate_h
+#define lamella_section_laminate_h
+
+#include <lamella/section/section_mesh.h>
+
+#include <deal.II/base/tensor.h>
+
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace lamella
+{
+  /// A rectangular laminated section: what a scene says of one.
+  struct Laminate
+  {
+    double                   width = 0.;
+    std::vector<double>      angles;
+    std::vector<double>      thicknesses;
+    std::vector<std::string> materials;
+    unsigned int             cells_per_ply = 1;
+    unsigned int             cells_across  = 1;
+
+    /// Sum of the ply thicknesses.
+    double
+    height() const;
+
+    /// The plies, bottom to top, with their constants out of @p constants.
+    std::vector<Ply>
+    plies(const std::map<std::string, EngineeringConstants> &constants) const;
+  };
+
+  /**
+   * The structured mesh of @p laminate, cells_across x (plies * cells_per_ply)
+   * quadrilaterals with boundaries `left` (x = 0), `right`, `bottom` (z = 0)
+   * and `top`.
+   */
+  std::shared_ptr<const SectionMesh>
+  make_section_mesh(
+    const Laminate                                    &laminate,
+    const std::map<std::string, EngineeringConstants> &constants);
+
+  /**
+   * Classical lamination theory of a stack of plies, about the mid-plane:
+   * N = A e + B k, M = B e + D k in the order {yy, xx, xy}, y along the beam
+   * (Jones, Mechanics of Composite Materials, 2nd ed., Eqs. 4.22 to 4.24).
+   */
+  struct LaminateStiffness
+  {
+    dealii::Tensor<2, 3> A, B, D;
+    /// Of a strip of the laminate's width, free to contract and twist: from the
+    /// inverse of the 6 x 6 matrix of A, B, D (force; force x length^2).
+    double EA = 0., EI = 0.;
+    /// The integral of G_yz over the section, without a shear correction.
+    double GA = 0.;
+  };
+
+  LaminateStiffness
+  laminate_stiffness(const std::vector<Ply> &plies, const double width);
+} // namespace lamella
+
+#endif

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef lamella_section_section_mesh_h
+#define lamella_section_section_mesh_h
+
+#include <lamella/material/elasticity.h>
+
+#include <deal.II/grid/tria.h>
+
+#include <map>
+#include <string>
+#include <vector>
+
+namespace lamella
+{
+  /// One homogeneous part of a section: a ply, a core, the whole section.
+  struct Ply
+  {
+    /// Name of the material, as in the scene.
+    std::string material;
+    /// Fibre angle in degrees, 0 along +y, positive from +y towards +x.
+    double angle = 0.;
+    /// Height of the lower and the upper face above the section's lower edge.
+    double bottom = 0., top = 0.;
+    /// In the ply's own axes.
+    EngineeringConstants constants;
+
+    /// The ply's axes in the body frame.
+    Triad
+    axes() const
+    {
+      return ply_axes(angle);
+    }
+
+    /// C in the body frame.
+    ElasticTensor
+    stiffness() const
+    {
+      return rotated(constants.stiffness(), axes());
+    }
+  };
+
+  /**
+   * A section's geometry: a mesh of quadrilaterals in its plane (first
+   * coordinate x, second z, lower left corner at the origin), whose material
+   * ids number @p plies and whose boundary ids are named in @p boundaries.
+   */
+  struct SectionMesh
+  {
+    dealii::Triangulation<2>                          mesh;
+    std::vector<Ply>                                  plies;
+    std::map<dealii::types::boundary_id, std::string> boundaries;
+  };
+} // namespace lamella
+
+#endif

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef lamella_solve_checks_h
+#define lamella_solve_checks_h
+
+#include <lamella/solve/newton.h>
+
+#include <deal.II/base/tensor.h>
+
+#include <vector>
+
+namespace lamella
+{
+  /// The Kuhn-Tucker state (Eq. 18) of one contact.
+  struct KuhnTucker
+  {
+    unsigned int active = 0;
+    /// On the second body, scene components.
+    dealii::Tensor<1, 3> force;
+    /// The largest -g, zero without penetration; by design F / eps for penalty.
+    double max_penetration = 0.;
+    /// The smallest force of an active row: not negative.
+    double min_force = 0.;
+    /// The largest |lambda g| of a row that is open or in tension: zero.
+    double complementarity = 0.;
+  };
+
+  /// What every load step is checked for.
+  struct Checks
+  {
+    /// Of each support, the force on the bodies, scene components.
+    std::vector<dealii::Tensor<1, 3>> reactions;
+    std::vector<KuhnTucker>            contacts;
+    /// The largest sum of all forces on one body over the largest single force.
+    double force_balance = 0.;
+    /// |G^T (t f + B^T lambda - internal)| / |internal|, maximum norms.
+    double residual = 0.;
+    /// Strain energy, and half the sum of all forces on bodies (loads,
+    /// reactions, contact) times their displacements: Clapeyron's theorem makes
+    /// them equal.
+    double energy = 0., external_work = 0.;
+    /// In rad, over all bodies.
+    double max_rotation = 0.;
+  };
+
+  Checks
+  check_state(const Structure                     &structure,
+              const std::vector<ContactInterface> &contacts,
+              const unsigned int                   n_supports,
+              const State                         &state,
+              const double                         factor);
+
+  /**
+   * Throws NumericsError if the state is not to be trusted: corrections that do
+   * not become small, an unbalanced force, a tension in a contact, or a
+   * rotation above @p rotation_limit.
+   */
+  void
+  require_sound(const State  &state,
+                const Checks &checks,
+                const double  rotation_limit);
+
+  /// What the user should know of a state that is sound: lost digits, rotations
+  /// beyond the linear theory. A sentence each.
+  std::vector<std::string>
+  warnings_of(const State &state, const Checks &checks);
+} // namespace lamella
+
+#endif

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef lamella_solve_structure_h
+#define lamella_solve_structure_h
+
+#include <lamella/conditions/load.h>
+#include <lamella/conditions/row_reduction.h>
+#include <lamella/conditions/support.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace lamella
+{
+  /**
+   * The linear part of a scene: bodies with their supports and loads. Contact
+   * couples the bodies through rows only, so each has its own matrix.
+   *
+   * Displacements are u = G v + t u_p at load factor t (RowReduction).
+   */
+  class Structure
+  {
+  public:
+    /// Throws InputError if a region is not in its body, if supports contradict
+    /// each other, or if a body can still move (the message names how).
+    Structure(Bodies                      bodies,
+              const std::vector<Support> &supports,
+              const std::vector<Load>    &loads);
+
+    const Bodies &
+    bodies() const
+    {
+      return all_bodies;
+    }
+
+    const RowReduction &
+    reduction(const unsigned int body) const
+    {
+      return *reductions[body];
+    }
+
+    /// The prescribed rows of all supports.
+    const std::vector<PrescribedRow> &
+    prescribed() const
+    {
+      return rows;
+    }
+
+    /// The load vector at load factor 1.
+    const BlockVector &
+    load() const
+    {
+      return unit_load;
+    }
+
+    DofIndex
+    n_dofs() const;
+
+    /// A vector of zeros, a block per body.
+    BlockVector
+    zero() const;
+
+    /// u_p at load factor @p factor.
+    BlockVector
+    particular(const double factor) const;
+
+    /// Assembles the condensed stiffness of each body.
+    void
+    assemble();
+
+    /// Factorises them: what the condensed strategy needs.
+    void
+    factorise();
+
+    /// factor * load - integral B^T C (B u), strain first; not condensed.
+    BlockVector
+    residual(const BlockVector &u, const double factor) const;
+
+    /// G^T r in place: the residual that equilibrium sets to zero.
+    void
+    condense(BlockVector &r) const;
+
+  private:
+    void
+    check_held() const;
+
+    Bodies                                     all_bodies;
+    std::vector<PrescribedRow>                 rows;
+    std::vector<std::unique_ptr<RowReduction>> reductions;
+    BlockVector                                unit_load;
+  };
+} // namespace lamella
+
+#endif

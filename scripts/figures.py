@@ -1,0 +1,572 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Draws what a run left in a folder into its subfolder pictures.
+
+Usage: figures.py DIR (through scripts/plot, which finds a fitting python3)
+
+No scene is known by name: the data decide which figures there are. A line that
+runs mostly along y (the beams' axis), z (their thickness) or x (their width)
+gives a figure of that kind, a section cut a contour, several load steps a
+force-displacement curve, and a contact with more than a few active pairs its
+pressure.
+"""
+
+import csv
+import json
+import re
+import sys
+from collections import defaultdict
+from pathlib import Path
+
+import matplotlib
+
+matplotlib.use("Agg")
+import matplotlib.pyplot as plt
+import numpy as np
+from matplotlib.colors import BoundaryNorm
+from matplotlib.ticker import MaxNLocator
+
+# Okabe and Ito's colours, told apart by colour-blind readers, too.
+COLOURS = ("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9")
+DASHES = ("-", "--", "-.", ":")
+WIDTH = 8.4  # inches of every figure; 1260 pixels
+NEGLIGIBLE = 1e-6  # of the largest component: rounding, not worth a panel
+MOST_LINES = 6  # in one panel
+NAMES = {"ux": "$u_x$", "uy": "$u_y$", "uz": "$u_z$"}
+NAMES.update({f"s{a}{b}": rf"$\sigma_{{{a}{b}}}$" for a in "xyz" for b in "xyz"})
+
+plt.rcParams.update({
+    "font.size": 11, "axes.titlesize": 11, "axes.labelsize": 11,
+    "figure.dpi": 150, "figure.constrained_layout.use": True,
+    "axes.spines.top": False, "axes.spines.right": False,
+    "axes.grid": True, "grid.color": "0.9", "axes.axisbelow": True,
+    "axes.prop_cycle": matplotlib.cycler(color=COLOURS),
+    "lines.linewidth": 1.8, "legend.frameon": False,
+    "axes.formatter.limits": (-4, 5), "axes.formatter.use_mathtext": True,
+})
+
+
+# ---- what the run left behind
+
+
+class Table:
+    """Columns of a CSV file: arrays of numbers, or of text where they are not."""
+
+    def __init__(self, names, rows):
+        self.columns = {}
+        for k, name in enumerate(names):
+            cells = [row[k] for row in rows]
+            try:
+                column = np.array([float(c) if c else np.nan for c in cells])
+            except ValueError:
+                column = np.array(cells)
+            self.columns[name] = column
+
+    @classmethod
+    def read(cls, path):
+        with open(path, newline="") as file:
+            names, *rows = list(csv.reader(file)) or [[]]
+        return cls(names, rows)
+
+    def __getitem__(self, name):
+        return self.columns[name]
+
+    def __contains__(self, name):
+        return name in self.columns
+
+    def __len__(self):
+        return len(next(iter(self.columns.values()), ()))
+
+    def where(self, mask):
+        part = Table((), ())
+        part.columns = {name: c[mask] for name, c in self.columns.items()}
+        return part
+
+    def split(self, name):
+        """(value, rows) for each value of a column, in order of appearance."""
+        values = self[name].astype(str)
+        for value in dict.fromkeys(values):
+            yield value, self.where(values == value)
+
+    def last_step(self):
+        if "step" not in self or not len(self):
+            return self
+        return self.where(self["step"] == self["step"].max())
+
+
+class Line:
+    """A line of one body at the last step."""
+
+    def __init__(self, name, table):
+        self.name, self.table = name, table
+        self.body = str(table["body"][0])
+        extents = {axis: np.ptp(table[axis]) for axis in "xyz"}
+        self.direction = max(extents, key=extents.get)
+
+    @property
+    def span(self):
+        values = self.table[self.direction]
+        return values.min(), values.max()
+
+    def pieces(self):
+        """The line ply by ply, so that nothing is drawn across an interface."""
+        if "ply" not in self.table:
+            return [("", self.table)]
+        return list(self.table.split("ply"))
+
+
+class Results:
+    def __init__(self, folder):
+        summary = folder / "summary.json"
+        self.summary = json.loads(summary.read_text()) if summary.exists() else {}
+        self.title = self.summary.get("title", "")
+        self.units = self.summary.get("units") or {}
+        self.lines = [line for path in sorted(folder.glob("lines/*.csv"))
+                      for line in self.lines_of(path)]
+        self.cuts = self.tables(folder.glob("cuts/*.csv"))
+        self.contacts = self.tables(folder.glob("contact_*.csv"), "contact_")
+        history = folder / "history.csv"
+        self.history = Table.read(history) if history.exists() else Table((), ())
+
+    @staticmethod
+    def lines_of(path):
+        table = Table.read(path).last_step()
+        return [Line(path.stem, rows) for _, rows in table.split("body")] if len(
+            table) else []
+
+    @staticmethod
+    def tables(paths, prefix=""):
+        return {path.stem[len(prefix):]: Table.read(path).last_step()
+                for path in sorted(paths)}
+
+
+# ---- units and labels
+
+
+SI_PREFIXES = {
+    "m": ((2e-5, "µm", 1e6), (0.5, "mm", 1e3), (np.inf, "m", 1)),
+    "Pa": ((1e4, "Pa", 1), (1e10, "MPa", 1e-6), (np.inf, "GPa", 1e-9)),
+    "mm": ((2e-2, "µm", 1e3), (np.inf, "mm", 1)),
+    "MPa": ((1e-2, "Pa", 1e6), (np.inf, "MPa", 1)),
+    "N": ((1e4, "N", 1), (np.inf, "kN", 1e-3)),
+}
+
+
+class Scale:
+    """The factor and the unit that make the numbers of a plot readable."""
+
+    def __init__(self, unit, *values):
+        finite = np.concatenate([np.ravel(v) for v in values] or [[0.]])
+        largest = np.nanmax(np.abs(finite)) if len(finite) else 0.
+        self.factor, self.unit = 1., unit or ""
+        for limit, name, factor in SI_PREFIXES.get(unit, ()):
+            if largest < limit:
+                self.unit, self.factor = name, factor
+                break
+
+    def __call__(self, values):
+        return np.asarray(values) * self.factor
+
+    def label(self, name):
+        return f"{name} [{self.unit}]" if self.unit else name
+
+    def number(self, value):
+        return f"{value * self.factor:.6g} {self.unit}".rstrip()
+
+
+def unit_of(results, column):
+    kind = ("stress" if column[0] == "s" or column == "pressure" else
+            "force" if column == "force" else "length")
+    return results.units.get(kind)
+
+
+def magnitude(tables, column):
+    return max((np.nanmax(np.abs(t[column])) for t in tables if len(t)), default=0.)
+
+
+def that_matter(tables, columns, size=magnitude):
+    """The columns that are not rounding beside the largest of them."""
+    sizes = {c: size(tables, c) for c in columns}
+    largest = max(sizes.values())
+    return [c for c in columns if sizes[c] > NEGLIGIBLE * largest]
+
+
+def variation(tables, column):
+    return max(np.ptp(table[column]) for table in tables)
+
+
+def stresses_to_show(tables):
+    """Shear and axial stress; the thickness stress where contact makes it big."""
+    sizes = {c: magnitude(tables, c) for c in ("syz", "syy", "szz")}
+    shown = [c for c in ("syz", "syy")
+             if sizes[c] > NEGLIGIBLE * max(sizes.values())]
+    return shown + (["szz"] if sizes["szz"] > 0.1 * max(sizes.values()) else [])
+
+
+# ---- pieces of figures
+
+
+def new_figure(results, about, rows=1, columns=1, height=2.3, **options):
+    figure, axes = plt.subplots(rows, columns, squeeze=False,
+                                figsize=(WIDTH, 0.9 + height * rows), **options)
+    figure.suptitle(": ".join(filter(None, (results.title, about))), fontsize=12)
+    return figure, axes
+
+
+def legend_above(axis, fewest=2):
+    handles, _ = axis.get_legend_handles_labels()
+    if len(handles) >= fewest:
+        axis.legend(loc="lower left", bbox_to_anchor=(0, 1.0), ncol=min(
+            len(handles), 3), borderaxespad=0.2, handlelength=2.4)
+
+
+def label_of(line, lines):
+    """The body's name, with the line's where the body has several."""
+    same = [other for other in lines if other.body == line.body]
+    return line.body if len(same) == 1 else f"{line.body}, {line.name}"
+
+
+def file_name(lines, kind):
+    return lines[0].name if len(lines) == 1 else kind
+
+
+def draw_pieces(axis, line, scale, x, y, shift=0., label=None, **style):
+    """y(x) - shift, ply by ply; only the first piece goes into the legend."""
+    for _, piece in line.pieces():
+        axis.plot(scale[x](piece[x]), scale[y](piece[y] - shift), label=label,
+                  **style)
+        label = None
+
+
+def scales(results, lines, columns):
+    return {c: Scale(unit_of(results, c), *[line.table[c] for line in lines])
+            for c in columns}
+
+
+def draw_against(results, lines, direction, columns, about):
+    """One panel a column, all lines in each, against the scene's direction."""
+    figure, axes = new_figure(results, about, rows=len(columns), sharex=True)
+    scale = scales(results, lines, [direction, *columns])
+    for axis, column in zip(axes[:, 0], columns):
+        name = NAMES[column]
+        shift = nearly_constant(lines, column)
+        if shift:
+            scale[column] = Scale(unit_of(results, column), *[
+                line.table[column] - shift[k] for k, line in enumerate(lines)])
+            name += " − mean"
+        for k, line in enumerate(lines):
+            label = label_of(line, lines)
+            if shift:
+                whole = Scale(unit_of(results, column), shift[k])
+                label += f" (mean {whole.number(shift[k])})"
+            draw_pieces(axis, line, scale, direction, column, label=label,
+                        shift=shift[k] if shift else 0.,
+                        color=COLOURS[k], linestyle=DASHES[k % len(DASHES)])
+        axis.set_ylabel(scale[column].label(name))
+        axis.margins(x=0.01)
+        if shift or column == columns[0]:
+            legend_above(axis, fewest=1 if shift else 2)
+    axes[-1, 0].set_xlabel(scale[direction].label(direction))
+    figure.align_ylabels()
+    return figure
+
+
+def nearly_constant(lines, column):
+    """The means of the lines where they would hide the variation, else None."""
+    values = [line.table[column] for line in lines]
+    if all(np.ptp(v) < 0.02 * np.abs(v).max() for v in values):
+        return [v.mean() for v in values]
+    return None
+
+
+# ---- the figures; each yields (file name, figure)
+
+
+def along_the_axis(results):
+    for lines in grouped(results.lines, "y", same_span):
+        tables = [line.table for line in lines]
+        columns = (that_matter(tables, ("uz", "uy", "ux"))
+                   + that_matter(tables, ("syy",)))
+        if columns:
+            yield (file_name(lines, "along_the_axis"),
+                   draw_against(results, lines, "y", columns, "along the axis"))
+
+
+def across_the_width(results):
+    for lines in grouped(results.lines, "x", same_span):
+        columns = that_matter([line.table for line in lines], ("uz", "uy", "ux"),
+                              variation)
+        if columns:
+            place = Scale(results.units.get("length"), lines[0].table["y"])
+            at = place.number(lines[0].table["y"][0])
+            yield (file_name(lines, "across_the_width"),
+                   draw_against(results, lines, "x", columns,
+                                f"across the width at y = {at}"))
+
+
+def through_the_thickness(results):
+    for lines in grouped(results.lines, "z", same_station):
+        columns = stresses_to_show([line.table for line in lines])
+        if not columns:
+            continue
+        place = Scale(results.units.get("length"),
+                      *[line.table["y"] for line in results.lines])
+        at = place.number(lines[0].table["y"][0])
+        figure, axes = new_figure(
+            results, f"through the thickness at y = {at}", rows=len(lines),
+            columns=len(columns), height=3., sharey="row")
+        scale = scales(results, lines, ["z", *columns])
+        for row, line in zip(axes, lines):
+            for k, (axis, column) in enumerate(zip(row, columns)):
+                shade_plies(axis, line, scale["z"], k == len(columns) - 1)
+                draw_pieces(axis, line, scale, column, "z", color=COLOURS[k])
+                axis.axvline(0, color="0.6", linewidth=0.8)
+                axis.set_xlabel(scale[column].label(NAMES[column]))
+                axis.set_ylim(*(scale["z"](v) for v in line.span))
+                axis.margins(x=0.08)
+            row[0].set_ylabel(scale["z"].label("z"))
+            row[0].set_title(label_of(line, lines), loc="left")
+        yield file_name(lines, "through_the_thickness"), figure
+
+
+def shade_plies(axis, line, scale, with_names):
+    pieces = line.pieces()
+    if len(pieces) < 2:
+        return
+    axis.grid(False)
+    axis.grid(True, axis="x")
+    for k, (ply, piece) in enumerate(pieces):
+        low, high = scale(piece["z"].min()), scale(piece["z"].max())
+        axis.axhspan(low, high, color="0.95" if k % 2 else "white", zorder=0)
+        if with_names and len(pieces) <= 16:
+            axis.annotate(f"ply {float(ply):g}", (1.02, (low + high) / 2),
+                          xycoords=("axes fraction", "data"), va="center",
+                          color="0.35", annotation_clip=False)
+
+
+def grouped(lines, direction, alike):
+    """Groups of lines along a direction that belong into one figure."""
+    groups = []
+    for line in lines:
+        if line.direction != direction:
+            continue
+        for group in groups:
+            if len(group) < MOST_LINES and alike(group[0], line):
+                group.append(line)
+                break
+        else:
+            groups.append([line])
+    # The uppermost first, as they stand in the scene.
+    return [sorted(group, key=lambda line: -line.table["z"].mean())
+            for group in groups]
+
+
+def same_span(a, b):
+    overlap = min(a.span[1], b.span[1]) - max(a.span[0], b.span[0])
+    longest = max(a.span[1] - a.span[0], b.span[1] - b.span[0])
+    if overlap <= 0.5 * longest:
+        return False
+    return a.direction == "y" or same_station(a, b)
+
+
+def same_station(a, b):
+    y = a.table["y"][0], b.table["y"][0]
+    return abs(y[0] - y[1]) <= 1e-6 * max(abs(y[0]), abs(y[1]))
+
+
+def section_cuts(results):
+    for name, table in results.cuts.items():
+        if not len(table):
+            continue
+        for body, rows in table.split("body"):
+            columns = stresses_to_show([rows])
+            several = len(set(table["body"])) > 1
+            if columns:
+                yield (f"section_{name}" + (f"_{body}" if several else ""),
+                       draw_cut(results, body, rows, columns))
+
+
+def draw_cut(results, body, table, columns):
+    length = results.units.get("length")
+    scale = Scale(length, np.ptp(table["x"]), np.ptp(table["z"]))
+    place = Scale(length, table["y"])
+    width, height = np.ptp(table["x"]), np.ptp(table["z"])
+    stretch_x, stretch_z = exaggeration(width, height)
+    panel = WIDTH * 0.78 * (height * stretch_z) / (width * stretch_x)
+    # A tall section has its panels side by side, a wide one above each other.
+    wide = width * stretch_x >= height * stretch_z
+    rows, cols = (len(columns), 1) if wide else (1, len(columns))
+    figure, axes = new_figure(
+        results, f"{body}, section at y = {place.number(table['y'].mean())}",
+        rows=rows, columns=cols, height=panel + 0.35 if wide else 6.,
+        sharex=True, sharey=True)
+    figure.set_constrained_layout_pads(h_pad=0.12)
+    for axis, column in zip(axes.flat, columns):
+        contour(axis, table, column, scale, Scale(unit_of(results, column),
+                                                  table[column]))
+        axis.set_aspect(stretch_z / stretch_x)
+        axis.grid(False)
+    for axis in axes[:, 0]:
+        axis.set_ylabel(scale.label("z") + drawn_larger(stretch_z))
+    for axis in axes[-1, :]:
+        axis.set_xlabel(scale.label("x") + drawn_larger(stretch_x))
+    return figure
+
+
+def exaggeration(width, height, largest_aspect=8., drawn_aspect=3.):
+    """Round factors for x and z; one is 1, both where the shape is readable."""
+    aspect = width / height
+    if max(aspect, 1 / aspect) <= largest_aspect:
+        return 1, 1
+    wanted = max(aspect, 1 / aspect) / drawn_aspect
+    factors = [k * 10.**p for p in range(8) for k in (1, 2, 5)]
+    factor = int(max(f for f in factors if f <= wanted))
+    return (1, factor) if aspect > 1 else (factor, 1)
+
+
+def drawn_larger(factor):
+    return "" if factor == 1 else f"\nenlarged {factor} times"
+
+
+def contour(axis, table, column, position, stress):
+    """Cell by cell, so that the jumps between cells stay visible."""
+    values = stress(table[column])
+    low, high = values.min(), values.max()
+    two_signs = low < -0.1 * high and high > -0.1 * low
+    if two_signs:
+        high = max(-low, high)
+        low = -high
+    if not high > low:
+        low, high = low - 1, high + 1
+    levels = MaxNLocator(14).tick_values(low, high)
+    colours = plt.get_cmap("RdBu_r" if two_signs else "cividis")
+    norm = BoundaryNorm(levels, colours.N)
+    for _, cell in table.split("cell"):
+        x, z, v = cell_grids(cell, position, stress, column)
+        shades = axis.contourf(x, z, v, levels, cmap=colours, norm=norm,
+                               antialiased=False)
+        outline = np.r_[0:x.size].reshape(x.shape)
+        edge = np.concatenate([outline[0], outline[1:, -1], outline[-1, -2::-1],
+                               outline[-2::-1, 0]])
+        axis.plot(x.flat[edge], z.flat[edge], color="0.25", linewidth=0.5)
+    figure = axis.get_figure()
+    bar = figure.colorbar(shades, ax=axis, pad=0.02, aspect=14)
+    bar.ax.yaxis.set_major_locator(MaxNLocator(6))
+    bar.set_label(stress.label(NAMES[column]))
+
+
+def cell_grids(cell, position, stress, column):
+    i, j = cell["i"].astype(int), cell["j"].astype(int)
+    shape = i.max() + 1, j.max() + 1
+    grids = []
+    for values in (position(cell["x"]), position(cell["z"]), stress(cell[column])):
+        grid = np.full(shape, np.nan)
+        grid[i, j] = values
+        grids.append(grid)
+    return grids
+
+
+HISTORY_COLUMN = re.compile(
+    r"(support|contact|probe)s?[.:/ ](.+?)[.:/ ]?(?:reaction|force)?[.:/ _]?"
+    r"([fru]?)_?([xyz])$")
+
+
+def load_history(results):
+    table = results.history
+    if "step" not in table or len(table) < 2:
+        return
+    kinds = defaultdict(list)
+    for column in table.columns:
+        found = HISTORY_COLUMN.match(column)
+        if found:
+            kinds[found[1]].append((np.ptp(table[column]), column, found))
+    probes = sorted(kinds["probe"], key=lambda entry: -entry[0])
+    forces = kinds["contact"] or kinds["support"]
+    if not probes or not forces:
+        return
+    _, x, probe = probes[0]
+    figure, axes = new_figure(results, "load history", height=3.6)
+    axis = axes[0, 0]
+    curves = largest_components(forces)
+    force = Scale(results.units.get("force"), *[table[c] for c, _ in curves])
+    moved = Scale(results.units.get("length"), table[x])
+    sign, minus = upwards(table[x])
+    axis.set_xlabel(moved.label(f"${minus}u_{probe[4]}$ of {probe[2]}"))
+    for k, (column, found) in enumerate(curves):
+        force_sign, minus = upwards(table[column])
+        axis.plot(sign * moved(table[x]), force_sign * force(table[column]),
+                  marker="o", markersize=4, linestyle=DASHES[k % len(DASHES)],
+                  label=f"${minus}F_{found[4]}$ of {found[1]} {found[2]}")
+    axis.set_ylabel(force.label("force"))
+    legend_above(axis, fewest=1)
+    yield "history", figure
+
+
+def upwards(values):
+    """The sign that makes the largest value positive, and its label."""
+    return (-1, "-") if -values.min() > values.max() else (1, "")
+
+
+def largest_components(forces):
+    """For each name its component that changes most, without the idle ones."""
+    best = {}
+    for size, column, found in sorted(forces, key=lambda entry: entry[0]):
+        best[found[2]] = (size, column, found)
+    largest = max(size for size, _, _ in best.values())
+    return [(column, found) for size, column, found in best.values()
+            if size >= NEGLIGIBLE * largest][:MOST_LINES]
+
+
+def contact_pressure(results):
+    for name, table in results.contacts.items():
+        active = table.where(table["active"] == 1) if len(table) else table
+        if len(active) <= 3:
+            continue
+        column = "pressure" if np.any(active["pressure"]) else "force"
+        extents = {a: np.ptp(active[a]) for a in "xy"}
+        longest = max(extents.values())
+        # Against both directions where the contact is a patch, not a line.
+        directions = [a for a in ("y", "x") if extents[a] > 1e-3 * longest]
+        if not directions:
+            continue
+        figure, axes = new_figure(results, f"{column} in contact {name}", height=3.4,
+                                  columns=len(directions), sharey=True)
+        value = Scale(unit_of(results, column), active[column])
+        for axis, direction in zip(axes[0], directions):
+            place = Scale(results.units.get("length"), active[direction])
+            axis.plot(place(active[direction]), value(active[column]), "o",
+                      markersize=4.5, alpha=0.7, markeredgewidth=0)
+            axis.set_xlabel(place.label(direction))
+            axis.set_ylim(bottom=0)
+            axis.xaxis.set_major_locator(MaxNLocator(5))
+        axes[0, 0].set_ylabel(value.label(
+            f"{column} of the {len(active)} active pairs"))
+        yield f"contact_{name}", figure
+
+
+FIGURES = (along_the_axis, through_the_thickness, across_the_width, section_cuts,
+           load_history, contact_pressure)
+
+
+def main():
+    if len(sys.argv) != 2 or not Path(sys.argv[1]).is_dir():
+        sys.exit("Usage: scripts/plot DIR (the output folder of a run)")
+    folder = Path(sys.argv[1])
+    results = Results(folder)
+    pictures = folder / "pictures"
+    pictures.mkdir(exist_ok=True)
+    for old in pictures.glob("*.png"):
+        old.unlink()
+    taken = defaultdict(int)
+    for draw in FIGURES:
+        for name, figure in draw(results):
+            taken[name] += 1
+            suffix = f"_{taken[name]}" if taken[name] > 1 else ""
+            figure.savefig(pictures / f"{name}{suffix}.png")
+            plt.close(figure)
+    if not taken:
+        print(f"{folder} holds nothing to draw (no lines, cuts or load steps).")
+
+
+if __name__ == "__main__":
+    main()

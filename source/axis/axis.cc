@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <lamella/axis/axis.h>
+
+#include <deal.II/base/quadrature_lib.h>
+
+#include <deal.II/dofs/dof_tools.h>
+
+#include <deal.II/fe/mapping_q.h>
+
+#include <deal.II/grid/grid_generator.h>
+
+#include <deal.II/lac/dynamic_sparsity_pattern.h>
+
+#include <numeric>
+
+namespace lamella
+{
+  using namespace dealii;
+
+  namespace
+  {
+    FE_Q<1>
+    make_element(const AxisMesh &description)
+    {
+      if (description.equidistant_nodes)
+        return FE_Q<1>(QIterated<1>(QTrapezoid<1>(), description.degree));
+      return FE_Q<1>(description.degree);
+    }
+
+
+
+    /// The lengths of the elements, piece by piece.
+    std::vector<double>
+    element_lengths(const AxisMesh &description)
+    {
+      std::vector<double> ends = description.breaks;
+      ends.push_back(description.length);
+      std::vector<double> lengths;
+      double              begin = 0.;
+      for (unsigned int piece = 0; piece < ends.size(); ++piece)
+        {
+          const unsigned int n = description.elements[piece];
+          lengths.insert(lengths.end(), n, (ends[piece] - begin) / n);
+          begin = ends[piece];
+        }
+      return lengths;
+    }
+  } // namespace
+
+
+
+  Axis::Axis(const AxisMesh &description_)
+    : description(description_)
+    , fe(make_element(description))
+    , dof_handler(mesh)
+  {
+    GridGenerator::subdivided_hyper_rectangle(mesh,
+                                              {element_lengths(description)},
+                                              Point<1>(0.),
+                                              Point<1>(description.length));
+    dof_handler.distribute_dofs(fe);
+    number_nodes();
+    make_matrices();
+  }
+
+
+
+  void
+  Axis::number_nodes()
+  {
+    const unsigned int    n = dof_handler.n_dofs();
+    std::vector<Point<1>> positions(n);
+    DoFTools::map_dofs_to_support_points(MappingQ<1>(1),
+                                         dof_handler,
+                                         positions);
+    std::vector<types::global_dof_index> order(n), number(n);
+    std::iota(order.begin(), order.end(), 0);
+    std::sort(order.begin(), order.end(), [&positions](auto a, auto b) {
+      return positions[a][0] < positions[b][0];
+    });
+    for (unsigned int i = 0; i < n; ++i)
+      {
+        number[order[i]] = i;
+        node_positions.push_back(positions[order[i]][0]);
+      }
+    dof_handler.renumber_dofs(number);
+
+    std::vector<types::global_dof_index> indices(fe.n_dofs_per_cell());
+    for (const auto &cell : dof_handler.active_cell_iterators())
+      {
+        cell->get_dof_indices(indices);
+        cell_nodes.emplace_back(indices.begin(), indices.end());
+        cell_bounds.emplace_back(cell->vertex(0)[0], cell->vertex(1)[0]);
+      }
+  }
+
+
+
+  AxisPoint
+  Axis::evaluate(const unsigned int cell, const double eta) const
+  {
+    const auto [begin, end] = cell_bounds[cell];
+    AxisPoint point;
+    point.cell = cell;
+    point.y    = begin + eta * (end - begin);
+    for (unsigned int i = 0; i < fe.n_dofs_per_cell(); ++i)
+      {
+        // At a node the others vanish exactly, and rows there stay short.
+        const double N = fe.shape_value(i, Point<1>(eta));
+        point.N.push_back(std::abs(N) < 1e-14 ? 0. : N);
+        point.dN.push_back(fe.shape_grad(i, Point<1>(eta))[0] / (end - begin));
+      }
+    return point;
+  }
+
+
+
+  void
+  Axis::make_matrices()
+  {
+    const QGauss<1> quadrature(fe.degree + 1);
+    for (unsigned int cell = 0; cell < n_cells(); ++cell)
+      for (unsigned int q = 0; q < quadrature.size(); ++q)
+        {
+          points.push_back(evaluate(cell, quadrature.point(q)[0]));
+          weights.push_back(quadrature.weight(q) *
+                            (cell_end(cell) - cell_begin(cell)));
+        }
+
+    DynamicSparsityPattern pattern(n_nodes());
+    DoFTools::make_sparsity_pattern(dof_handler, pattern);
+    sparsity.copy_from(pattern);
+    for (Matrix &matrix : matrices)
+      matrix.reinit(sparsity);
+    for (unsigned int k = 0; k < points.size(); ++k)
+      {
+        const auto &nodes = cell_nodes[points[k].cell];
+        for (unsigned int i = 0; i < nodes.size(); ++i)
+          for (unsigned int j = 0; j < nodes.size(); ++j)
+            for (unsigned int p = 0; p < 2; ++p)
+              for (unsigned int q = 0; q < 2; ++q)
+                matrices[2 * p + q].add(nodes[i],
+                                        nodes[j],
+                                        weights[k] *
+                                          (p ? points[k].dN : points[k].N)[i] *
+                                          (q ? points[k].dN : points[k].N)[j]);
+      }
+  }
+
+
+
+  std::vector<std::pair<unsigned int, double>>
+  Axis::locate(const double y, const double tolerance) const
+  {
+    std::vector<std::pair<unsigned int, double>> found;
+    for (unsigned int cell = 0; cell < n_cells(); ++cell)
+      {
+        const auto [begin, end] = cell_bounds[cell];
+        if (y >= begin - tolerance && y <= end + tolerance)
+          found.emplace_back(
+            cell, std::min(1., std::max(0., (y - begin) / (end - begin))));
+      }
+    return found;
+  }
+
+
+
+  std::pair<unsigned int, double>
+  Axis::place_of_node(const unsigned int node) const
+  {
+    return locate(node_positions[node], 1e-10 * length()).front();
+  }
+
+
+
+  std::vector<double>
+  Axis::node_weights() const
+  {
+    std::vector<double> sums(n_nodes(), 0.);
+    for (unsigned int k = 0; k < points.size(); ++k)
+      {
+        const auto &nodes = cell_nodes[points[k].cell];
+        for (unsigned int i = 0; i < nodes.size(); ++i)
+          sums[nodes[i]] += weights[k] * points[k].N[i];
+      }
+    return sums;
+  }
+} // namespace lamella

@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <lamella/base/exceptions.h>
+#include <lamella/base/factorisation.h>
+
+#include <cholmod.h>
+
+#include <cstring>
+
+namespace lamella
+{
+  namespace
+  {
+    /// The workspace of CHOLMOD and the factor L, both freed with the object.
+    class CholmodFactorisation : public Factorisation
+    {
+    public:
+      CholmodFactorisation(const Matrix &matrix, const std::string &what);
+      CholmodFactorisation(const CholmodFactorisation &) = delete;
+      ~CholmodFactorisation() override;
+
+      void
+      solve(Vector &x) const override;
+      void
+      forward(Columns &y) const override;
+      void
+      backward(Vector &x) const override;
+
+      double
+      condition_estimate() const override
+      {
+        return 1. / reciprocal_condition;
+      }
+
+      std::size_t
+      n_nonzero() const override
+      {
+        return factor->xsize;
+      }
+
+    private:
+      /// The data of @p x, n_columns of them, run through one CHOLMOD system.
+      void
+      apply(const int system, double *x, const std::size_t n_columns) const;
+
+      // CHOLMOD writes into its workspace while solving.
+      mutable cholmod_common common;
+      cholmod_factor        *factor               = nullptr;
+      double                 reciprocal_condition = 0.;
+    };
+
+
+
+    /// The lower triangle by columns, which is the upper one by rows. Exact
+    /// zeros (a cross-ply does not couple extension to shear) are left out: they
+    /// would only cause fill.
+    cholmod_sparse *
+    lower_triangle(const Matrix &matrix, cholmod_common &common)
+    {
+      const std::size_t n     = matrix.m();
+      std::size_t       count = 0;
+      for (const auto &entry : matrix)
+        count += entry.column() >= entry.row() && entry.value() != 0.;
+
+      cholmod_sparse *A = cholmod_l_allocate_sparse(
+        n, n, count, true, true, -1, CHOLMOD_REAL, &common);
+      auto *const       start = static_cast<SuiteSparse_long *>(A->p);
+      auto *const       rows  = static_cast<SuiteSparse_long *>(A->i);
+      auto *const       x     = static_cast<double *>(A->x);
+      std::size_t       next  = 0;
+      for (std::size_t row = 0; row < n; ++row)
+        {
+          start[row] = next;
+          // deal.II stores the diagonal first and then ascending columns, so
+          // this order is sorted.
+          for (auto entry = matrix.begin(row); entry != matrix.end(row); ++entry)
+            if (entry->column() >= row && entry->value() != 0.)
+              {
+                rows[next] = entry->column();
+                x[next++]  = entry->value();
+              }
+        }
+      start[n] = next;
+      return A;
+    }
+
+
+
+    CholmodFactorisation::CholmodFactorisation(const Matrix      &matrix,
+                                               const std::string &what)
+    {
+      cholmod_l_start(&common);
+      common.supernodal = CHOLMOD_SUPERNODAL;
+      common.final_ll   = true;
+      common.print      = 0;
+
+      cholmod_sparse *A = lower_triangle(matrix, common);
+      factor            = cholmod_l_analyze(A, &common);
+      cholmod_l_factorize(A, factor, &common);
+      reciprocal_condition = cholmod_l_rcond(factor, &common);
+      cholmod_l_free_sparse(&A, &common);
+
+      const std::size_t minor     = factor->minor;
+      const int         status    = common.status;
+      const bool        succeeded = status == CHOLMOD_OK && minor == matrix.m();
+      if (!succeeded)
+        {
+          cholmod_l_free_factor(&factor, &common);
+          cholmod_l_finish(&common);
+          if (status == CHOLMOD_OUT_OF_MEMORY)
+            throw NumericsError("The factorisation of " + what +
+                                " does not fit in memory. Use a coarser mesh "
+                                "or a lower order.");
+          throw NumericsError(
+            "The stiffness matrix of " + what +
+            " is not positive definite (pivot " + std::to_string(minor) +
+            " of " + std::to_string(matrix.m()) +
+            "). Either the body can still move, or its slenderness or its "
+            "ratio of stiffnesses is beyond what double precision holds.");
+        }
+    }
+
+
+
+    CholmodFactorisation::~CholmodFactorisation()
+    {
+      cholmod_l_free_factor(&factor, &common);
+      cholmod_l_finish(&common);
+    }
+
+
+
+    void
+    CholmodFactorisation::apply(const int         system,
+                                double           *x,
+                                const std::size_t n_columns) const
+    {
+      cholmod_dense b{};
+      b.nrow  = factor->n;
+      b.ncol  = n_columns;
+      b.d     = factor->n;
+      b.nzmax = b.nrow * b.ncol;
+      b.x     = x;
+      b.xtype = CHOLMOD_REAL;
+      b.dtype = CHOLMOD_DOUBLE;
+
+      cholmod_dense *y = cholmod_l_solve(system, factor, &b, &common);
+      if (y == nullptr)
+        throw NumericsError("CHOLMOD could not solve with a factor: out of "
+                            "memory. Use a coarser mesh or a lower order.");
+      std::memcpy(x, y->x, sizeof(double) * b.nzmax);
+      cholmod_l_free_dense(&y, &common);
+    }
+
+
+
+    void
+    CholmodFactorisation::solve(Vector &x) const
+    {
+      apply(CHOLMOD_A, x.begin(), 1);
+    }
+
+
+
+    void
+    CholmodFactorisation::forward(Columns &y) const
+    {
+      apply(CHOLMOD_P, &y(0, 0), y.n());
+      apply(CHOLMOD_L, &y(0, 0), y.n());
+    }
+
+
+
+    void
+    CholmodFactorisation::backward(Vector &x) const
+    {
+      apply(CHOLMOD_Lt, x.begin(), 1);
+      apply(CHOLMOD_Pt, x.begin(), 1);
+    }
+  } // namespace
+
+
+
+  std::unique_ptr<Factorisation>
+  factorise(const Matrix &matrix, const std::string &what)
+  {
+    return std::make_unique<CholmodFactorisation>(matrix, what);
+  }
+} // namespace lamella

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <lamella/base/row.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace lamella
+{
+  void
+  Row::add(const DofIndex dof, const double weight)
+  {
+    if (weight != 0.)
+      row.emplace_back(dof, weight);
+  }
+
+
+
+  void
+  Row::add(const Row &other, const double factor)
+  {
+    for (const auto &[dof, weight] : other.row)
+      add(dof, factor * weight);
+  }
+
+
+
+  void
+  Row::compress()
+  {
+    std::sort(row.begin(), row.end(), [](const Entry &a, const Entry &b) {
+      return a.first < b.first;
+    });
+    std::vector<Entry> merged;
+    for (const Entry &entry : row)
+      if (!merged.empty() && merged.back().first == entry.first)
+        merged.back().second += entry.second;
+      else
+        merged.push_back(entry);
+    row = std::move(merged);
+  }
+
+
+
+  void
+  Row::drop_below(const double relative)
+  {
+    double largest = 0.;
+    for (const Entry &entry : row)
+      largest = std::max(largest, std::abs(entry.second));
+    row.erase(std::remove_if(row.begin(),
+                             row.end(),
+                             [&](const Entry &entry) {
+                               return std::abs(entry.second) <
+                                      relative * largest;
+                             }),
+              row.end());
+  }
+
+
+
+  double
+  Row::operator()(const Vector &u) const
+  {
+    double sum = 0.;
+    for (const auto &[dof, weight] : row)
+      sum += weight * u[dof];
+    return sum;
+  }
+
+
+
+  void
+  Row::add_to(Vector &f, const double factor) const
+  {
+    for (const auto &[dof, weight] : row)
+      f[dof] += factor * weight;
+  }
+
+
+
+  Row
+  Row::reduced(const Constraints &constraints) const
+  {
+    Row result;
+    for (const auto &[dof, weight] : row)
+      if (!constraints.is_constrained(dof))
+        result.add(dof, weight);
+      else
+        for (const auto &[other, factor] :
+             *constraints.get_constraint_entries(dof))
+          result.add(other, weight * factor);
+    result.compress();
+    return result;
+  }
+} // namespace lamella

@@ -1,0 +1,344 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <lamella/body/beam.h>
+
+#include <deal.II/lac/dynamic_sparsity_pattern.h>
+
+#include <numeric>
+
+namespace lamella
+{
+  using namespace dealii;
+
+  namespace
+  {
+    std::vector<std::vector<unsigned int>>
+    all_fields(const Section &section, const Axis &axis)
+    {
+      std::vector<unsigned int> fields(section.n_fields());
+      std::iota(fields.begin(), fields.end(), 0);
+      return std::vector<std::vector<unsigned int>>(axis.n_nodes(), fields);
+    }
+  } // namespace
+
+
+
+  Beam::Beam(const std::string             &name,
+             std::shared_ptr<const Section> section,
+             std::shared_ptr<const Axis>    axis,
+             const Placement               &placement)
+    : Beam(name, section, axis, placement, all_fields(*section, *axis))
+  {}
+
+
+
+  Beam::Beam(const std::string                            &name,
+             std::shared_ptr<const Section>                section,
+             std::shared_ptr<const Axis>                   axis,
+             const Placement                              &placement,
+             const std::vector<std::vector<unsigned int>> &fields_of_node)
+    : Body(name)
+    , beam_section(std::move(section))
+    , beam_axis(std::move(axis))
+    , placement(placement)
+    , dof_map(fields_of_node, beam_section->n_fields())
+  {}
+
+
+
+  std::string
+  Beam::theory() const
+  {
+    return beam_section->element().name() + ", " +
+           std::to_string(beam_axis->n_cells()) + " B" +
+           std::to_string(beam_axis->degree() + 1);
+  }
+
+
+
+  unsigned int
+  Beam::dof_level(const DofIndex dof) const
+  {
+    return beam_section->field(dof_map.field_of(dof)).level;
+  }
+
+
+
+  Point<3>
+  Beam::centre() const
+  {
+    const Point<2> c = beam_section->element().centre();
+    return placement.to_scene({c[0], 0.5 * beam_axis->length(), c[1]});
+  }
+
+
+
+  double
+  Beam::size() const
+  {
+    return std::max(0.5 * beam_axis->length(),
+                    beam_section->element().reference_length());
+  }
+
+
+
+  BoundingBox<3>
+  Beam::bounding_box() const
+  {
+    std::vector<Point<3>> corners;
+    for (const Point<2> &v :
+         beam_section->element().section_mesh().mesh.get_vertices())
+      for (const double y : {0., beam_axis->length()})
+        corners.push_back(placement.to_scene({v[0], y, v[1]}));
+    return BoundingBox<3>(corners);
+  }
+
+
+
+  std::vector<Vector>
+  Beam::rigid_motions() const
+  {
+    const double        h      = beam_section->element().reference_length();
+    const double        middle = 0.5 * beam_axis->length();
+    std::vector<Vector> motions(6, Vector(n_dofs()));
+    for (unsigned int m = 0; m < 6; ++m)
+      {
+        Tensor<1, 3> direction;
+        direction[m % 3]       = 1.;
+        const Tensor<1, 3> v   = placement.vector_to_body(direction);
+        const bool         turn = m >= 3;
+        for (unsigned int node = 0; node < dof_map.n_nodes(); ++node)
+          {
+            const auto set = [&](const unsigned int alpha, const double value) {
+              if (dof_map.place(node, alpha) >= 0)
+                motions[m][dof_map.first(node) + dof_map.place(node, alpha)] =
+                  value;
+            };
+            // v x (0, y - middle, 0) moves the axis; the rest turns sections.
+            const double arm = beam_axis->nodes()[node] - middle;
+            set(RigidField::translation_x, turn ? -v[2] * arm : v[0]);
+            set(RigidField::translation_y, turn ? 0. : v[1]);
+            set(RigidField::translation_z, turn ? v[0] * arm : v[2]);
+            set(RigidField::slope_x, turn ? h * v[2] : 0.);
+            set(RigidField::slope_z, turn ? -h * v[0] : 0.);
+            set(RigidField::rotation_y, turn ? h * v[1] : 0.);
+          }
+      }
+    return motions;
+  }
+
+
+
+  namespace
+  {
+    /// A row of a factor: its columns, ascending, and the four entries (p, q) of
+    /// each. The four matrices of a factor share one pattern.
+    struct FactorRow
+    {
+      std::vector<unsigned int>          columns;
+      std::vector<std::array<double, 4>> entries;
+    };
+
+
+
+    template <typename Matrices>
+    std::vector<FactorRow>
+    factor_rows(const Matrices &matrices, const unsigned int n)
+    {
+      std::vector<FactorRow> rows(n);
+      for (unsigned int r = 0; r < n; ++r)
+        {
+          // deal.II stores the diagonal first; here columns ascend.
+          std::map<unsigned int, std::array<double, 4>> sorted;
+          for (unsigned int pq = 0; pq < 4; ++pq)
+            for (auto entry = matrices(pq / 2, pq % 2).begin(r);
+                 entry != matrices(pq / 2, pq % 2).end(r);
+                 ++entry)
+              sorted[entry->column()][pq] = entry->value();
+          for (const auto &[column, entries] : sorted)
+            {
+              rows[r].columns.push_back(column);
+              rows[r].entries.push_back(entries);
+            }
+        }
+      return rows;
+    }
+  } // namespace
+
+
+
+  void
+  Beam::assemble_stiffness(const Constraints &constraints,
+                           SparsityPattern   &sparsity,
+                           Matrix            &matrix) const
+  {
+    const auto axis_rows = factor_rows(
+      [this](auto p, auto q) -> auto & { return beam_axis->A(p, q); },
+      beam_axis->n_nodes());
+    const auto section_rows = factor_rows(
+      [this](auto p, auto q) -> auto & { return beam_section->S(p, q); },
+      beam_section->n_fields());
+
+    // Calls use(row, columns, values) for each row of the Kronecker products.
+    const auto for_each_row = [&](const bool with_values, const auto &use) {
+      std::vector<DofIndex> columns;
+      std::vector<double>   values;
+      for (unsigned int i = 0; i < dof_map.n_nodes(); ++i)
+        for (unsigned int k = 0; k < dof_map.fields(i).size(); ++k)
+          {
+            const FactorRow &section_row = section_rows[dof_map.fields(i)[k]];
+            columns.clear();
+            values.clear();
+            for (unsigned int m = 0; m < axis_rows[i].columns.size(); ++m)
+              {
+                const unsigned int           j = axis_rows[i].columns[m];
+                const std::array<double, 4> &A = axis_rows[i].entries[m];
+                for (unsigned int b = 0; b < section_row.columns.size(); ++b)
+                  {
+                    const int place = dof_map.place(j, section_row.columns[b]);
+                    if (place < 0)
+                      continue;
+                    columns.push_back(dof_map.first(j) + place);
+                    const std::array<double, 4> &S = section_row.entries[b];
+                    if (with_values)
+                      values.push_back(A[0] * S[0] + A[1] * S[1] +
+                                       A[2] * S[2] + A[3] * S[3]);
+                  }
+              }
+            use(dof_map.first(i) + k, columns, values);
+          }
+    };
+
+    DynamicSparsityPattern pattern(n_dofs());
+    for_each_row(false, [&](auto row, const auto &columns, const auto &) {
+      pattern.add_entries(row, columns.begin(), columns.end(), true);
+    });
+    constraints.condense(pattern);
+    sparsity.copy_from(pattern);
+    matrix.reinit(sparsity);
+    for_each_row(true, [&](auto row, const auto &columns, const auto &values) {
+      matrix.add(
+        row, columns.size(), columns.data(), values.data(), false, true);
+    });
+  }
+
+
+
+  Beam::AxisState
+  Beam::axis_state(const AxisPoint &point, const Vector &u) const
+  {
+    const auto &nodes = beam_axis->nodes_of_cell(point.cell);
+    AxisState   state{std::vector<double>(beam_section->n_fields(), 0.),
+                    std::vector<double>(beam_section->n_fields(), 0.)};
+    // Derivatives are taken of the differences to the first node: a rigid
+    // translation then has none, to the last bit.
+    std::vector<double> first(beam_section->n_fields(), 0.);
+    for (unsigned int k = 0; k < dof_map.fields(nodes[0]).size(); ++k)
+      first[dof_map.fields(nodes[0])[k]] = u[dof_map.first(nodes[0]) + k];
+
+    for (unsigned int i = 0; i < nodes.size(); ++i)
+      {
+        // A field that only some nodes carry vanishes at the others, so there
+        // its difference to the first node counts, too.
+        for (unsigned int alpha = 0; alpha < first.size(); ++alpha)
+          state.derivative[alpha] -= point.dN[i] * first[alpha];
+        const auto &fields = dof_map.fields(nodes[i]);
+        for (unsigned int k = 0; k < fields.size(); ++k)
+          {
+            const double value = u[dof_map.first(nodes[i]) + k];
+            state.value[fields[k]] += point.N[i] * value;
+            state.derivative[fields[k]] += point.dN[i] * value;
+          }
+      }
+    return state;
+  }
+
+
+
+  Beam::PointState
+  Beam::point_state(const SectionPoint &point, const AxisState &state)
+  {
+    PointState result;
+    for (unsigned int a = 0; a < point.fields->size(); ++a)
+      {
+        const unsigned int alpha = (*point.fields)[a];
+        result.displacement += state.value[alpha] * point.value[a];
+        result.slope += state.derivative[alpha] * point.value[a];
+        result.strain += state.value[alpha] * point.in_plane[a];
+        result.twist += state.value[alpha] * point.twist[a];
+      }
+    result.strain += axial_strain(result.slope);
+    return result;
+  }
+
+
+
+  void
+  Beam::add_internal_forces(const Vector &u, Vector &f) const
+  {
+    const auto &section_points  = beam_section->integration_points();
+    const auto &section_weights = beam_section->integration_weights();
+    for (unsigned int k = 0; k < beam_axis->integration_points().size(); ++k)
+      {
+        const AxisPoint &axis_point = beam_axis->integration_points()[k];
+        const AxisState  state      = axis_state(axis_point, u);
+        AxisState        work{std::vector<double>(state.value.size(), 0.),
+                       std::vector<double>(state.value.size(), 0.)};
+        for (unsigned int s = 0; s < section_points.size(); ++s)
+          {
+            const SectionPoint &point = section_points[s];
+            const Voigt         stress =
+              section_weights[s] * (beam_section->elasticity(point.cell) *
+                                    point_state(point, state).strain);
+            // The transpose of axial_strain().
+            const Point<3> traction(stress[3], stress[1], stress[5]);
+            for (unsigned int a = 0; a < point.fields->size(); ++a)
+              {
+                work.value[(*point.fields)[a]] += point.in_plane[a] * stress;
+                work.derivative[(*point.fields)[a]] +=
+                  point.value[a] * traction;
+              }
+          }
+        const double weight = beam_axis->integration_weights()[k];
+        const auto  &nodes  = beam_axis->nodes_of_cell(axis_point.cell);
+        for (unsigned int i = 0; i < nodes.size(); ++i)
+          for (unsigned int m = 0; m < dof_map.fields(nodes[i]).size(); ++m)
+            {
+              const unsigned int alpha = dof_map.fields(nodes[i])[m];
+              f[dof_map.first(nodes[i]) + m] +=
+                weight * (axis_point.N[i] * work.value[alpha] +
+                          axis_point.dN[i] * work.derivative[alpha]);
+            }
+      }
+  }
+
+
+
+  Deformation
+  Beam::deformation(const Vector &u) const
+  {
+    Deformation result;
+    for (unsigned int k = 0; k < beam_axis->integration_points().size(); ++k)
+      {
+        const AxisState state =
+          axis_state(beam_axis->integration_points()[k], u);
+        for (unsigned int s = 0; s < beam_section->integration_points().size();
+             ++s)
+          {
+            const SectionPoint &point = beam_section->integration_points()[s];
+            const PointState    at    = point_state(point, state);
+            result.energy += 0.5 * beam_axis->integration_weights()[k] *
+                             beam_section->integration_weights()[s] *
+                             (at.strain *
+                              (beam_section->elasticity(point.cell) * at.strain));
+            // curl u / 2 with d u_y / dz = gamma_yz - d u_z / dy and so on.
+            const Point<3> rotation(at.slope[2] - 0.5 * at.strain[5],
+                                    at.twist,
+                                    0.5 * at.strain[3] - at.slope[0]);
+            result.max_rotation =
+              std::max(result.max_rotation, rotation.norm());
+          }
+      }
+    return result;
+  }
+} // namespace lamella

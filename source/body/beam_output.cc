@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+// The fields of a beam at points, for probes, lines, contours and pictures.
+
+#include <lamella/body/beam.h>
+
+namespace lamella
+{
+  using namespace dealii;
+
+  FieldSample
+  Beam::field_sample(const PointState &state, const unsigned int cell) const
+  {
+    const Ply          &ply        = beam_section->plies()[beam_section->cell_ply(cell)];
+    const Voigt         stress     = beam_section->elasticity(cell) * state.strain;
+    const ElasticTensor to_scene   = placement.strain_to_scene();
+    // sigma' = T^-T sigma, and T^-1 is the strain rotation of the way back.
+    const ElasticTensor from_scene = strain_rotation(placement.axes);
+    const ElasticTensor from_ply   = strain_rotation(transpose(ply.axes()));
+
+    FieldSample sample;
+    sample.displacement = placement.vector_to_scene(state.displacement);
+    sample.strain       = to_scene * state.strain;
+    sample.stress       = transpose(from_scene) * stress;
+    sample.ply_stress   = transpose(from_ply) * stress;
+    return sample;
+  }
+
+
+
+  FieldSample
+  Beam::sample(const Location &where, const Vector &u) const
+  {
+    FieldSample        mean;
+    std::vector<Voigt> stresses;
+    double             largest = 0.;
+    for (const Location::Place &place : where.places)
+      {
+        const unsigned int section_cell = place.cell % beam_section->n_cells();
+        const AxisState    state =
+          axis_state(beam_axis->evaluate(place.cell / beam_section->n_cells(),
+                                         place.unit[1]),
+                     u);
+        const FieldSample one = field_sample(
+          point_state(beam_section->evaluate(section_cell,
+                                             {place.unit[0], place.unit[2]}),
+                      state),
+          section_cell);
+        const double share = 1. / where.places.size();
+        mean.displacement += share * one.displacement;
+        mean.strain += share * one.strain;
+        mean.stress += share * one.stress;
+        mean.ply_stress += share * one.ply_stress;
+        stresses.push_back(one.stress);
+        largest = std::max(largest, one.stress.norm());
+      }
+    for (const Voigt &a : stresses)
+      for (const Voigt &b : stresses)
+        if (largest > 0.)
+          mean.jump = std::max(mean.jump, (a - b).norm() / largest);
+    return mean;
+  }
+
+
+
+  std::vector<OutputCell>
+  Beam::sample_axis_cell(const unsigned int         axis_cell,
+                         const std::vector<double> &etas,
+                         const unsigned int         n,
+                         const Vector              &u) const
+  {
+    std::vector<std::pair<double, AxisState>> states;
+    for (const double eta : etas)
+      {
+        const AxisPoint point = beam_axis->evaluate(axis_cell, eta);
+        states.emplace_back(point.y, axis_state(point, u));
+      }
+
+    std::vector<OutputCell> cells(beam_section->n_cells());
+    for (unsigned int cell = 0; cell < cells.size(); ++cell)
+      {
+        cells[cell].ply = beam_section->cell_ply(cell);
+        cells[cell].fibre =
+          placement.vector_to_scene(beam_section->plies()[cells[cell].ply].axes()[0]);
+        for (unsigned int k = 0; k <= n; ++k)
+          {
+            std::vector<SectionPoint> row;
+            for (unsigned int i = 0; i <= n; ++i)
+              row.push_back(beam_section->evaluate(
+                cell, {double(i) / n, double(k) / n}));
+            for (const auto &[y, state] : states)
+              for (const SectionPoint &point : row)
+                {
+                  cells[cell].positions.push_back(placement.to_scene(
+                    {point.position[0], y, point.position[1]}));
+                  cells[cell].samples.push_back(
+                    field_sample(point_state(point, state), cell));
+                }
+          }
+      }
+    return cells;
+  }
+
+
+
+  std::vector<OutputCell>
+  Beam::cut(const double       position,
+            const unsigned int n,
+            const Vector      &u) const
+  {
+    const auto places =
+      beam_axis->locate(position, 1e-10 * beam_axis->length());
+    std::vector<OutputCell> cells;
+    if (!places.empty())
+      cells = sample_axis_cell(places[0].first, {places[0].second}, n, u);
+    if (places.size() == 2)
+      {
+        // Between two elements the mean of both, as in a probe.
+        const auto other =
+          sample_axis_cell(places[1].first, {places[1].second}, n, u);
+        for (unsigned int c = 0; c < cells.size(); ++c)
+          for (unsigned int k = 0; k < cells[c].samples.size(); ++k)
+            {
+              FieldSample       &a = cells[c].samples[k];
+              const FieldSample &b = other[c].samples[k];
+              const double largest = std::max(a.stress.norm(), b.stress.norm());
+              a.jump = largest > 0. ? (a.stress - b.stress).norm() / largest : 0.;
+              a.strain     = 0.5 * (a.strain + b.strain);
+              a.stress     = 0.5 * (a.stress + b.stress);
+              a.ply_stress = 0.5 * (a.ply_stress + b.ply_stress);
+            }
+      }
+    return cells;
+  }
+
+
+
+  std::vector<OutputCell>
+  Beam::output_cells(const unsigned int n, const Vector &u) const
+  {
+    std::vector<double> etas;
+    for (unsigned int j = 0; j <= n; ++j)
+      etas.push_back(double(j) / n);
+    std::vector<OutputCell> cells;
+    for (unsigned int axis_cell = 0; axis_cell < beam_axis->n_cells();
+         ++axis_cell)
+      for (OutputCell &cell : sample_axis_cell(axis_cell, etas, n, u))
+        cells.push_back(std::move(cell));
+    return cells;
+  }
+} // namespace lamella

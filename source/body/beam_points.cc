@@ -1,0 +1,342 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+// The points of a beam: where they are, which rows they give, and those that
+// make up its surfaces.
+
+#include <lamella/base/exceptions.h>
+#include <lamella/body/beam.h>
+
+#include <deal.II/base/quadrature_lib.h>
+
+namespace lamella
+{
+  using namespace dealii;
+
+  Location
+  Beam::location(const Point<3>    &position,
+                 const unsigned int axis_cell,
+                 const double       eta,
+                 const unsigned int section_cell,
+                 const Point<2>    &unit) const
+  {
+    return {position,
+            beam_section->cell_ply(section_cell),
+            {{axis_cell * beam_section->n_cells() + section_cell,
+              {unit[0], eta, unit[1]}}}};
+  }
+
+
+
+  std::vector<std::vector<Location>>
+  Beam::locate(const std::vector<Point<3>> &points) const
+  {
+    std::vector<std::vector<Location>> result;
+    for (const Point<3> &point : points)
+      {
+        const Point<3> x = placement.to_body(point);
+        // Positions come out of decimal texts and rotations.
+        const auto on_axis =
+          beam_axis->locate(x[1], 1e-10 * beam_axis->length());
+        const auto in_section =
+          beam_section->locate({x[0], x[2]},
+                               1e-8 * beam_section->element().reference_length());
+        std::map<unsigned int, Location> by_ply;
+        for (const auto &[section_cell, unit] : in_section)
+          for (const auto &[axis_cell, eta] : on_axis)
+            {
+              const Location one =
+                location(point, axis_cell, eta, section_cell, unit);
+              Location &all = by_ply[one.ply];
+              all.position  = point;
+              all.ply       = one.ply;
+              all.places.push_back(one.places[0]);
+            }
+        result.emplace_back();
+        for (const auto &[ply, place] : by_ply)
+          result.back().push_back(place);
+      }
+    return result;
+  }
+
+
+
+  std::vector<std::vector<Row>>
+  Beam::rows(const std::vector<Location> &locations,
+             const Quantity               quantity,
+             const Frame                  frame) const
+  {
+    const unsigned int n = quantity == Quantity::displacement ? 3 : 6;
+    std::vector<std::vector<Row>> result;
+    for (const Location &where : locations)
+      {
+        // Body axes to those asked for, and for stresses the elasticity.
+        const Ply    &ply = beam_section->plies()[where.ply];
+        ElasticTensor to_frame = frame == Frame::scene ?
+                                   placement.strain_to_scene() :
+                                   strain_rotation(ply.axes());
+        if (quantity == Quantity::stress)
+          to_frame = transpose(invert(to_frame)) * ply.stiffness();
+
+        std::vector<Row> rows(n);
+        for (const Location::Place &place : where.places)
+          {
+            const AxisPoint axis_point =
+              beam_axis->evaluate(place.cell / beam_section->n_cells(),
+                                  place.unit[1]);
+            const SectionPoint point =
+              beam_section->evaluate(place.cell % beam_section->n_cells(),
+                                     {place.unit[0], place.unit[2]});
+            const auto &nodes = beam_axis->nodes_of_cell(axis_point.cell);
+            for (unsigned int i = 0; i < nodes.size(); ++i)
+              for (unsigned int a = 0; a < point.fields->size(); ++a)
+                {
+                  const int k = dof_map.place(nodes[i], (*point.fields)[a]);
+                  if (k < 0)
+                    continue;
+                  const DofIndex dof   = dof_map.first(nodes[i]) + k;
+                  const double   share = 1. / where.places.size();
+                  if (quantity == Quantity::displacement)
+                    {
+                      const Tensor<1, 3> v =
+                        placement.vector_to_scene(point.value[a]);
+                      for (unsigned int c = 0; c < 3; ++c)
+                        rows[c].add(dof, share * axis_point.N[i] * v[c]);
+                    }
+                  else
+                    {
+                      const Voigt strain =
+                        axis_point.N[i] * point.in_plane[a] +
+                        axis_point.dN[i] * axial_strain(point.value[a]);
+                      const Voigt v = to_frame * strain;
+                      for (unsigned int c = 0; c < 6; ++c)
+                        rows[c].add(dof, share * v[c]);
+                    }
+                }
+          }
+        for (Row &row : rows)
+          row.compress();
+        result.push_back(std::move(rows));
+      }
+    return result;
+  }
+
+
+
+  std::vector<std::string>
+  Beam::surfaces() const
+  {
+    std::vector<std::string> names;
+    for (const auto &[id, name] :
+         beam_section->element().section_mesh().boundaries)
+      names.push_back(name);
+    names.insert(names.end(), {"start", "end", "ends"});
+    return names;
+  }
+
+
+
+  SurfacePoint
+  Beam::lateral_point(const EdgePoint   &edge,
+                      const double       weight,
+                      const unsigned int axis_cell,
+                      const double       eta) const
+  {
+    const double y = beam_axis->cell_begin(axis_cell) +
+                     eta * (beam_axis->cell_end(axis_cell) -
+                            beam_axis->cell_begin(axis_cell));
+    SurfacePoint point;
+    point.position =
+      placement.to_scene({edge.position[0], y, edge.position[1]});
+    const Point<3> n(edge.normal[0], 0., edge.normal[1]);
+    point.normal = placement.vector_to_scene(n);
+    point.area   = edge.weight * weight;
+    point.depth  = edge.depth;
+    point.location =
+      location(point.position, axis_cell, eta, edge.cell, edge.unit);
+    Voigt nn;
+    nn[0]                = n[0] * n[0];
+    nn[2]                = n[2] * n[2];
+    nn[4]                = 2. * n[0] * n[2];
+    point.normal_modulus = nn * (beam_section->elasticity(edge.cell) * nn);
+    return point;
+  }
+
+
+
+  SurfacePoint
+  Beam::end_point(const EdgePoint &in_section, const bool at_start) const
+  {
+    const unsigned int axis_cell = at_start ? 0 : beam_axis->n_cells() - 1;
+    SurfacePoint       point;
+    point.position =
+      placement.to_scene({in_section.position[0],
+                          at_start ? 0. : beam_axis->length(),
+                          in_section.position[1]});
+    point.normal =
+      placement.vector_to_scene(Point<3>(0., at_start ? -1. : 1., 0.));
+    point.area = in_section.weight;
+    point.depth =
+      beam_axis->cell_end(axis_cell) - beam_axis->cell_begin(axis_cell);
+    point.location       = location(point.position,
+                              axis_cell,
+                              at_start ? 0. : 1.,
+                              in_section.cell,
+                              in_section.unit);
+    point.normal_modulus = beam_section->elasticity(in_section.cell)[1][1];
+    return point;
+  }
+
+
+
+  std::vector<SurfacePoint>
+  Beam::surface_points(const std::string &surface) const
+  {
+    std::vector<SurfacePoint> points;
+    if (surface == "start" || surface == "end" || surface == "ends")
+      {
+        for (const bool at_start : {true, false})
+          if (surface == "ends" || at_start == (surface == "start"))
+            for (const EdgePoint &p : beam_section->element().section_points())
+              points.push_back(end_point(p, at_start));
+        return points;
+      }
+
+    const std::vector<double> weights = beam_axis->node_weights();
+    for (unsigned int node = 0; node < beam_axis->n_nodes(); ++node)
+      {
+        const auto [cell, eta] = beam_axis->place_of_node(node);
+        for (const EdgePoint &p : beam_section->element().edge_points(surface))
+          points.push_back(lateral_point(p, weights[node], cell, eta));
+      }
+    return points;
+  }
+
+
+
+  std::vector<Point<3>>
+  Beam::body_points() const
+  {
+    std::vector<Point<3>> points;
+    for (const double y : beam_axis->nodes())
+      for (const EdgePoint &p : beam_section->element().section_points())
+        points.push_back(placement.to_scene({p.position[0], y, p.position[1]}));
+    return points;
+  }
+
+
+
+  std::vector<SurfacePoint>
+  Beam::surface_quadrature(const std::string &surface) const
+  {
+    // Two points more than the trace needs, for loads that vary.
+    std::vector<SurfacePoint> points;
+    if (surface == "start" || surface == "end" || surface == "ends")
+      {
+        const QGauss<2> quadrature(beam_section->element().degree() + 3);
+        for (const bool at_start : {true, false})
+          if (surface == "ends" || at_start == (surface == "start"))
+            for (unsigned int cell = 0; cell < beam_section->n_cells(); ++cell)
+              for (unsigned int q = 0; q < quadrature.size(); ++q)
+                {
+                  const FunctionValues at =
+                    beam_section->element().evaluate(cell, quadrature.point(q));
+                  EdgePoint p;
+                  p.position = at.position;
+                  p.weight   = quadrature.weight(q) * determinant(at.jacobian);
+                  p.cell     = cell;
+                  p.unit     = quadrature.point(q);
+                  points.push_back(end_point(p, at_start));
+                }
+        return points;
+      }
+
+    const QGauss<1> along(beam_axis->degree() + 3);
+    const auto      around = beam_section->element().edge_quadrature(
+      surface, beam_section->element().degree() + 3);
+    for (unsigned int cell = 0; cell < beam_axis->n_cells(); ++cell)
+      for (unsigned int q = 0; q < along.size(); ++q)
+        for (const EdgePoint &p : around)
+          points.push_back(
+            lateral_point(p,
+                          along.weight(q) * (beam_axis->cell_end(cell) -
+                                             beam_axis->cell_begin(cell)),
+                          cell,
+                          along.point(q)[0]));
+    return points;
+  }
+
+
+
+  namespace
+  {
+    /// Adds the parameters at which the segment a + t d, projected into the
+    /// section, passes vertices or crosses the sides of @p mesh's cells.
+    void
+    add_section_breaks(const Triangulation<2> &mesh,
+                       const Point<2>         &a,
+                       const Tensor<1, 2>     &d,
+                       const double            tolerance,
+                       std::vector<double>    &breaks)
+    {
+      if (d.norm() <= tolerance)
+        return;
+      const auto side_of = [&a, &d](const Point<2> &p) {
+        return (d[0] * (p[1] - a[1]) - d[1] * (p[0] - a[0])) / d.norm();
+      };
+      for (const auto &cell : mesh.active_cell_iterators())
+        for (const unsigned int f : cell->face_indices())
+          {
+            const Point<2> p = cell->face(f)->vertex(0),
+                           q = cell->face(f)->vertex(1);
+            const double of_p = side_of(p), of_q = side_of(q);
+            if (std::abs(of_p) <= tolerance)
+              breaks.push_back(((p - a) * d) / d.norm_square());
+            if (std::abs(of_q) <= tolerance)
+              breaks.push_back(((q - a) * d) / d.norm_square());
+            if (of_p * of_q < 0. && std::abs(of_p) > tolerance &&
+                std::abs(of_q) > tolerance)
+              {
+                const Point<2> x = p + of_p / (of_p - of_q) * (q - p);
+                breaks.push_back(((x - a) * d) / d.norm_square());
+              }
+          }
+    }
+  } // namespace
+
+
+
+  std::vector<double>
+  Beam::line_breaks(const Point<3> &from, const Point<3> &to) const
+  {
+    const Point<3>     a = placement.to_body(from), b = placement.to_body(to);
+    const Tensor<1, 3> d = b - a;
+    std::vector<double> breaks{0., 1.};
+    if (std::abs(d[1]) > 1e-10 * beam_axis->length())
+      for (unsigned int cell = 0; cell < beam_axis->n_cells(); ++cell)
+        breaks.push_back((beam_axis->cell_end(cell) - a[1]) / d[1]);
+    Tensor<1, 2> in_section;
+    in_section[0] = d[0];
+    in_section[1] = d[2];
+    add_section_breaks(beam_section->element().section_mesh().mesh,
+                       {a[0], a[2]},
+                       in_section,
+                       1e-8 * beam_section->element().reference_length(),
+                       breaks);
+
+    std::sort(breaks.begin(), breaks.end());
+    std::vector<double> inside;
+    for (const double t : breaks)
+      if (t >= 0. && t <= 1. && (inside.empty() || t - inside.back() > 1e-9))
+        inside.push_back(t);
+    inside.back() = 1.;
+    return inside;
+  }
+
+
+
+  unsigned int
+  Beam::degree() const
+  {
+    return std::max(beam_section->element().degree(), beam_axis->degree());
+  }
+} // namespace lamella

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <lamella/body/body.h>
+
+#include <deal.II/base/quadrature_lib.h>
+
+namespace lamella
+{
+  using namespace dealii;
+
+  Body::Body(std::string name)
+    : body_name(std::move(name))
+  {}
+
+
+
+  Body::~Body() = default;
+
+
+
+  std::vector<Point<3>>
+  Body::line_points(const Point<3> &a, const Point<3> &b) const
+  {
+    const QGaussLobatto<1>    nodes(degree() + 1);
+    const std::vector<double> breaks = line_breaks(a, b);
+    std::vector<Point<3>>     points;
+    for (unsigned int k = 0; k + 1 < breaks.size(); ++k)
+      for (unsigned int q = k == 0 ? 0 : 1; q < nodes.size(); ++q)
+        points.push_back(a + (breaks[k] + nodes.point(q)[0] *
+                                            (breaks[k + 1] - breaks[k])) *
+                               (b - a));
+    return points;
+  }
+
+
+
+  std::vector<std::pair<Point<3>, double>>
+  Body::line_quadrature(const Point<3> &a, const Point<3> &b) const
+  {
+    // Two points more than the trace needs, for loads that vary.
+    const QGauss<1>                          quadrature(degree() + 3);
+    const std::vector<double>                breaks = line_breaks(a, b);
+    std::vector<std::pair<Point<3>, double>> points;
+    for (unsigned int k = 0; k + 1 < breaks.size(); ++k)
+      for (unsigned int q = 0; q < quadrature.size(); ++q)
+        points.emplace_back(a + (breaks[k] + quadrature.point(q)[0] *
+                                               (breaks[k + 1] - breaks[k])) *
+                                  (b - a),
+                            quadrature.weight(q) *
+                              (breaks[k + 1] - breaks[k]) * a.distance(b));
+    return points;
+  }
+
+
+
+  void
+  Body::assemble(const Constraints &constraints)
+  {
+    factor.reset();
+    matrix.clear();
+    body_constraints = &constraints;
+    assemble_stiffness(constraints, sparsity, matrix);
+    constraints.condense(matrix);
+  }
+
+
+
+  void
+  Body::factorise()
+  {
+    Assert(body_constraints != nullptr, ExcMessage("Call assemble() first."));
+    factor = lamella::factorise(matrix, "body '" + name() + "'");
+  }
+
+
+
+  const Matrix &
+  Body::stiffness() const
+  {
+    Assert(body_constraints != nullptr, ExcMessage("Call assemble() first."));
+    return matrix;
+  }
+
+
+
+  const Constraints &
+  Body::constraints() const
+  {
+    Assert(body_constraints != nullptr, ExcMessage("Call assemble() first."));
+    return *body_constraints;
+  }
+
+
+
+  const Factorisation &
+  Body::factorisation() const
+  {
+    Assert(factor != nullptr, ExcMessage("Call factorise() first."));
+    return *factor;
+  }
+} // namespace lamella

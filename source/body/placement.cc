@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <lamella/base/exceptions.h>
+#include <lamella/body/placement.h>
+
+namespace lamella
+{
+  using namespace dealii;
+
+  Placement
+  Placement::from_directions(const Point<3>     &origin,
+                             const Tensor<1, 3> &axis,
+                             const Tensor<1, 3> &up)
+  {
+    const Tensor<1, 3> across = cross_product_3d(axis, up);
+    if (!(across.norm() > 1e-6 * axis.norm() * up.norm()))
+      throw InputError("Axis and Up must be two directions that are neither "
+                       "zero nor parallel; they fix where the section's x and "
+                       "z point. Change Up, for instance to 0, 0, 1.");
+    Placement placement;
+    placement.origin  = origin;
+    placement.axes[0] = across / across.norm();
+    placement.axes[1] = axis / axis.norm();
+    placement.axes[2] =
+      cross_product_3d(placement.axes[0], placement.axes[1]);
+    return placement;
+  }
+} // namespace lamella

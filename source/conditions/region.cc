@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <lamella/base/exceptions.h>
+#include <lamella/base/text.h>
+#include <lamella/conditions/region.h>
+
+namespace lamella
+{
+  using namespace dealii;
+
+  std::vector<Location>
+  locate_all(const Body                  &body,
+             const std::vector<Point<3>> &points,
+             const std::string           &what)
+  {
+    const std::vector<std::vector<Location>> found = body.locate(points);
+    std::vector<Location>                    locations;
+    for (unsigned int i = 0; i < points.size(); ++i)
+      {
+        if (found[i].empty())
+          {
+            const auto box = body.bounding_box().get_boundary_points();
+            throw InputError(what + ": the point " + to_text(points[i]) +
+                             " is not in body '" + body.name() +
+                             "', which extends from " + to_text(box.first) +
+                             " to " + to_text(box.second) +
+                             ". Move the point into it.");
+          }
+        locations.push_back(found[i].front());
+      }
+    return locations;
+  }
+
+
+
+  void
+  check_surface(const Body        &body,
+                const std::string &surface,
+                const std::string &what)
+  {
+    const std::vector<std::string> names = body.surfaces();
+    if (std::find(names.begin(), names.end(), surface) == names.end())
+      throw InputError(what + ": body '" + body.name() +
+                       "' has no surface '" + surface + "'. The nearest is '" +
+                       nearest_name(surface, names) +
+                       "'; all of them: " + joined(names) + ".");
+  }
+
+
+
+  std::vector<Point<3>>
+  region_points(const Body        &body,
+                const Region      &region,
+                const std::string &what)
+  {
+    switch (region.kind)
+      {
+        case Region::Kind::point:
+          return region.at;
+        case Region::Kind::line:
+          // The ends first: a segment that leaves the body has no crossings.
+          locate_all(body, region.at, what);
+          return body.line_points(region.at[0], region.at[1]);
+        case Region::Kind::body:
+          return body.body_points();
+        case Region::Kind::surface:
+          {
+            check_surface(body, region.surface, what);
+            std::vector<Point<3>> points;
+            for (const SurfacePoint &p : body.surface_points(region.surface))
+              points.push_back(p.position);
+            return points;
+          }
+        default:
+          Assert(false, ExcMessage("The region was never filled in."));
+          return {};
+      }
+  }
+} // namespace lamella

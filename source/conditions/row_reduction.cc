@@ -1,0 +1,228 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <lamella/base/exceptions.h>
+#include <lamella/base/text.h>
+#include <lamella/conditions/row_reduction.h>
+
+#include <boost/pending/disjoint_sets.hpp>
+
+#include <map>
+#include <numeric>
+
+namespace lamella
+{
+  using namespace dealii;
+
+  namespace
+  {
+    // An entry below this fraction of its column's largest at the start is
+    // rounding; so is a right-hand side below this fraction of the largest.
+    constexpr double rank_tolerance = 1e-9;
+
+    /// The rows of @p body, number @p index, in groups that share DoFs.
+    std::vector<std::vector<unsigned int>>
+    groups_of_rows(const Body                       &body,
+                   const unsigned int                index,
+                   const std::vector<PrescribedRow> &rows)
+    {
+      std::vector<DofIndex>     parent(body.n_dofs());
+      std::vector<unsigned int> rank(body.n_dofs(), 0);
+      std::iota(parent.begin(), parent.end(), 0);
+      boost::disjoint_sets<unsigned int *, DofIndex *> sets(rank.data(),
+                                                            parent.data());
+      for (const PrescribedRow &row : rows)
+        if (row.row.body == index)
+          for (const auto &[dof, weight] : row.row.row.entries())
+            sets.union_set(row.row.row.entries().front().first, dof);
+
+      std::map<DofIndex, std::vector<unsigned int>> by_root;
+      for (unsigned int r = 0; r < rows.size(); ++r)
+        if (rows[r].row.body == index && !rows[r].row.row.entries().empty())
+          by_root[sets.find_set(rows[r].row.row.entries().front().first)]
+            .push_back(r);
+      std::vector<std::vector<unsigned int>> groups;
+      for (auto &[root, group] : by_root)
+        groups.push_back(std::move(group));
+      return groups;
+    }
+  } // namespace
+
+
+
+  /// A row under elimination: what is left of it and of its right-hand side.
+  struct RowReduction::Equation
+  {
+    unsigned int               number;
+    std::map<DofIndex, double> entries;
+    double                     value;
+    DofIndex                   pivot = numbers::invalid_dof_index;
+
+    double
+    entry(const DofIndex dof) const
+    {
+      const auto found = entries.find(dof);
+      return found == entries.end() ? 0. : found->second;
+    }
+
+    void
+    subtract(const Equation &other, const double factor)
+    {
+      for (const auto &[dof, weight] : other.entries)
+        {
+          const auto [place, is_new] = entries.emplace(dof, 0.);
+          place->second -= factor * weight;
+          if (place->second == 0.)
+            entries.erase(place);
+        }
+      value -= factor * other.value;
+    }
+  };
+
+
+
+  RowReduction::RowReduction(const Body                       &body,
+                             const unsigned int                index,
+                             const std::vector<PrescribedRow> &rows,
+                             const std::vector<std::string>   &support_names)
+    : particular_solution(body.n_dofs())
+  {
+    for (const auto &group : groups_of_rows(body, index, rows))
+      reduce(body, group, rows, support_names);
+    homogeneous.close();
+  }
+
+
+
+  namespace
+  {
+    /// The columns of @p equations, coarse levels first, with their scales.
+    template <typename Equations>
+    std::vector<std::pair<DofIndex, double>>
+    ordered_columns(const Body &body, const Equations &equations)
+    {
+      std::map<std::pair<unsigned int, DofIndex>, double> scale;
+      for (const auto &equation : equations)
+        for (const auto &[dof, weight] : equation.entries)
+          {
+            double &s = scale[{body.dof_level(dof), dof}];
+            s         = std::max(s, std::abs(weight));
+          }
+      std::vector<std::pair<DofIndex, double>> columns;
+      for (const auto &[key, s] : scale)
+        columns.emplace_back(key.second, s);
+      return columns;
+    }
+
+
+
+    /// The equation to eliminate @p dof with, or null if none has an entry
+    /// above @p threshold.
+    template <typename Equations>
+    auto *
+    find_pivot(Equations &equations, const DofIndex dof, const double threshold)
+    {
+      double largest = threshold;
+      for (const auto &equation : equations)
+        if (equation.pivot == numbers::invalid_dof_index)
+          largest = std::max(largest, std::abs(equation.entry(dof)));
+      typename Equations::value_type *best = nullptr;
+      for (auto &equation : equations)
+        if (equation.pivot == numbers::invalid_dof_index &&
+            std::abs(equation.entry(dof)) >= 0.1 * largest &&
+            std::abs(equation.entry(dof)) > threshold &&
+            (best == nullptr || equation.entries.size() < best->entries.size()))
+          best = &equation;
+      return best;
+    }
+  } // namespace
+
+
+
+  void
+  RowReduction::reduce(const Body                       &body,
+                       const std::vector<unsigned int>  &group,
+                       const std::vector<PrescribedRow> &rows,
+                       const std::vector<std::string>   &support_names)
+  {
+    std::vector<Equation> equations;
+    double                largest_value = 0.;
+    for (const unsigned int r : group)
+      {
+        equations.push_back({r, {}, rows[r].value});
+        largest_value = std::max(largest_value, std::abs(rows[r].value));
+        for (const auto &[dof, weight] : rows[r].row.row.entries())
+          equations.back().entries.emplace(dof, weight);
+      }
+
+    Group eliminated;
+    for (const auto &[dof, scale] : ordered_columns(body, equations))
+      {
+        Equation *pivot = find_pivot(equations, dof, rank_tolerance * scale);
+        if (pivot == nullptr)
+          continue;
+        pivot->pivot          = dof;
+        const double diagonal = pivot->entry(dof);
+        for (auto &[other, weight] : pivot->entries)
+          weight /= diagonal;
+        pivot->value /= diagonal;
+        for (Equation &equation : equations)
+          if (&equation != pivot && equation.entry(dof) != 0.)
+            {
+              equation.subtract(*pivot, equation.entry(dof));
+              equation.entries.erase(dof);
+            }
+        eliminated.rows.push_back(pivot->number);
+        eliminated.pivots.push_back(dof);
+      }
+
+    for (const Equation &equation : equations)
+      if (equation.pivot == numbers::invalid_dof_index)
+        {
+          if (std::abs(equation.value) > rank_tolerance * largest_value)
+            throw InputError(
+              "Support " + support_names[rows[equation.number].support] +
+              " contradicts the other supports of body '" + body.name() +
+              "' at " + to_text(rows[equation.number].position) +
+              ": they prescribe different displacements of the same points. "
+              "Remove one of them or make them agree.");
+        }
+      else
+        {
+          homogeneous.add_line(equation.pivot);
+          for (const auto &[dof, weight] : equation.entries)
+            if (dof != equation.pivot && std::abs(weight) > 1e-14)
+              homogeneous.add_entry(equation.pivot, dof, -weight);
+          particular_solution[equation.pivot] = equation.value;
+        }
+
+    const unsigned int n = eliminated.rows.size();
+    eliminated.transposed = std::make_unique<LAPACKFullMatrix<double>>(n, n);
+    std::map<DofIndex, unsigned int> column;
+    for (unsigned int k = 0; k < n; ++k)
+      column[eliminated.pivots[k]] = k;
+    for (unsigned int k = 0; k < n; ++k)
+      for (const auto &[dof, weight] : rows[eliminated.rows[k]].row.row.entries())
+        if (column.count(dof) > 0)
+          (*eliminated.transposed)(column[dof], k) = weight;
+    eliminated.transposed->compute_lu_factorization();
+    groups.push_back(std::move(eliminated));
+  }
+
+
+
+  std::vector<std::pair<unsigned int, double>>
+  RowReduction::multipliers(const Vector &residual) const
+  {
+    std::vector<std::pair<unsigned int, double>> forces;
+    for (const Group &group : groups)
+      {
+        Vector mu(group.pivots.size());
+        for (unsigned int k = 0; k < mu.size(); ++k)
+          mu[k] = residual[group.pivots[k]];
+        group.transposed->solve(mu);
+        for (unsigned int k = 0; k < mu.size(); ++k)
+          forces.emplace_back(group.rows[k], mu[k]);
+      }
+    return forces;
+  }
+} // namespace lamella

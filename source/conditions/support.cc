@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <lamella/base/text.h>
+#include <lamella/conditions/support.h>
+
+#include <deal.II/lac/lapack_full_matrix.h>
+
+namespace lamella
+{
+  using namespace dealii;
+
+  std::vector<PrescribedRow>
+  prescribed_rows(const std::vector<Support> &supports, const Bodies &bodies)
+  {
+    std::vector<PrescribedRow> rows;
+    for (unsigned int s = 0; s < supports.size(); ++s)
+      for (const Region &region : supports[s].on)
+        {
+          const std::string what = "Support " + supports[s].name;
+          const Body       &body = *bodies[region.body];
+          const auto        points = region_points(body, region, what);
+          auto              all =
+            body.rows(locate_all(body, points, what), Quantity::displacement);
+          // A node's place comes out of its position, with rounding: without
+          // what that leaves at other nodes the rows of a node stay its own.
+          for (std::vector<Row> &components : all)
+            for (Row &row : components)
+              row.drop_below(1e-11);
+          for (unsigned int i = 0; i < points.size(); ++i)
+            for (unsigned int c = 0; c < 3; ++c)
+              if (supports[s].u[c])
+                rows.push_back({{region.body, all[i][c]},
+                                *supports[s].u[c],
+                                s,
+                                c,
+                                points[i]});
+        }
+    return rows;
+  }
+
+
+
+  namespace
+  {
+    /// A combination of the six rigid motions in words; components below a
+    /// hundredth of the largest are left out.
+    std::string
+    describe(const std::array<double, 6> &motion)
+    {
+      static const std::array<const char *, 6> names{{"translation along x",
+                                                      "translation along y",
+                                                      "translation along z",
+                                                      "rotation about x",
+                                                      "rotation about y",
+                                                      "rotation about z"}};
+      double                                   largest = 0.;
+      for (const double m : motion)
+        largest = std::max(largest, std::abs(m));
+      std::vector<std::string> parts;
+      for (unsigned int m = 0; m < 6; ++m)
+        if (std::abs(motion[m]) > 0.01 * largest)
+          parts.emplace_back(names[m]);
+      return joined(parts, " with ");
+    }
+  } // namespace
+
+
+
+  std::vector<std::string>
+  free_rigid_motions(const Body                       &body,
+                     const unsigned int                index,
+                     const std::vector<PrescribedRow> &rows)
+  {
+    const std::vector<Vector> motions = body.rigid_motions();
+
+    // The Gram matrix of R E would square the conditioning; instead six zero
+    // rows make the matrix tall enough whatever the number of supports.
+    std::vector<std::array<double, 6>> values(6);
+    for (std::array<double, 6> &row : values)
+      row.fill(0.);
+    for (const PrescribedRow &prescribed : rows)
+      if (prescribed.row.body == index)
+        {
+          values.emplace_back();
+          for (unsigned int m = 0; m < 6; ++m)
+            values.back()[m] = prescribed.row.row(motions[m]) /
+                               (m < 3 ? 1. : body.size());
+        }
+    LAPACKFullMatrix<double> held(values.size(), 6);
+    for (unsigned int r = 0; r < values.size(); ++r)
+      for (unsigned int m = 0; m < 6; ++m)
+        held(r, m) = values[r][m];
+    held.compute_svd();
+
+    // Singular values come in descending order.
+    std::vector<std::string> free;
+    const double             largest = held.singular_value(0);
+    for (unsigned int k = 0; k < 6; ++k)
+      if (!(held.singular_value(k) > 1e-8 * largest))
+        {
+          std::array<double, 6> motion;
+          for (unsigned int m = 0; m < 6; ++m)
+            motion[m] = held.get_svd_vt()(k, m);
+          free.push_back(describe(motion));
+        }
+    return free;
+  }
+} // namespace lamella

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <lamella/base/exceptions.h>
+#include <lamella/base/text.h>
+#include <lamella/material/library.h>
+
+#include <algorithm>
+
+namespace lamella
+{
+  namespace
+  {
+    struct LibraryMaterial
+    {
+      std::string          name;
+      EngineeringConstants constants;
+      bool                 in_pascals;
+    };
+
+    const std::vector<LibraryMaterial> &
+    materials()
+    {
+      static const std::vector<LibraryMaterial> all{
+        {"IM7-8552",
+         {165e9, 9e9, 9e9, 5.6e9, 5.6e9, 2.8e9, 0.34, 0.34, 0.5},
+         true},
+        {"glass-polyester",
+         {25.8e9, 8.7e9, 8.7e9, 3.5e9, 3.5e9, 2.4e9, 0.34, 0.34, 0.47},
+         true},
+        {"foam-35", EngineeringConstants::isotropic(35e6, 0.4), true},
+        {"hertz-200", EngineeringConstants::isotropic(200., 0.3), false}};
+      return all;
+    }
+  } // namespace
+
+
+
+  std::vector<std::string>
+  library_materials()
+  {
+    std::vector<std::string> names;
+    for (const LibraryMaterial &material : materials())
+      names.push_back(material.name);
+    return names;
+  }
+
+
+
+  EngineeringConstants
+  library_material(const std::string &name, const Units &units)
+  {
+    const auto found =
+      std::find_if(materials().begin(),
+                   materials().end(),
+                   [&name](const auto &m) { return m.name == name; });
+    if (found == materials().end())
+      throw InputError("Library = " + name +
+                       ": no such built-in material. The nearest is '" +
+                       nearest_name(name, library_materials()) +
+                       "'; all of them: " + joined(library_materials()) + ".");
+    EngineeringConstants c = found->constants;
+    if (found->in_pascals)
+      for (double *modulus : {&c.E1, &c.E2, &c.E3, &c.G12, &c.G13, &c.G23})
+        *modulus *= units.pascal;
+    return c;
+  }
+} // namespace lamella

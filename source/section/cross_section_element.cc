@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <lamella/section/cross_section_element.h>
+
+#include <deal.II/base/quadrature_lib.h>
+
+#include <deal.II/grid/grid_tools.h>
+
+namespace lamella
+{
+  using namespace dealii;
+
+  CrossSectionElement::CrossSectionElement(
+    std::shared_ptr<const SectionMesh> mesh)
+    : mesh(std::move(mesh))
+  {
+    double       area = 0.;
+    Tensor<1, 2> moment;
+    for (const auto &cell : this->mesh->mesh.active_cell_iterators())
+      {
+        area += cell->measure();
+        moment += cell->measure() * Tensor<1, 2>(cell->center());
+      }
+    origin = Point<2>(moment / area);
+
+    const auto box = GridTools::compute_bounding_box(this->mesh->mesh);
+    length =
+      0.5 * box.get_boundary_points().first.distance(
+              box.get_boundary_points().second);
+  }
+
+
+
+  std::vector<std::pair<unsigned int, unsigned int>>
+  CrossSectionElement::boundary_faces(const std::string &name) const
+  {
+    std::vector<std::pair<unsigned int, unsigned int>> faces;
+    for (const auto &cell : mesh->mesh.active_cell_iterators())
+      for (const unsigned int f : cell->face_indices())
+        if (cell->face(f)->at_boundary() &&
+            mesh->boundaries.at(cell->face(f)->boundary_id()) == name)
+          faces.emplace_back(cell->active_cell_index(), f);
+    return faces;
+  }
+
+
+
+  double
+  CrossSectionElement::depth(const unsigned int cell,
+                             const unsigned int face) const
+  {
+    const auto   jacobian = evaluate(cell, face_point(face, 0.5)).jacobian;
+    const double area     = std::abs(determinant(jacobian));
+    return area / scaled_face_normal(face, jacobian).norm();
+  }
+
+
+
+  std::vector<EdgePoint>
+  CrossSectionElement::edge_quadrature(const std::string &boundary,
+                                       const unsigned int n) const
+  {
+    const QGauss<1>        quadrature(n);
+    std::vector<EdgePoint> points;
+    for (const auto &[cell, face] : boundary_faces(boundary))
+      for (unsigned int q = 0; q < quadrature.size(); ++q)
+        {
+          EdgePoint point;
+          point.cell     = cell;
+          point.unit     = face_point(face, quadrature.point(q)[0]);
+          const auto at  = evaluate(cell, point.unit);
+          point.position = at.position;
+          point.normal   = scaled_face_normal(face, at.jacobian);
+          point.weight   = quadrature.weight(q) * point.normal.norm();
+          point.normal /= point.normal.norm();
+          point.depth = depth(cell, face);
+          points.push_back(point);
+        }
+    return points;
+  }
+
+
+
+  Point<2>
+  face_point(const unsigned int face, const double t)
+  {
+    // deal.II's faces of the unit square: x = 0, x = 1, y = 0, y = 1.
+    const double fixed = face % 2;
+    return face < 2 ? Point<2>(fixed, t) : Point<2>(t, fixed);
+  }
+
+
+
+  Tensor<1, 2>
+  scaled_face_normal(const unsigned int face, const Tensor<2, 2> &jacobian)
+  {
+    Tensor<1, 2> unit_normal;
+    unit_normal[face / 2] = face % 2 == 1 ? 1. : -1.;
+    // Nanson's formula in the plane.
+    return determinant(jacobian) * (transpose(invert(jacobian)) * unit_normal);
+  }
+} // namespace lamella

@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <lamella/section/laminate.h>
+
+#include <deal.II/grid/grid_generator.h>
+
+#include <deal.II/lac/full_matrix.h>
+
+#include <numeric>
+
+namespace lamella
+{
+  using namespace dealii;
+
+  double
+  Laminate::height() const
+  {
+    return std::accumulate(thicknesses.begin(), thicknesses.end(), 0.);
+  }
+
+
+
+  std::vector<Ply>
+  Laminate::plies(
+    const std::map<std::string, EngineeringConstants> &constants) const
+  {
+    std::vector<Ply> stack;
+    double           z = 0.;
+    for (unsigned int i = 0; i < angles.size(); ++i)
+      {
+        stack.push_back({materials[i],
+                         angles[i],
+                         z,
+                         z + thicknesses[i],
+                         constants.at(materials[i])});
+        z += thicknesses[i];
+      }
+    return stack;
+  }
+
+
+
+  std::shared_ptr<const SectionMesh>
+  make_section_mesh(
+    const Laminate                                    &laminate,
+    const std::map<std::string, EngineeringConstants> &constants)
+  {
+    auto section   = std::make_shared<SectionMesh>();
+    section->plies = laminate.plies(constants);
+
+    std::vector<std::vector<double>> steps(2);
+    steps[0].assign(laminate.cells_across,
+                    laminate.width / laminate.cells_across);
+    for (const double thickness : laminate.thicknesses)
+      steps[1].insert(steps[1].end(),
+                      laminate.cells_per_ply,
+                      thickness / laminate.cells_per_ply);
+    GridGenerator::subdivided_hyper_rectangle(
+      section->mesh,
+      steps,
+      Point<2>(),
+      Point<2>(laminate.width, laminate.height()),
+      /*colorize=*/true);
+    section->boundaries = {{0, "left"}, {1, "right"}, {2, "bottom"}, {3, "top"}};
+
+    for (const auto &cell : section->mesh.active_cell_iterators())
+      {
+        unsigned int ply = 0;
+        while (cell->center()[1] > section->plies[ply].top)
+          ++ply;
+        cell->set_material_id(ply);
+      }
+    return section;
+  }
+
+
+
+  namespace
+  {
+    /// The reduced stiffness of @p ply in plane stress in the order
+    /// {yy, xx, xy}: sigma_zz = sigma_xz = sigma_yz = 0 condensed out of C.
+    Tensor<2, 3>
+    plane_stress_stiffness(const Ply &ply)
+    {
+      const ElasticTensor                 C = ply.stiffness();
+      constexpr std::array<unsigned int, 3> kept{{1, 0, 3}};
+      constexpr unsigned int              zz = 2;
+      // A rotation about z leaves zz uncoupled from xz and yz.
+      Tensor<2, 3> Q;
+      for (unsigned int i = 0; i < 3; ++i)
+        for (unsigned int j = 0; j < 3; ++j)
+          Q[i][j] = C[kept[i]][kept[j]] -
+                    C[kept[i]][zz] * C[zz][kept[j]] / C[zz][zz];
+      return Q;
+    }
+  } // namespace
+
+
+
+  LaminateStiffness
+  laminate_stiffness(const std::vector<Ply> &plies, const double width)
+  {
+    LaminateStiffness result;
+    const double      middle = 0.5 * plies.back().top;
+    for (const Ply &ply : plies)
+      {
+        const Tensor<2, 3> Q      = plane_stress_stiffness(ply);
+        const double       bottom = ply.bottom - middle, top = ply.top - middle;
+        result.A += Q * (top - bottom);
+        result.B += Q * (top * top - bottom * bottom) / 2.;
+        result.D += Q * (top * top * top - bottom * bottom * bottom) / 3.;
+        result.GA += ply.stiffness()[5][5] * width * (top - bottom);
+      }
+
+    FullMatrix<double> inverse(6);
+    for (unsigned int i = 0; i < 3; ++i)
+      for (unsigned int j = 0; j < 3; ++j)
+        {
+          inverse(i, j)         = result.A[i][j];
+          inverse(i, j + 3)     = result.B[i][j];
+          inverse(i + 3, j)     = result.B[i][j];
+          inverse(i + 3, j + 3) = result.D[i][j];
+        }
+    inverse.gauss_jordan();
+    result.EA = width / inverse(0, 0);
+    result.EI = width / inverse(3, 3);
+    return result;
+  }
+} // namespace lamella

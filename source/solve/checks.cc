@@ -1,0 +1,226 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <lamella/base/exceptions.h>
+#include <lamella/base/text.h>
+#include <lamella/solve/checks.h>
+
+#include <cmath>
+#include <limits>
+
+namespace lamella
+{
+  using namespace dealii;
+
+  namespace
+  {
+    // Beyond these the linear strain misses about rotation^2 / 2, 0.5 %.
+    constexpr double linear_rotation = 0.1;
+    // A first correction above this says that the assembled matrix has lost
+    // more than half of its digits.
+    constexpr double lost_digits = 1e-7;
+    // What a trusted result may be off by.
+    constexpr double sound = 1e-6;
+
+
+
+    /// The forces on one body, summed, and the largest single resultant.
+    struct Resultants
+    {
+      Tensor<1, 3> sum;
+      double       largest = 0.;
+
+      void
+      add(const Tensor<1, 3> &force)
+      {
+        sum += force;
+        largest = std::max(largest, force.norm());
+      }
+    };
+
+
+
+    /// Fills reactions and their work; adds them to the bodies' resultants.
+    double
+    add_reactions(const Structure         &structure,
+                  const BlockVector       &unbalanced,
+                  const double             factor,
+                  Checks                  &checks,
+                  std::vector<Resultants> &on_body)
+    {
+      double work = 0.;
+      for (unsigned int b = 0; b < structure.bodies().size(); ++b)
+        {
+          // Each support is a force of its own: two opposite reactions must not
+          // hide in a sum of zero.
+          std::vector<Tensor<1, 3>> of_support(checks.reactions.size());
+          for (const auto &[row, force] :
+               structure.reduction(b).multipliers(unbalanced.block(b)))
+            {
+              const PrescribedRow &p = structure.prescribed()[row];
+              of_support[p.support][p.component] += force;
+              work += 0.5 * force * factor * p.value;
+            }
+          for (unsigned int s = 0; s < of_support.size(); ++s)
+            {
+              checks.reactions[s] += of_support[s];
+              on_body[b].add(of_support[s]);
+            }
+        }
+      return work;
+    }
+
+
+
+    KuhnTucker
+    check_contact(const ContactInterface    &contact,
+                  const std::vector<double> &force,
+                  const unsigned int         first_row,
+                  const BlockVector         &u)
+    {
+      KuhnTucker kkt;
+      kkt.min_force = std::numeric_limits<double>::max();
+      for (unsigned int k = 0; k < contact.rows.size(); ++k)
+        {
+          const double lambda = force[first_row + k];
+          const double g      = contact.rows[k].gap(u);
+          kkt.max_penetration = std::max(kkt.max_penetration, -g);
+          if (lambda != 0.)
+            {
+              ++kkt.active;
+              kkt.force += lambda * contact.points[k].normal;
+              kkt.min_force = std::min(kkt.min_force, lambda);
+              if (g > 0. || lambda < 0.)
+                kkt.complementarity =
+                  std::max(kkt.complementarity, std::abs(lambda * g));
+            }
+        }
+      if (kkt.active == 0)
+        kkt.min_force = 0.;
+      return kkt;
+    }
+  } // namespace
+
+
+
+  Checks
+  check_state(const Structure                     &structure,
+              const std::vector<ContactInterface> &contacts,
+              const unsigned int                   n_supports,
+              const State                         &state,
+              const double                         factor)
+  {
+    Checks checks;
+    checks.reactions.resize(n_supports);
+    std::vector<Resultants> on_body(structure.bodies().size());
+
+    // Contact forces, resultants from the geometry and work from the rows.
+    BlockVector  contact_load = structure.zero();
+    unsigned int first_row    = 0;
+    for (const ContactInterface &contact : contacts)
+      {
+        checks.contacts.push_back(
+          check_contact(contact, state.force, first_row, state.u));
+        on_body[contact.second_body].add(checks.contacts.back().force);
+        on_body[contact.first_body].add(-checks.contacts.back().force);
+        for (unsigned int k = 0; k < contact.rows.size(); ++k)
+          contact.rows[k].add_to(contact_load, state.force[first_row + k]);
+        first_row += contact.rows.size();
+      }
+
+    BlockVector r = structure.residual(state.u, factor);
+    r += contact_load;
+    BlockVector reaction = r;
+    reaction *= -1.;
+    checks.external_work =
+      add_reactions(structure, reaction, factor, checks, on_body);
+    checks.external_work += 0.5 * factor * (structure.load() * state.u) +
+                            0.5 * (contact_load * state.u);
+
+    double internal = 0.;
+    for (unsigned int b = 0; b < structure.bodies().size(); ++b)
+      {
+        const Body &body = *structure.bodies()[b];
+        const auto  rigid = body.rigid_motions();
+        Tensor<1, 3> load;
+        for (unsigned int c = 0; c < 3; ++c)
+          load[c] = factor * (structure.load().block(b) * rigid[c]);
+        on_body[b].add(load);
+        if (on_body[b].largest > 0.)
+          checks.force_balance =
+            std::max(checks.force_balance,
+                     on_body[b].sum.norm() / on_body[b].largest);
+
+        const Deformation deformation = body.deformation(state.u.block(b));
+        checks.energy += deformation.energy;
+        checks.max_rotation =
+          std::max(checks.max_rotation, deformation.max_rotation);
+        Vector forces(body.n_dofs());
+        body.add_internal_forces(state.u.block(b), forces);
+        internal = std::max(internal, forces.linfty_norm());
+      }
+    structure.condense(r);
+    checks.residual = internal > 0. ? r.linfty_norm() / internal : 0.;
+    return checks;
+  }
+
+
+
+  void
+  require_sound(const State  &state,
+                const Checks &checks,
+                const double  rotation_limit)
+  {
+    const auto last = [](const std::vector<double> &corrections) {
+      return corrections.empty() ? 0. : corrections.back();
+    };
+    const double left =
+      std::max(last(state.free_corrections), last(state.contact_corrections));
+    if (!(left < sound))
+      throw NumericsError(
+        "The linear solution does not settle: the last correction is " +
+        to_text(left, 3) +
+        " of the displacements. The scene is beyond what double precision "
+        "holds: less slender bodies or less different stiffnesses are needed.");
+    if (!(checks.force_balance < sound))
+      throw NumericsError("The forces do not balance: " +
+                          to_text(checks.force_balance, 3) +
+                          " of the largest force is left over. The scene is "
+                          "beyond what double precision holds.");
+    for (const KuhnTucker &contact : checks.contacts)
+      if (contact.min_force < 0.)
+        throw NumericsError("A contact pulls (force " +
+                            to_text(contact.min_force) +
+                            "): the active set is wrong. Use smaller load "
+                            "steps.");
+    if (checks.max_rotation > rotation_limit)
+      throw NumericsError(
+        "Rotations reach " + to_text(checks.max_rotation, 3) +
+        " rad, beyond Rotation limit = " + to_text(rotation_limit) +
+        ": linear kinematics does not describe this scene. Reduce the loads, "
+        "or raise the limit if you want the linear result all the same.");
+  }
+
+
+
+  std::vector<std::string>
+  warnings_of(const State &state, const Checks &checks)
+  {
+    std::vector<std::string> warnings;
+    if (checks.max_rotation > linear_rotation)
+      warnings.push_back(
+        "rotations reach " + to_text(checks.max_rotation, 3) +
+        " rad: linear kinematics is out of its range (it neglects terms of "
+        "relative size rotation^2 / 2 = " +
+        to_text(50. * checks.max_rotation * checks.max_rotation, 2) +
+        " % in the shape, and all membrane forces that large deflections "
+        "cause); read the results as those of a linear model");
+    const double first =
+      state.free_corrections.empty() ? 0. : state.free_corrections.front();
+    if (first > lost_digits)
+      warnings.push_back(
+        "the assembled matrix has lost digits (first refinement correction " +
+        to_text(first, 2) + "); the refinement restored them, down to " +
+        to_text(state.free_corrections.back(), 2));
+    return warnings;
+  }
+} // namespace lamella

@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <lamella/base/exceptions.h>
+#include <lamella/solve/condensed_strategy.h>
+
+#include <deal.II/lac/lapack_full_matrix.h>
+
+namespace lamella
+{
+  using namespace dealii;
+
+  CondensedStrategy::CondensedStrategy(const Structure           &structure,
+                                       const std::vector<GapRow> &rows)
+    : structure(structure)
+    , rows(rows)
+    , columns(structure.bodies().size())
+  {}
+
+
+
+  void
+  CondensedStrategy::add_columns(const std::vector<unsigned int> &active)
+  {
+    for (unsigned int b = 0; b < columns.size(); ++b)
+      {
+        std::vector<std::pair<unsigned int, Row>> fresh;
+        for (const unsigned int r : active)
+          for (const BodyRow &part : rows[r].parts)
+            if (part.body == b && columns[b].column.count(r) == 0)
+              fresh.emplace_back(
+                r, part.row.reduced(structure.reduction(b).constraints()));
+        if (fresh.empty())
+          continue;
+
+        const unsigned int n = structure.bodies()[b]->n_dofs();
+        Columns            block(n, fresh.size());
+        for (unsigned int k = 0; k < fresh.size(); ++k)
+          for (const auto &[dof, weight] : fresh[k].second.entries())
+            block(dof, k) += weight;
+        structure.bodies()[b]->factorisation().forward(block);
+        for (unsigned int k = 0; k < fresh.size(); ++k)
+          {
+            columns[b].column[fresh[k].first] = columns[b].y.size();
+            columns[b].y.emplace_back(&block(0, k), &block(0, k) + n);
+          }
+      }
+  }
+
+
+
+  BlockVector
+  CondensedStrategy::apply_inverse(BlockVector r) const
+  {
+    structure.condense(r);
+    for (unsigned int b = 0; b < columns.size(); ++b)
+      {
+        structure.bodies()[b]->factorisation().solve(r.block(b));
+        structure.reduction(b).constraints().distribute(r.block(b));
+      }
+    return r;
+  }
+
+
+
+  void
+  CondensedStrategy::solve(const std::vector<unsigned int> &active,
+                           const BlockVector               *r_u,
+                           const Vector                    &r_lambda,
+                           BlockVector                     &du,
+                           Vector                          &dlambda)
+  {
+    du = r_u == nullptr ? structure.zero() : apply_inverse(*r_u);
+    dlambda.reinit(active.size());
+    if (active.empty())
+      return;
+
+    add_columns(active);
+    LAPACKFullMatrix<double> compliance(active.size());
+    for (unsigned int i = 0; i < active.size(); ++i)
+      {
+        const GapRow &row = rows[active[i]];
+        dlambda[i]        = r_lambda[i] - row.parts[0](du) - row.parts[1](du);
+        for (unsigned int j = 0; j <= i; ++j)
+          {
+            double sum = i == j ? 1. / row.penalty : 0.;
+            for (const BodyColumns &body : columns)
+              {
+                const auto a = body.column.find(active[i]),
+                           b = body.column.find(active[j]);
+                if (a != body.column.end() && b != body.column.end())
+                  sum += body.y[a->second] * body.y[b->second];
+              }
+            compliance(i, j) = sum;
+            compliance(j, i) = sum;
+          }
+      }
+    compliance.set_property(LAPACKSupport::symmetric);
+    compliance.compute_cholesky_factorization();
+    compliance.solve(dlambda);
+
+    for (unsigned int b = 0; b < columns.size(); ++b)
+      {
+        Vector y(structure.bodies()[b]->n_dofs());
+        for (unsigned int i = 0; i < active.size(); ++i)
+          if (const auto found = columns[b].column.find(active[i]);
+              found != columns[b].column.end())
+            y.add(dlambda[i], columns[b].y[found->second]);
+        structure.bodies()[b]->factorisation().backward(y);
+        structure.reduction(b).constraints().distribute(y);
+        du.block(b) += y;
+      }
+  }
+
+
+
+  double
+  CondensedStrategy::condition_estimate() const
+  {
+    double largest = 0.;
+    for (const auto &body : structure.bodies())
+      largest =
+        std::max(largest, body->factorisation().condition_estimate());
+    return largest;
+  }
+} // namespace lamella

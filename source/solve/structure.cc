@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <lamella/base/exceptions.h>
+#include <lamella/base/text.h>
+#include <lamella/solve/structure.h>
+
+namespace lamella
+{
+  Structure::Structure(Bodies                      bodies,
+                       const std::vector<Support> &supports,
+                       const std::vector<Load>    &loads)
+    : all_bodies(std::move(bodies))
+    , rows(prescribed_rows(supports, all_bodies))
+    , unit_load(zero())
+  {
+    check_held();
+    std::vector<std::string> names;
+    for (const Support &support : supports)
+      names.push_back(support.name);
+    for (unsigned int b = 0; b < all_bodies.size(); ++b)
+      reductions.push_back(
+        std::make_unique<RowReduction>(*all_bodies[b], b, rows, names));
+    for (const Load &load : loads)
+      add_load(load, all_bodies, unit_load);
+  }
+
+
+
+  void
+  Structure::check_held() const
+  {
+    for (unsigned int b = 0; b < all_bodies.size(); ++b)
+      {
+        const std::vector<std::string> free =
+          free_rigid_motions(*all_bodies[b], b, rows);
+        if (!free.empty())
+          throw InputError("Body '" + all_bodies[b]->name() +
+                           "' can move freely: " + joined(free, "; ") +
+                           ". Add a support that prevents this.");
+      }
+  }
+
+
+
+  DofIndex
+  Structure::n_dofs() const
+  {
+    return unit_load.size();
+  }
+
+
+
+  BlockVector
+  Structure::zero() const
+  {
+    std::vector<dealii::types::global_dof_index> sizes;
+    for (const auto &body : all_bodies)
+      sizes.push_back(body->n_dofs());
+    return BlockVector(sizes);
+  }
+
+
+
+  BlockVector
+  Structure::particular(const double factor) const
+  {
+    BlockVector u = zero();
+    for (unsigned int b = 0; b < all_bodies.size(); ++b)
+      u.block(b).equ(factor, reductions[b]->particular());
+    return u;
+  }
+
+
+
+  void
+  Structure::assemble()
+  {
+    for (unsigned int b = 0; b < all_bodies.size(); ++b)
+      all_bodies[b]->assemble(reductions[b]->constraints());
+  }
+
+
+
+  void
+  Structure::factorise()
+  {
+    for (const auto &body : all_bodies)
+      body->factorise();
+  }
+
+
+
+  BlockVector
+  Structure::residual(const BlockVector &u, const double factor) const
+  {
+    BlockVector r = zero();
+    for (unsigned int b = 0; b < all_bodies.size(); ++b)
+      all_bodies[b]->add_internal_forces(u.block(b), r.block(b));
+    r.sadd(-1., factor, unit_load);
+    return r;
+  }
+
+
+
+  void
+  Structure::condense(BlockVector &r) const
+  {
+    for (unsigned int b = 0; b < all_bodies.size(); ++b)
+      {
+        reductions[b]->constraints().condense(r.block(b));
+        reductions[b]->constraints().set_zero(r.block(b));
+      }
+  }
+} // namespace lamella

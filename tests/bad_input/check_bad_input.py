@@ -1,0 +1,126 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Runs a spoiled scene and checks how the program refuses it.
+
+Usage: check_bad_input.py LAMELLA FILE.bad WORKDIR
+
+A .bad file holds comments (#) and the lines
+
+    run PATH [arguments]   the scene, relative to the file; {workdir} in a word
+                           stands for WORKDIR; the program's working directory is
+                           WORKDIR, its output folder WORKDIR/output unless the
+                           arguments name another one
+    exit STATUS            the exit status that is due
+    says FRAGMENT          must occur in the message (a line a fragment)
+    never FRAGMENT         must not occur
+    file NAME [TEXT]       an ordinary file with this text, made in WORKDIR
+                           beforehand
+    leaves NAMES           the files that may be left in WORKDIR; none otherwise
+
+The message is one, on stderr, of at most twelve lines, in the user's words.
+"""
+
+import re
+import shlex
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+LONGEST_MESSAGE = 12
+# Words of the machinery: a user can do nothing with them.
+OF_THE_MACHINERY = ("Exception", "Stack trace", "Stacktrace", "terminate")
+
+
+def read_case(path):
+    case = {"says": [], "never": [], "file": [], "leaves": []}
+    for line in path.read_text().splitlines():
+        word, _, rest = line.strip().partition(" ")
+        rest = rest.strip()
+        if not word or word.startswith("#"):
+            continue
+        if word in ("says", "never"):
+            case[word].append(rest)
+        elif word == "leaves":
+            case[word] += rest.split()
+        elif word == "file":
+            name, _, text = rest.partition(" ")
+            case[word].append((name, text))
+        elif word in ("run", "exit") and word not in case:
+            case[word] = shlex.split(rest) if word == "run" else int(rest)
+        else:
+            sys.exit(f"{path}: not understood, or twice: {line}")
+    for needed in ("run", "exit", "says"):
+        if not case.get(needed):
+            sys.exit(f"{path}: no line `{needed}`")
+    return case
+
+
+def run_case(program, case, path, workdir):
+    words = [word.replace("{workdir}", str(workdir)) for word in case["run"]]
+    scene = path.parent.resolve() / words[0]
+    output = [] if any(word.startswith("--output") for word in words) else [
+        "--output", str(workdir / "output")]
+    return subprocess.run(
+        [str(Path(program).resolve()), str(scene), *words[1:], *output],
+        capture_output=True, text=True, cwd=workdir)
+
+
+def files_in(folder):
+    return {str(path.relative_to(folder)): path.read_bytes()
+            for path in folder.rglob("*") if path.is_file()}
+
+
+def faults_of_message(message, case):
+    lines = message.strip().splitlines()
+    if not lines:
+        yield "nothing on stderr"
+        return
+    if len(lines) > LONGEST_MESSAGE:
+        yield f"{len(lines)} lines on stderr, more than {LONGEST_MESSAGE}"
+    # Messages begin alike ("lamella: ..."), so a second one shows itself.
+    beginning = re.match(r"[^\s:]+:", lines[0])
+    if beginning and any(line.startswith(beginning[0]) for line in lines[1:]):
+        yield "more than one message on stderr"
+    for word in OF_THE_MACHINERY:
+        if word in message:
+            yield f"the message has the word {word}"
+    # A fragment may be broken over two lines of the message.
+    flat = " ".join(message.split())
+    for fragment in case["says"]:
+        if " ".join(fragment.split()) not in flat:
+            yield f"the message does not say: {fragment}"
+    for fragment in case["never"]:
+        if " ".join(fragment.split()) in flat:
+            yield f"the message says: {fragment}"
+
+
+def check(program, path, workdir):
+    case = read_case(path)
+    shutil.rmtree(workdir, ignore_errors=True)
+    workdir.mkdir(parents=True)
+    for name, text in case["file"]:
+        (workdir / name).write_text(text)
+    before = files_in(workdir)
+    done = run_case(program, case, path, workdir)
+    after = files_in(workdir)
+
+    faults = list(faults_of_message(done.stderr, case))
+    if done.returncode != case["exit"]:
+        faults.append(f"exit status {done.returncode}, not {case['exit']}")
+    left = {name for name in after if after[name] != before.get(name)}
+    if left != set(case["leaves"]):
+        faults.append(f"left behind: {', '.join(sorted(left)) or 'nothing'}")
+    if not before.keys() <= after.keys():
+        faults.append("removed a file that it did not make")
+    print(done.stderr.strip())
+    for fault in faults:
+        print("FAIL:", fault)
+    return not faults
+
+
+if __name__ == "__main__":
+    if len(sys.argv) != 4:
+        sys.exit("Usage: check_bad_input.py LAMELLA FILE.bad WORKDIR")
+    good = check(sys.argv[1], Path(sys.argv[2]), Path(sys.argv[3]).resolve())
+    sys.exit(0 if good else 1)

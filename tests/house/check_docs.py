@@ -1,0 +1,82 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Checks that what the pages name exists, and that no file names a machine.
+
+Usage: check_docs.py ROOT
+
+In *.md: relative links and pictures, scenes (prm/NAME.prm), scripts
+(scripts/NAME). In every text file: no path that only one machine has.
+"""
+
+import re
+import subprocess
+import sys
+from pathlib import Path
+
+LINK = re.compile(r"!?\[[^\]]*\]\(\s*<?([^)\s>]+)>?[^)]*\)|<img[^>]*\ssrc=\"([^\"]+)\"")
+NAMED = re.compile(r"(?<![\w/.-])((?:prm|tests)/[\w./-]+\.prm|scripts/[\w.-]*\w)")
+CODE_BLOCK = re.compile(r"^```.*?^```", re.MULTILINE | re.DOTALL)
+CODE = re.compile(r"`[^`\n]*`")
+# Folders of a user or of a build machine; put in pieces, so that this file does
+# not find itself.
+FOLDERS = ("home", "root", "tmp", "work", "mnt", "Users", "builds", "workspace")
+OF_ONE_MACHINE = re.compile(r"(?<![\w.$}~/-])/(?:" + "|".join(FOLDERS) + r")/[\w.-]+")
+
+
+def project_files(root):
+    """Tracked files and new ones; without git, all but hidden and built ones."""
+    listed = subprocess.run(
+        ["git", "ls-files", "-z", "--cached", "--others", "--exclude-standard"],
+        cwd=root, capture_output=True, text=True)
+    if listed.returncode == 0:
+        names = filter(None, listed.stdout.split("\0"))
+    else:
+        names = (str(path.relative_to(root)) for path in root.rglob("*"))
+        names = (name for name in names
+                 if not re.match(r"\.|build|results", name))
+    return sorted({root / name for name in names if (root / name).is_file()})
+
+
+def check_page(root, page):
+    text = page.read_text()
+    # Code shows the syntax of links and of C++ lambdas, and links nowhere.
+    prose = CODE.sub("", CODE_BLOCK.sub("", text))
+    for markdown, html in LINK.findall(prose):
+        target = (markdown or html).split("#")[0]
+        if not target or re.match(r"[a-z]+:", target):
+            continue
+        if not (page.parent / target).exists():
+            yield f"{page.relative_to(root)}: no such file: {target}"
+    for name in sorted(set(NAMED.findall(text))):
+        if not (root / name).exists():
+            yield f"{page.relative_to(root)}: names {name}, which does not exist"
+
+
+def check_paths(root, path):
+    try:
+        text = path.read_text()
+    except UnicodeDecodeError:
+        return
+    for number, line in enumerate(text.splitlines(), 1):
+        found = OF_ONE_MACHINE.search(line)
+        if found:
+            yield (f"{path.relative_to(root)}:{number}: {found[0]} is a path of "
+                   "one machine")
+
+
+def faults(root):
+    files = project_files(root)
+    if not (root / "README.md").is_file():
+        yield "README.md is missing"
+    for path in files:
+        if path.suffix == ".md":
+            yield from check_page(root, path)
+        yield from check_paths(root, path)
+
+
+if __name__ == "__main__":
+    if len(sys.argv) != 2:
+        sys.exit("Usage: check_docs.py ROOT")
+    found = list(faults(Path(sys.argv[1]).resolve()))
+    print("\n".join(found) or "The pages name what exists.")
+    sys.exit(1 if found else 0)

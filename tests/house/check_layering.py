@@ -1,0 +1,124 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Checks that the rooms are one-way floors and that the headers are in order.
+
+Usage: check_layering.py ROOT
+"""
+
+import re
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+# Lowest first; a room includes itself and what is below it.
+ROOMS = ("base", "material", "section", "axis", "body", "conditions", "contact",
+         "solve", "adapt", "report", "scene", "run")
+
+# These see bodies through their interface alone.
+BLIND_TO_KINDS_OF_BODIES = ("contact", "solve", "report")
+KINDS_OF_BODIES = re.compile(r"lamella/body/(beam|solid)\w*\.h")
+
+LICENSE = "// SPDX-License-Identifier: LGPL-2.1-or-later"
+LONGEST_FUNCTION = 70
+
+INCLUDE = re.compile(r'^\s*#\s*include\s*[<"](lamella/[^">]+)[">]', re.MULTILINE)
+
+
+def includes(path):
+    return INCLUDE.findall(path.read_text())
+
+
+def check_rooms(root):
+    for parent in (root / "include/lamella", root / "source"):
+        for folder in parent.iterdir():
+            if folder.is_dir() and folder.name not in ROOMS:
+                yield f"{folder.relative_to(root)}: not a room ({', '.join(ROOMS)})"
+
+
+def check_floors(root, path, room):
+    for header in includes(path):
+        other = header.split("/")[1]
+        where = f"{path.relative_to(root)} includes {header}"
+        if not (root / "include" / header).is_file():
+            yield f"{where}, which does not exist"
+        elif other not in ROOMS or ROOMS.index(other) > ROOMS.index(room):
+            yield f"{where}, which is above the room {room}"
+        elif room in BLIND_TO_KINDS_OF_BODIES and KINDS_OF_BODIES.match(header):
+            yield f"{where}; the room {room} sees bodies as lamella/body/body.h"
+
+
+def check_header(root, path, room):
+    text, where = path.read_text(), path.relative_to(root)
+    guard = f"lamella_{room}_{path.stem}_h"
+    if not text.startswith(LICENSE + "\n"):
+        yield f"{where}: the first line is not {LICENSE}"
+    if f"#ifndef {guard}\n#define {guard}\n" not in text:
+        yield f"{where}: no include guard {guard}"
+    if re.search(r"^\s*using\s+namespace\s+dealii\b", text, re.MULTILINE):
+        yield f"{where}: `using namespace dealii` in a header"
+
+
+def check_cycles(root):
+    """A depth-first walk; a header met again on its own path closes a cycle."""
+    folder = root / "include"
+    graph = {str(path.relative_to(folder)): includes(path)
+             for path in folder.rglob("*.h")}
+    finished = set()
+
+    def walk(header, path):
+        if header in path:
+            yield "a cycle: " + " -> ".join(path[path.index(header):] + [header])
+        elif header not in finished:
+            for other in graph.get(header, ()):
+                yield from walk(other, path + [header])
+            finished.add(header)
+
+    for header in sorted(graph):
+        yield from walk(header, [])
+
+
+def check_function_lengths(root, files):
+    """Needs Universal Ctags, which alone tells where a function ends."""
+    if not shutil.which("ctags") or "Universal" not in subprocess.run(
+            ["ctags", "--version"], capture_output=True, text=True).stdout:
+        return
+    tags = subprocess.run(
+        ["ctags", "-f", "-", "--fields=+ne", "--c++-kinds=f", "-L", "-"],
+        input="\n".join(map(str, files)), cwd=root, capture_output=True, text=True)
+    for tag in tags.stdout.splitlines():
+        found = re.search(r"\tline:(\d+).*\tend:(\d+)", tag)
+        if not found:
+            continue
+        length = int(found[2]) - int(found[1]) + 1
+        name, path = tag.split("\t")[:2]
+        if length > LONGEST_FUNCTION:
+            yield (f"{path}:{found[1]}: {name} has {length} lines, more than "
+                   f"{LONGEST_FUNCTION}")
+
+
+def faults(root):
+    yield from check_rooms(root)
+    for room in ROOMS:
+        headers = sorted((root / "include/lamella" / room).glob("**/*.h"))
+        sources = sorted(path for path in (root / "source" / room).glob("**/*")
+                         if path.suffix in (".h", ".cc"))
+        for path in headers + sources:
+            yield from check_floors(root, path, room)
+        for path in headers:
+            yield from check_header(root, path, room)
+    yield from check_cycles(root)
+    code = [path.relative_to(root) for folder in ("include", "source", "tutorials")
+            for path in sorted((root / folder).glob("**/*"))
+            if path.suffix in (".h", ".cc")]
+    if not code:
+        yield f"no code below {root}"
+    yield from check_function_lengths(root, code)
+
+
+if __name__ == "__main__":
+    if len(sys.argv) != 2:
+        sys.exit("Usage: check_layering.py ROOT")
+    found = list(faults(Path(sys.argv[1]).resolve()))
+    print("\n".join(found) or "The rooms and headers are in order.")
+    sys.exit(1 if found else 0)

@@ -1,0 +1,332 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Runs a scene and compares its results with the numbers of a .expect file.
+
+Usage: check_scene.py LAMELLA FILE.expect WORKDIR
+
+A .expect file holds comments (#), one line `run SCENE.prm [arguments]` (the
+path relative to the file), at most one line `again [arguments]` (the same scene
+once more, with other arguments), and rows
+
+    KEY | VALUE | TOLERANCE | SOURCE
+
+SOURCE says where the expected number comes from and is never empty. TOLERANCE
+is `0.1%` (relative), `abs 1e-9`, `exact`, `below` (|result| <= VALUE) or `above`
+(result >= VALUE). KEY is one of
+
+    summary:contacts.middle.force.2   an entry of summary.json; `#` as the last
+                                      part counts the entries of a list
+    probe:NAME:uz                     at the last step; probe:NAME/PLY:uz where
+                                      the point has a row a ply
+    line:NAME:COLUMN:mean             over the arc length, at the last step;
+                                      also max, min, maxabs
+    contact:NAME:COLUMN:sum           over all pairs at the last step; also max,
+                                      min
+    difference:ux,uy,uz               `run` against `again`: the largest
+                                      difference in all probes and lines over
+                                      the largest magnitude of these columns
+    exit                              the exit status (0 where not named)
+    stdout:REGEX, stderr:REGEX        `present` or `absent`, tolerance `exact`
+"""
+
+import csv
+import json
+import math
+import os
+import re
+import shlex
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+
+class Fault(Exception):
+    """What makes a row, or the whole file, impossible to compare."""
+
+
+# ---- the .expect file
+
+
+def read_expectations(path):
+    """The `run` arguments, the `again` arguments (or None) and the rows."""
+    run, again, rows = None, None, []
+    for number, line in enumerate(path.read_text().splitlines(), 1):
+        line = line.strip()
+        word = line.split(maxsplit=1)[0] if line else "#"
+        if word.startswith("#"):
+            continue
+        if word in ("run", "again"):
+            if (run if word == "run" else again) is not None:
+                raise Fault(f"line {number}: a second `{word}`")
+            arguments = shlex.split(line)[1:]
+            run, again = (arguments, again) if word == "run" else (run, arguments)
+            continue
+        # From the right, since a regular expression may hold the separator.
+        cells = [cell.strip() for cell in line.rsplit("|", 3)]
+        if len(cells) != 4 or not all(cells):
+            raise Fault(f"line {number}: not KEY | VALUE | TOLERANCE | SOURCE")
+        rows.append(cells)
+    if not run:
+        raise Fault("no line `run SCENE.prm`")
+    if not rows:
+        raise Fault("no row to compare")
+    return run, again, rows
+
+
+# ---- what a run left behind
+
+
+class Run:
+    """One run of the program and its output, read on demand."""
+
+    def __init__(self, program, scene, arguments, folder):
+        shutil.rmtree(folder, ignore_errors=True)
+        self.folder = folder
+        threads = {"OPENBLAS_NUM_THREADS": "1", "OMP_NUM_THREADS": "1"}
+        done = subprocess.run(
+            [program, str(scene), "--output", str(folder), *arguments],
+            capture_output=True, text=True, env={**threads, **os.environ})
+        self.status, self.stdout, self.stderr = (
+            done.returncode, done.stdout, done.stderr)
+
+    def table(self, name):
+        """The rows of a CSV file at its last step."""
+        path = self.folder / name
+        if not path.is_file():
+            raise Fault(f"{name} was not written")
+        with path.open(newline="") as file:
+            rows = list(csv.DictReader(file))
+        if not rows:
+            raise Fault(f"{name} is empty")
+        last = max(int(row["step"]) for row in rows)
+        return [row for row in rows if int(row["step"]) == last]
+
+    def lines(self):
+        return sorted(path.name for path in (self.folder / "lines").glob("*.csv"))
+
+
+def number(row, column):
+    """A finite number: a NaN would slip through max() and min()."""
+    if column not in row:
+        raise Fault(f"no column {column}")
+    try:
+        value = float(row[column])
+    except (TypeError, ValueError):
+        raise Fault(f"{column} is not a number: {row[column]!r}") from None
+    if not math.isfinite(value):
+        raise Fault(f"{column} is {value}")
+    return value
+
+
+def numbers(rows, column):
+    return [number(row, column) for row in rows]
+
+
+# ---- the keys
+
+
+def summary_value(run, path):
+    file = run.folder / "summary.json"
+    if not file.is_file():
+        raise Fault("summary.json was not written")
+    value = json.loads(file.read_text())
+    for part in path.split("."):
+        if part == "#" and isinstance(value, (list, dict)):
+            value = len(value)
+        elif isinstance(value, list) and part.isdigit() and int(part) < len(value):
+            value = value[int(part)]
+        elif isinstance(value, dict) and part in value:
+            value = value[part]
+        else:
+            raise Fault(f"summary.json has no {path} (at {part})")
+    return value
+
+
+def probe_value(run, name, column):
+    name, _, ply = name.partition("/")
+    rows = [row for row in run.table("probes.csv") if row["probe"] == name
+            and (not ply or row["ply"] == ply)]
+    if not rows:
+        raise Fault(f"probes.csv has no such probe: {name} {ply}".rstrip())
+    if len(rows) > 1:
+        plies = ", ".join(row["ply"] for row in rows)
+        raise Fault(f"several rows; name one of the plies {plies}")
+    return number(rows[0], column)
+
+
+def mean(abscissae, values):
+    """Trapezoidal: the two sides of a ply interface have no length between."""
+    length = abscissae[-1] - abscissae[0]
+    if not length > 0:
+        raise Fault("the line has no length")
+    pairs = list(zip(abscissae, values))
+    return sum((b[0] - a[0]) * (a[1] + b[1]) / 2
+               for a, b in zip(pairs, pairs[1:])) / length
+
+
+def line_value(run, name, column, how):
+    rows = run.table(f"lines/{name}.csv")
+    values = numbers(rows, column)
+    if how == "mean":
+        return mean(numbers(rows, "s"), values)
+    return reduce_column(values, how, ("max", "min", "maxabs"))
+
+
+def contact_value(run, name, column, how):
+    values = numbers(run.table(f"contact_{name}.csv"), column)
+    return reduce_column(values, how, ("sum", "max", "min"))
+
+
+def reduce_column(values, how, known):
+    if how not in known:
+        raise Fault(f"unknown reduction {how}; known: {', '.join(known)}")
+    return {"max": max, "min": min, "sum": math.fsum,
+            "maxabs": lambda v: max(map(abs, v))}[how](values)
+
+
+def difference(run, again, columns):
+    if again is None:
+        raise Fault("needs a line `again`")
+    files = run.lines()
+    if files != again.lines():
+        raise Fault("the two runs wrote different lines")
+    if (run.folder / "probes.csv").exists():
+        files.append("../probes.csv")
+    if not files:
+        raise Fault("neither probes nor lines to compare")
+    largest_difference = largest = 0.0
+    for file in files:
+        a, b = run.table(f"lines/{file}"), again.table(f"lines/{file}")
+        if len(a) != len(b):
+            raise Fault(f"{file}: {len(a)} rows against {len(b)}")
+        for column in columns:
+            for p, q in zip(numbers(a, column), numbers(b, column)):
+                largest_difference = max(largest_difference, abs(p - q))
+                largest = max(largest, abs(p))
+    if largest == 0:
+        raise Fault("all values are zero")
+    return largest_difference / largest
+
+
+def evaluate(key, run, again):
+    kind, _, rest = key.partition(":")
+    if kind in ("stdout", "stderr"):
+        found = re.search(rest, getattr(run, kind), re.MULTILINE)
+        return "present" if found else "absent"
+    parts = rest.split(":")
+    if key == "exit":
+        return run.status
+    if kind == "summary" and rest:
+        return summary_value(run, rest)
+    if kind == "probe" and len(parts) == 2:
+        return probe_value(run, *parts)
+    if kind == "line" and len(parts) == 3:
+        return line_value(run, *parts)
+    if kind == "contact" and len(parts) == 3:
+        return contact_value(run, *parts)
+    if kind == "difference" and rest:
+        return difference(run, again, rest.split(","))
+    raise Fault("unknown key")
+
+
+# ---- the comparison
+
+
+def as_number(text):
+    try:
+        value = float(text)
+    except (TypeError, ValueError):
+        raise Fault(f"not a number: {text}") from None
+    if not math.isfinite(value):
+        raise Fault(f"not finite: {text}")
+    return value
+
+
+def same(result, text):
+    try:
+        return float(result) == float(text)
+    except (TypeError, ValueError):
+        shown = result if isinstance(result, str) else json.dumps(result)
+        return shown == text
+
+
+def compare(result, text, tolerance):
+    """Whether the result is as expected, and the difference as text."""
+    if tolerance == "exact":
+        return same(result, text), ""
+    value, expected = as_number(result), as_number(text)
+    if tolerance == "below":
+        return abs(value) <= expected, ""
+    if tolerance == "above":
+        return value >= expected, ""
+    error = abs(value - expected)
+    relative = re.fullmatch(r"(\S+?)\s*%", tolerance)
+    if relative:
+        if expected == 0:
+            raise Fault("a relative tolerance on zero; use abs")
+        error *= 100 / abs(expected)
+        return error <= as_number(relative[1]), f"{error:.2g}%"
+    absolute = re.fullmatch(r"abs\s+(\S+)", tolerance)
+    if absolute:
+        return error <= as_number(absolute[1]), f"{error:.2g}"
+    raise Fault(f"unknown tolerance {tolerance}")
+
+
+def shown(result):
+    return f"{result:.8g}" if isinstance(result, float) else str(result)
+
+
+def compare_row(row, run, again):
+    """The row of the printed table; its last cell is `ok` or begins FAIL."""
+    key, expected, tolerance, source = row
+    result = deviation = ""
+    try:
+        result = evaluate(key, run, again)
+        good, deviation = compare(result, expected, tolerance)
+        verdict = "ok" if good else "FAIL"
+    except (Fault, re.error) as fault:
+        verdict = f"FAIL: {fault}"
+    return [key, shown(result), expected, deviation, tolerance, source, verdict]
+
+
+def print_table(rows):
+    widths = [max(len(row[i]) for row in rows) for i in range(len(rows[0]))]
+    for row in rows:
+        print("  ".join(cell.ljust(w) for cell, w in zip(row, widths)).rstrip())
+
+
+def check(program, path, workdir):
+    arguments, other_arguments, rows = read_expectations(path)
+    scene, extra = path.parent / arguments[0], arguments[1:]
+    runs = [Run(program, scene, extra, workdir / "run")]
+    if other_arguments is not None:
+        runs.append(Run(program, scene, other_arguments, workdir / "again"))
+    good = True
+    status_is_a_row = any(row[0] == "exit" for row in rows)
+    for number, run in enumerate(runs):
+        if run.status != 0 and not (status_is_a_row and number == 0):
+            print(f"lamella ended with exit status {run.status} and said:")
+            print(run.stderr or run.stdout[-2000:])
+            good = False
+    again = runs[1] if len(runs) > 1 else None
+    table = [compare_row(row, runs[0], again) for row in rows]
+    print_table([["key", "result", "expected", "difference", "tolerance",
+                  "source", ""]] + table)
+    return good and all(row[-1] == "ok" for row in table)
+
+
+def main():
+    if len(sys.argv) != 4:
+        sys.exit("Usage: check_scene.py LAMELLA FILE.expect WORKDIR")
+    path, workdir = Path(sys.argv[2]), Path(sys.argv[3])
+    workdir.mkdir(parents=True, exist_ok=True)
+    try:
+        good = check(sys.argv[1], path, workdir)
+    except Fault as fault:
+        sys.exit(f"{path}: {fault}")
+    sys.exit(0 if good else 1)
+
+
+if __name__ == "__main__":
+    main()
