@@ -1,1 +1,88 @@
-int main(){}
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <lamella/base/exceptions.h>
+#include <lamella/run/command_line.h>
+#include <lamella/run/simulation.h>
+#include <lamella/scene/scene.h>
+
+#include <deal.II/base/mpi.h>
+
+#include <dlfcn.h>
+
+#include <iostream>
+
+namespace
+{
+  using namespace lamella;
+
+  /// One thread unless told otherwise; the BLAS starts with one a core.
+  void
+  limit_threads(const unsigned int n)
+  {
+    dealii::MultithreadInfo::set_thread_limit(n);
+    using SetThreads = void (*)(int);
+    if (const auto set_threads = reinterpret_cast<SetThreads>(
+          dlsym(RTLD_DEFAULT, "openblas_set_num_threads")))
+      set_threads(n);
+  }
+
+
+
+  void
+  run(const CommandLine &command)
+  {
+    if (command.help || command.version)
+      {
+        std::cout << (command.help ? usage() : "lamella " LAMELLA_VERSION "\n");
+        return;
+      }
+    if (command.scene.empty())
+      {
+        std::cout << parameter_documentation();
+        return;
+      }
+
+    limit_threads(command.threads);
+    const Scene scene =
+      read_scene(SceneText::read(command.scene, command.overrides));
+    if (command.print_parameters)
+      {
+        std::cout << scene.resolved;
+        return;
+      }
+    Simulation simulation(scene, std::cout);
+    if (command.validate)
+      simulation.print_validation();
+    else
+      simulation.run(command.output);
+  }
+} // namespace
+
+
+
+int
+main(int argc, char **argv)
+{
+  try
+    {
+      dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+      run(CommandLine::parse({argv + 1, argv + argc}));
+    }
+  catch (const InputError &error)
+    {
+      std::cerr << "lamella: " << error.what() << std::endl;
+      return 1;
+    }
+  catch (const NumericsError &error)
+    {
+      std::cerr << "lamella: " << error.what() << std::endl;
+      return 2;
+    }
+  catch (const std::exception &error)
+    {
+      std::cerr << "lamella: internal error, please report it:\n"
+                << error.what() << std::endl;
+      return 2;
+    }
+  return 0;
+}

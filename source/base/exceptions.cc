@@ -25,9 +25,8 @@ namespace lamella
           row[0]               = i + 1;
           for (std::size_t j = 0; j < b.size(); ++j)
             {
-              const std::size_t replace =
-                diagonal + (same(a[i], b[j]) ? 0 : 1);
-              diagonal   = row[j + 1];
+              const std::size_t replace = diagonal + (same(a[i], b[j]) ? 0 : 1);
+              diagonal                  = row[j + 1];
               row[j + 1] = std::min({row[j] + 1, row[j + 1] + 1, replace});
             }
         }

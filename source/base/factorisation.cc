@@ -52,8 +52,8 @@ namespace lamella
 
 
     /// The lower triangle by columns, which is the upper one by rows. Exact
-    /// zeros (a cross-ply does not couple extension to shear) are left out: they
-    /// would only cause fill.
+    /// zeros (a cross-ply does not couple extension to shear) are left out:
+    /// they would only cause fill.
     cholmod_sparse *
     lower_triangle(const Matrix &matrix, cholmod_common &common)
     {
@@ -64,16 +64,17 @@ namespace lamella
 
       cholmod_sparse *A = cholmod_l_allocate_sparse(
         n, n, count, true, true, -1, CHOLMOD_REAL, &common);
-      auto *const       start = static_cast<SuiteSparse_long *>(A->p);
-      auto *const       rows  = static_cast<SuiteSparse_long *>(A->i);
-      auto *const       x     = static_cast<double *>(A->x);
-      std::size_t       next  = 0;
+      auto *const start = static_cast<SuiteSparse_long *>(A->p);
+      auto *const rows  = static_cast<SuiteSparse_long *>(A->i);
+      auto *const x     = static_cast<double *>(A->x);
+      std::size_t next  = 0;
       for (std::size_t row = 0; row < n; ++row)
         {
           start[row] = next;
           // deal.II stores the diagonal first and then ascending columns, so
           // this order is sorted.
-          for (auto entry = matrix.begin(row); entry != matrix.end(row); ++entry)
+          for (auto entry = matrix.begin(row); entry != matrix.end(row);
+               ++entry)
             if (entry->column() >= row && entry->value() != 0.)
               {
                 rows[next] = entry->column();

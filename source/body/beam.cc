@@ -104,8 +104,8 @@ namespace lamella
     for (unsigned int m = 0; m < 6; ++m)
       {
         Tensor<1, 3> direction;
-        direction[m % 3]       = 1.;
-        const Tensor<1, 3> v   = placement.vector_to_body(direction);
+        direction[m % 3]        = 1.;
+        const Tensor<1, 3> v    = placement.vector_to_body(direction);
         const bool         turn = m >= 3;
         for (unsigned int node = 0; node < dof_map.n_nodes(); ++node)
           {
@@ -131,8 +131,8 @@ namespace lamella
 
   namespace
   {
-    /// A row of a factor: its columns, ascending, and the four entries (p, q) of
-    /// each. The four matrices of a factor share one pattern.
+    /// A row of a factor: its columns, ascending, and the four entries (p, q)
+    /// of each. The four matrices of a factor share one pattern.
     struct FactorRow
     {
       std::vector<unsigned int>          columns;
@@ -201,8 +201,8 @@ namespace lamella
                     columns.push_back(dof_map.first(j) + place);
                     const std::array<double, 4> &S = section_row.entries[b];
                     if (with_values)
-                      values.push_back(A[0] * S[0] + A[1] * S[1] +
-                                       A[2] * S[2] + A[3] * S[3]);
+                      values.push_back(A[0] * S[0] + A[1] * S[1] + A[2] * S[2] +
+                                       A[3] * S[3]);
                   }
               }
             use(dof_map.first(i) + k, columns, values);
@@ -327,10 +327,10 @@ namespace lamella
           {
             const SectionPoint &point = beam_section->integration_points()[s];
             const PointState    at    = point_state(point, state);
-            result.energy += 0.5 * beam_axis->integration_weights()[k] *
-                             beam_section->integration_weights()[s] *
-                             (at.strain *
-                              (beam_section->elasticity(point.cell) * at.strain));
+            result.energy +=
+              0.5 * beam_axis->integration_weights()[k] *
+              beam_section->integration_weights()[s] *
+              (at.strain * (beam_section->elasticity(point.cell) * at.strain));
             // curl u / 2 with d u_y / dz = gamma_yz - d u_z / dy and so on.
             const Point<3> rotation(at.slope[2] - 0.5 * at.strain[5],
                                     at.twist,

@@ -33,8 +33,8 @@ namespace lamella
   BeamDofMap::field_of(const DofIndex dof) const
   {
     const unsigned int node =
-      std::upper_bound(offsets.begin(), offsets.end(), dof) -
-      offsets.begin() - 1;
+      std::upper_bound(offsets.begin(), offsets.end(), dof) - offsets.begin() -
+      1;
     return fields(node)[dof - offsets[node]];
   }
 } // namespace lamella

@@ -11,9 +11,9 @@ namespace lamella
   FieldSample
   Beam::field_sample(const PointState &state, const unsigned int cell) const
   {
-    const Ply          &ply        = beam_section->plies()[beam_section->cell_ply(cell)];
-    const Voigt         stress     = beam_section->elasticity(cell) * state.strain;
-    const ElasticTensor to_scene   = placement.strain_to_scene();
+    const Ply  &ply    = beam_section->plies()[beam_section->cell_ply(cell)];
+    const Voigt stress = beam_section->elasticity(cell) * state.strain;
+    const ElasticTensor to_scene = placement.strain_to_scene();
     // sigma' = T^-T sigma, and T^-1 is the strain rotation of the way back.
     const ElasticTensor from_scene = strain_rotation(placement.axes);
     const ElasticTensor from_ply   = strain_rotation(transpose(ply.axes()));
@@ -79,15 +79,15 @@ namespace lamella
     std::vector<OutputCell> cells(beam_section->n_cells());
     for (unsigned int cell = 0; cell < cells.size(); ++cell)
       {
-        cells[cell].ply = beam_section->cell_ply(cell);
-        cells[cell].fibre =
-          placement.vector_to_scene(beam_section->plies()[cells[cell].ply].axes()[0]);
+        cells[cell].ply   = beam_section->cell_ply(cell);
+        cells[cell].fibre = placement.vector_to_scene(
+          beam_section->plies()[cells[cell].ply].axes()[0]);
         for (unsigned int k = 0; k <= n; ++k)
           {
             std::vector<SectionPoint> row;
             for (unsigned int i = 0; i <= n; ++i)
-              row.push_back(beam_section->evaluate(
-                cell, {double(i) / n, double(k) / n}));
+              row.push_back(
+                beam_section->evaluate(cell, {double(i) / n, double(k) / n}));
             for (const auto &[y, state] : states)
               for (const SectionPoint &point : row)
                 {
@@ -104,9 +104,7 @@ namespace lamella
 
 
   std::vector<OutputCell>
-  Beam::cut(const double       position,
-            const unsigned int n,
-            const Vector      &u) const
+  Beam::cut(const double position, const unsigned int n, const Vector &u) const
   {
     const auto places =
       beam_axis->locate(position, 1e-10 * beam_axis->length());
@@ -124,7 +122,8 @@ namespace lamella
               FieldSample       &a = cells[c].samples[k];
               const FieldSample &b = other[c].samples[k];
               const double largest = std::max(a.stress.norm(), b.stress.norm());
-              a.jump = largest > 0. ? (a.stress - b.stress).norm() / largest : 0.;
+              a.jump =
+                largest > 0. ? (a.stress - b.stress).norm() / largest : 0.;
               a.strain     = 0.5 * (a.strain + b.strain);
               a.stress     = 0.5 * (a.stress + b.stress);
               a.ply_stress = 0.5 * (a.ply_stress + b.ply_stress);

@@ -37,9 +37,8 @@ namespace lamella
         // Positions come out of decimal texts and rotations.
         const auto on_axis =
           beam_axis->locate(x[1], 1e-10 * beam_axis->length());
-        const auto in_section =
-          beam_section->locate({x[0], x[2]},
-                               1e-8 * beam_section->element().reference_length());
+        const auto in_section = beam_section->locate(
+          {x[0], x[2]}, 1e-8 * beam_section->element().reference_length());
         std::map<unsigned int, Location> by_ply;
         for (const auto &[section_cell, unit] : in_section)
           for (const auto &[axis_cell, eta] : on_axis)
@@ -70,7 +69,7 @@ namespace lamella
     for (const Location &where : locations)
       {
         // Body axes to those asked for, and for stresses the elasticity.
-        const Ply    &ply = beam_section->plies()[where.ply];
+        const Ply    &ply      = beam_section->plies()[where.ply];
         ElasticTensor to_frame = frame == Frame::scene ?
                                    placement.strain_to_scene() :
                                    strain_rotation(ply.axes());
@@ -141,9 +140,9 @@ namespace lamella
                       const unsigned int axis_cell,
                       const double       eta) const
   {
-    const double y = beam_axis->cell_begin(axis_cell) +
-                     eta * (beam_axis->cell_end(axis_cell) -
-                            beam_axis->cell_begin(axis_cell));
+    const double y =
+      beam_axis->cell_begin(axis_cell) +
+      eta * (beam_axis->cell_end(axis_cell) - beam_axis->cell_begin(axis_cell));
     SurfacePoint point;
     point.position =
       placement.to_scene({edge.position[0], y, edge.position[1]});
@@ -168,10 +167,9 @@ namespace lamella
   {
     const unsigned int axis_cell = at_start ? 0 : beam_axis->n_cells() - 1;
     SurfacePoint       point;
-    point.position =
-      placement.to_scene({in_section.position[0],
-                          at_start ? 0. : beam_axis->length(),
-                          in_section.position[1]});
+    point.position = placement.to_scene({in_section.position[0],
+                                         at_start ? 0. : beam_axis->length(),
+                                         in_section.position[1]});
     point.normal =
       placement.vector_to_scene(Point<3>(0., at_start ? -1. : 1., 0.));
     point.area = in_section.weight;
@@ -286,8 +284,8 @@ namespace lamella
       for (const auto &cell : mesh.active_cell_iterators())
         for (const unsigned int f : cell->face_indices())
           {
-            const Point<2> p = cell->face(f)->vertex(0),
-                           q = cell->face(f)->vertex(1);
+            const Point<2> p  = cell->face(f)->vertex(0),
+                           q  = cell->face(f)->vertex(1);
             const double of_p = side_of(p), of_q = side_of(q);
             if (std::abs(of_p) <= tolerance)
               breaks.push_back(((p - a) * d) / d.norm_square());
@@ -308,8 +306,8 @@ namespace lamella
   std::vector<double>
   Beam::line_breaks(const Point<3> &from, const Point<3> &to) const
   {
-    const Point<3>     a = placement.to_body(from), b = placement.to_body(to);
-    const Tensor<1, 3> d = b - a;
+    const Point<3>      a = placement.to_body(from), b = placement.to_body(to);
+    const Tensor<1, 3>  d = b - a;
     std::vector<double> breaks{0., 1.};
     if (std::abs(d[1]) > 1e-10 * beam_axis->length())
       for (unsigned int cell = 0; cell < beam_axis->n_cells(); ++cell)

@@ -26,9 +26,9 @@ namespace lamella
     std::vector<Point<3>>     points;
     for (unsigned int k = 0; k + 1 < breaks.size(); ++k)
       for (unsigned int q = k == 0 ? 0 : 1; q < nodes.size(); ++q)
-        points.push_back(a + (breaks[k] + nodes.point(q)[0] *
-                                            (breaks[k + 1] - breaks[k])) *
-                               (b - a));
+        points.push_back(
+          a + (breaks[k] + nodes.point(q)[0] * (breaks[k + 1] - breaks[k])) *
+                (b - a));
     return points;
   }
 
@@ -46,8 +46,8 @@ namespace lamella
         points.emplace_back(a + (breaks[k] + quadrature.point(q)[0] *
                                                (breaks[k + 1] - breaks[k])) *
                                   (b - a),
-                            quadrature.weight(q) *
-                              (breaks[k + 1] - breaks[k]) * a.distance(b));
+                            quadrature.weight(q) * (breaks[k + 1] - breaks[k]) *
+                              a.distance(b));
     return points;
   }
 

@@ -21,8 +21,7 @@ namespace lamella
     placement.origin  = origin;
     placement.axes[0] = across / across.norm();
     placement.axes[1] = axis / axis.norm();
-    placement.axes[2] =
-      cross_product_3d(placement.axes[0], placement.axes[1]);
+    placement.axes[2] = cross_product_3d(placement.axes[0], placement.axes[1]);
     return placement;
   }
 } // namespace lamella

@@ -73,9 +73,9 @@ namespace lamella
   void
   add_load(const Load &load, const Bodies &bodies, BlockVector &f)
   {
-    const std::string       what = "Load " + load.name;
-    std::deque<Expression>   force;
-    const bool              is_pressure = !load.pressure.empty();
+    const std::string      what = "Load " + load.name;
+    std::deque<Expression> force;
+    const bool             is_pressure = !load.pressure.empty();
     if (is_pressure)
       force.emplace_back(load.pressure, what + ", Pressure");
     else
@@ -116,10 +116,10 @@ namespace lamella
                    body.surface_quadrature(region.surface))
                 {
                   locations.push_back(p.location);
-                  forces.push_back(
-                    p.area * (is_pressure ?
-                                -force[0](p.position) * p.normal :
-                                Tensor<1, 3>(force_at(p.position))));
+                  forces.push_back(p.area *
+                                   (is_pressure ?
+                                      -force[0](p.position) * p.normal :
+                                      Tensor<1, 3>(force_at(p.position))));
                 }
               break;
             default:

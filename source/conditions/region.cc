@@ -20,11 +20,10 @@ namespace lamella
         if (found[i].empty())
           {
             const auto box = body.bounding_box().get_boundary_points();
-            throw InputError(what + ": the point " + to_text(points[i]) +
-                             " is not in body '" + body.name() +
-                             "', which extends from " + to_text(box.first) +
-                             " to " + to_text(box.second) +
-                             ". Move the point into it.");
+            throw InputError(
+              what + ": the point " + to_text(points[i]) + " is not in body '" +
+              body.name() + "', which extends from " + to_text(box.first) +
+              " to " + to_text(box.second) + ". Move the point into it.");
           }
         locations.push_back(found[i].front());
       }
@@ -40,8 +39,8 @@ namespace lamella
   {
     const std::vector<std::string> names = body.surfaces();
     if (std::find(names.begin(), names.end(), surface) == names.end())
-      throw InputError(what + ": body '" + body.name() +
-                       "' has no surface '" + surface + "'. The nearest is '" +
+      throw InputError(what + ": body '" + body.name() + "' has no surface '" +
+                       surface + "'. The nearest is '" +
                        nearest_name(surface, names) +
                        "'; all of them: " + joined(names) + ".");
   }
@@ -49,9 +48,7 @@ namespace lamella
 
 
   std::vector<Point<3>>
-  region_points(const Body        &body,
-                const Region      &region,
-                const std::string &what)
+  region_points(const Body &body, const Region &region, const std::string &what)
   {
     switch (region.kind)
       {

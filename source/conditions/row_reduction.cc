@@ -195,13 +195,14 @@ namespace lamella
           particular_solution[equation.pivot] = equation.value;
         }
 
-    const unsigned int n = eliminated.rows.size();
+    const unsigned int n  = eliminated.rows.size();
     eliminated.transposed = std::make_unique<LAPACKFullMatrix<double>>(n, n);
     std::map<DofIndex, unsigned int> column;
     for (unsigned int k = 0; k < n; ++k)
       column[eliminated.pivots[k]] = k;
     for (unsigned int k = 0; k < n; ++k)
-      for (const auto &[dof, weight] : rows[eliminated.rows[k]].row.row.entries())
+      for (const auto &[dof, weight] :
+           rows[eliminated.rows[k]].row.row.entries())
         if (column.count(dof) > 0)
           (*eliminated.transposed)(column[dof], k) = weight;
     eliminated.transposed->compute_lu_factorization();

@@ -16,8 +16,8 @@ namespace lamella
     for (unsigned int s = 0; s < supports.size(); ++s)
       for (const Region &region : supports[s].on)
         {
-          const std::string what = "Support " + supports[s].name;
-          const Body       &body = *bodies[region.body];
+          const std::string what   = "Support " + supports[s].name;
+          const Body       &body   = *bodies[region.body];
           const auto        points = region_points(body, region, what);
           auto              all =
             body.rows(locate_all(body, points, what), Quantity::displacement);
@@ -83,8 +83,8 @@ namespace lamella
         {
           values.emplace_back();
           for (unsigned int m = 0; m < 6; ++m)
-            values.back()[m] = prescribed.row.row(motions[m]) /
-                               (m < 3 ? 1. : body.size());
+            values.back()[m] =
+              prescribed.row.row(motions[m]) / (m < 3 ? 1. : body.size());
         }
     LAPACKFullMatrix<double> held(values.size(), 6);
     for (unsigned int r = 0; r < values.size(); ++r)

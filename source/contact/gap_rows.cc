@@ -37,17 +37,17 @@ namespace lamella
     [[noreturn]] void
     fail_without_pairs(const ContactPair &contact, const Pairing &pairing)
     {
-      std::string message =
-        "Contact " + contact.name + ": no nodes of First and Second face each "
-        "other (node to node). The nearest two are " +
-        to_text(pairing.nearest_distance) + " apart";
+      std::string message = "Contact " + contact.name +
+                            ": no nodes of First and Second face each "
+                            "other (node to node). The nearest two are " +
+                            to_text(pairing.nearest_distance) + " apart";
       if (pairing.smallest_offset < std::numeric_limits<double>::max())
         message += ", the best sideways offset between opposed surfaces is " +
                    to_text(pairing.smallest_offset);
-      throw InputError(message +
-                       ". Check that First and Second name the surfaces that "
-                       "look at each other, and give both the same nodes (cells "
-                       "across, axis elements, axis nodes).");
+      throw InputError(
+        message + ". Check that First and Second name the surfaces that "
+                  "look at each other, and give both the same nodes (cells "
+                  "across, axis elements, axis nodes).");
     }
   } // namespace
 
@@ -84,16 +84,16 @@ namespace lamella
     for (unsigned int k = 0; k < pairing.pairs.size(); ++k)
       {
         const PointPair    &pair = pairing.pairs[k];
-        const SurfacePoint &a = points_1[pair.first], &b = points_2[pair.second];
-        GapRow              row;
-        row.parts       = {{normal_displacement(
-                        contact.first.body, rows_1[k], pair.normal, -1.),
-                      normal_displacement(
-                        contact.second.body, rows_2[k], pair.normal, 1.)}};
+        const SurfacePoint &a    = points_1[pair.first],
+                           &b    = points_2[pair.second];
+        GapRow row;
+        row.parts = {
+          {normal_displacement(contact.first.body, rows_1[k], pair.normal, -1.),
+           normal_displacement(
+             contact.second.body, rows_2[k], pair.normal, 1.)}};
         row.initial_gap = pair.initial_gap;
-        row.penalty     = row_penalty(contact.penalty,
-                                  local_stiffness(a),
-                                  local_stiffness(b));
+        row.penalty =
+          row_penalty(contact.penalty, local_stiffness(a), local_stiffness(b));
         interface.rows.push_back(std::move(row));
         interface.points.push_back(
           {a.position, b.position, pair.normal, a.area});

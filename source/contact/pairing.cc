@@ -30,16 +30,15 @@ namespace lamella
         bool paired = false;
         for (const unsigned int j : search.nearest(first[i].position, 3))
           {
-            const Tensor<1, 3> &n = first[i].normal;
-            const Tensor<1, 3>  d = second[j].position - first[i].position;
+            const Tensor<1, 3> &n      = first[i].normal;
+            const Tensor<1, 3>  d      = second[j].position - first[i].position;
             const double        gap    = d * n;
             const double        offset = (d - gap * n).norm();
             result.nearest_distance =
               std::min(result.nearest_distance, d.norm());
             const bool opposed = n * second[j].normal < -0.5;
             if (opposed)
-              result.smallest_offset =
-                std::min(result.smallest_offset, offset);
+              result.smallest_offset = std::min(result.smallest_offset, offset);
             if (opposed && offset <= tolerance * std::sqrt(first[i].area))
               {
                 result.pairs.push_back({i, j, n, gap});

@@ -52,8 +52,7 @@ namespace lamella
                                                                  {"G23", G23}}};
     for (const auto &[name, value] : moduli)
       if (!(value > 0.))
-        return std::string(name) + " = " + to_text(value) +
-               " must be positive";
+        return std::string(name) + " = " + to_text(value) + " must be positive";
 
     struct Pair
     {
@@ -64,14 +63,14 @@ namespace lamella
                              Pair{"nu13", "E1 / E3", nu13, E1, E3},
                              Pair{"nu23", "E2 / E3", nu23, E2, E3}})
       if (!(pair.value * pair.value < pair.E_i / pair.E_j))
-        return std::string(pair.nu) + "^2 = " +
-               to_text(pair.value * pair.value) + " must be below " +
+        return std::string(pair.nu) +
+               "^2 = " + to_text(pair.value * pair.value) + " must be below " +
                pair.ratio + " = " + to_text(pair.E_i / pair.E_j);
 
     const double nu21 = nu12 * E2 / E1, nu31 = nu13 * E3 / E1,
                  nu32 = nu23 * E3 / E2;
-    const double determinant = 1. - nu12 * nu21 - nu23 * nu32 - nu13 * nu31 -
-                               2. * nu21 * nu32 * nu13;
+    const double determinant =
+      1. - nu12 * nu21 - nu23 * nu32 - nu13 * nu31 - 2. * nu21 * nu32 * nu13;
     if (!(determinant > 0.))
       return "1 - nu12 nu21 - nu23 nu32 - nu13 nu31 - 2 nu21 nu32 nu13 = " +
              to_text(determinant) + " must be positive";
@@ -90,7 +89,7 @@ namespace lamella
     compliance[0][1] = compliance[1][0] = -nu12 / E1;
     compliance[0][2] = compliance[2][0] = -nu13 / E1;
     compliance[1][2] = compliance[2][1] = -nu23 / E2;
-    const dealii::Tensor<2, 3> normal = invert(compliance);
+    const dealii::Tensor<2, 3> normal   = invert(compliance);
 
     ElasticTensor C;
     for (unsigned int i = 0; i < 3; ++i)

@@ -32,10 +32,11 @@ namespace lamella
   parse_layup(const std::string &code, const std::string &what)
   {
     // A bracket, what it holds, and what follows it; or no bracket at all.
-    static const std::regex form(R"(\s*(\[?)([^\[\]]*)(\]?)\s*([0-9]*)(s?)\s*)");
-    std::smatch             match;
-    const bool  fits = std::regex_match(code, match, form);
-    const bool  bracketed = fits && match[1].length() == 1;
+    static const std::regex form(
+      R"(\s*(\[?)([^\[\]]*)(\]?)\s*([0-9]*)(s?)\s*)");
+    std::smatch       match;
+    const bool        fits      = std::regex_match(code, match, form);
+    const bool        bracketed = fits && match[1].length() == 1;
     const std::string rule =
       what + " = " + code +
       ": must be ply angles in degrees between slashes, bottom to top, as in "

@@ -24,9 +24,8 @@ namespace lamella
     origin = Point<2>(moment / area);
 
     const auto box = GridTools::compute_bounding_box(this->mesh->mesh);
-    length =
-      0.5 * box.get_boundary_points().first.distance(
-              box.get_boundary_points().second);
+    length         = 0.5 * box.get_boundary_points().first.distance(
+                     box.get_boundary_points().second);
   }
 
 

@@ -57,8 +57,8 @@ namespace lamella
           best = i;
       return best;
     };
-    const unsigned int a = farthest(
-      [this](const Point<2> &p) { return p.distance_square(origin); });
+    const unsigned int a =
+      farthest([this](const Point<2> &p) { return p.distance_square(origin); });
     const unsigned int b = farthest(
       [this, a](const Point<2> &p) { return p.distance_square(nodes[a]); });
     const Tensor<1, 2> line = nodes[b] - nodes[a];
@@ -145,7 +145,7 @@ namespace lamella
   std::vector<EdgePoint>
   LagrangeElement::edge_points(const std::string &boundary) const
   {
-    const QGauss<1>                                      quadrature(fe.degree + 1);
+    const QGauss<1> quadrature(fe.degree + 1);
     std::map<dealii::types::global_dof_index, EdgePoint> found;
     for (const auto &[c, f] : boundary_faces(boundary))
       for (unsigned int i = 0; i < fe.n_dofs_per_cell(); ++i)
@@ -164,8 +164,7 @@ namespace lamella
               FunctionValues geometry;
               map_geometry(c, x, geometry);
               const Tensor<1, 2> n = scaled_face_normal(f, geometry.jacobian);
-              const double       share =
-                fe.shape_value(i, x) * quadrature.weight(q);
+              const double share = fe.shape_value(i, x) * quadrature.weight(q);
               point.normal += share * n;
               point.weight += share * n.norm();
             }

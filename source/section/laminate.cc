@@ -55,13 +55,16 @@ namespace lamella
       steps[1].insert(steps[1].end(),
                       laminate.cells_per_ply,
                       thickness / laminate.cells_per_ply);
-    GridGenerator::subdivided_hyper_rectangle(
-      section->mesh,
-      steps,
-      Point<2>(),
-      Point<2>(laminate.width, laminate.height()),
-      /*colorize=*/true);
-    section->boundaries = {{0, "left"}, {1, "right"}, {2, "bottom"}, {3, "top"}};
+    GridGenerator::subdivided_hyper_rectangle(section->mesh,
+                                              steps,
+                                              Point<2>(),
+                                              Point<2>(laminate.width,
+                                                       laminate.height()),
+                                              /*colorize=*/true);
+    section->boundaries = {{0, "left"},
+                           {1, "right"},
+                           {2, "bottom"},
+                           {3, "top"}};
 
     for (const auto &cell : section->mesh.active_cell_iterators())
       {
@@ -82,15 +85,15 @@ namespace lamella
     Tensor<2, 3>
     plane_stress_stiffness(const Ply &ply)
     {
-      const ElasticTensor                 C = ply.stiffness();
+      const ElasticTensor                   C = ply.stiffness();
       constexpr std::array<unsigned int, 3> kept{{1, 0, 3}};
-      constexpr unsigned int              zz = 2;
+      constexpr unsigned int                zz = 2;
       // A rotation about z leaves zz uncoupled from xz and yz.
       Tensor<2, 3> Q;
       for (unsigned int i = 0; i < 3; ++i)
         for (unsigned int j = 0; j < 3; ++j)
-          Q[i][j] = C[kept[i]][kept[j]] -
-                    C[kept[i]][zz] * C[zz][kept[j]] / C[zz][zz];
+          Q[i][j] =
+            C[kept[i]][kept[j]] - C[kept[i]][zz] * C[zz][kept[j]] / C[zz][zz];
       return Q;
     }
   } // namespace

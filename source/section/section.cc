@@ -59,15 +59,15 @@ namespace lamella
     const auto linear = [](std::vector<SectionField::Term> terms) {
       return SectionField{std::move(terms), 0};
     };
-    fields = {linear({{0, 0, 1.}}),
-              linear({{0, 1, 1.}}),
-              linear({{0, 2, 1.}}),
-              linear({{1, 1, 1.}}),
-              linear({{2, 1, 1.}}),
-              linear({{2, 0, 1.}, {1, 2, -1.}}),
-              linear({{1, 0, 1.}}),
-              linear({{2, 2, 1.}}),
-              linear({{2, 0, 1.}, {1, 2, 1.}})};
+    fields                      = {linear({{0, 0, 1.}}),
+                                   linear({{0, 1, 1.}}),
+                                   linear({{0, 2, 1.}}),
+                                   linear({{1, 1, 1.}}),
+                                   linear({{2, 1, 1.}}),
+                                   linear({{2, 0, 1.}, {1, 2, -1.}}),
+                                   linear({{1, 0, 1.}}),
+                                   linear({{2, 2, 1.}}),
+                                   linear({{2, 0, 1.}, {1, 2, 1.}})};
     const unsigned int n_linear = fields.size();
     for (unsigned int tau = 3; tau < expansion->n_functions(); ++tau)
       for (unsigned int c = 0; c < 3; ++c)
@@ -91,7 +91,8 @@ namespace lamella
   Section::evaluate(const unsigned int cell, const Point<2> &unit) const
   {
     const FunctionValues             f = expansion->evaluate(cell, unit);
-    const std::vector<unsigned int> &functions = expansion->cell_functions(cell);
+    const std::vector<unsigned int> &functions =
+      expansion->cell_functions(cell);
 
     SectionPoint point;
     point.cell     = cell;
@@ -204,8 +205,8 @@ namespace lamella
         for (unsigned int iteration = 0; iteration < 20; ++iteration)
           {
             const FunctionValues at = expansion->evaluate(cell, unit);
-            size                    = std::sqrt(std::abs(determinant(at.jacobian)));
-            distance                = x.distance(at.position);
+            size     = std::sqrt(std::abs(determinant(at.jacobian)));
+            distance = x.distance(at.position);
             if (distance < 1e-14 * size)
               break;
             unit += invert(at.jacobian) * (x - at.position);

@@ -139,8 +139,8 @@ namespace lamella
     double internal = 0.;
     for (unsigned int b = 0; b < structure.bodies().size(); ++b)
       {
-        const Body &body = *structure.bodies()[b];
-        const auto  rigid = body.rigid_motions();
+        const Body  &body  = *structure.bodies()[b];
+        const auto   rigid = body.rigid_motions();
         Tensor<1, 3> load;
         for (unsigned int c = 0; c < 3; ++c)
           load[c] = factor * (structure.load().block(b) * rigid[c]);
@@ -182,10 +182,10 @@ namespace lamella
         " of the displacements. The scene is beyond what double precision "
         "holds: less slender bodies or less different stiffnesses are needed.");
     if (!(checks.force_balance < sound))
-      throw NumericsError("The forces do not balance: " +
-                          to_text(checks.force_balance, 3) +
-                          " of the largest force is left over. The scene is "
-                          "beyond what double precision holds.");
+      throw NumericsError(
+        "The forces do not balance: " + to_text(checks.force_balance, 3) +
+        " of the largest force is left over. The scene is "
+        "beyond what double precision holds.");
     for (const KuhnTucker &contact : checks.contacts)
       if (contact.min_force < 0.)
         throw NumericsError("A contact pulls (force " +

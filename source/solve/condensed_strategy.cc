@@ -118,8 +118,7 @@ namespace lamella
   {
     double largest = 0.;
     for (const auto &body : structure.bodies())
-      largest =
-        std::max(largest, body->factorisation().condition_estimate());
+      largest = std::max(largest, body->factorisation().condition_estimate());
     return largest;
   }
 } // namespace lamella

@@ -54,8 +54,8 @@ namespace lamella
       for (const auto &entry : structure.bodies()[b]->stiffness())
         pattern.add(blocks.local_to_global(b, entry.row()),
                     blocks.local_to_global(b, entry.column()));
-    std::vector<std::vector<DofIndex>>  dofs;
-    std::vector<FullMatrix<double>>     penalties;
+    std::vector<std::vector<DofIndex>> dofs;
+    std::vector<FullMatrix<double>>    penalties;
     for (const unsigned int r : active)
       {
         const std::vector<Row::Entry> row = global_row(rows[r]);
@@ -123,8 +123,8 @@ namespace lamella
     for (unsigned int k = 0; k < active.size(); ++k)
       {
         const GapRow &row = rows[active[k]];
-        dlambda[k]        = row.penalty *
-                     (r_lambda[k] - row.parts[0](du) - row.parts[1](du));
+        dlambda[k] =
+          row.penalty * (r_lambda[k] - row.parts[0](du) - row.parts[1](du));
       }
   }
 } // namespace lamella

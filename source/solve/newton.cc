@@ -60,7 +60,7 @@ namespace lamella
         Vector      r_lambda(state.active.size());
         for (unsigned int i = 0; i < state.active.size(); ++i)
           {
-            const GapRow &row = rows[state.active[i]];
+            const GapRow &row    = rows[state.active[i]];
             const double  lambda = state.force[state.active[i]];
             row.add_to(r_u, lambda);
             r_lambda[i] = -(row.gap(state.u) + lambda / row.penalty);
@@ -88,14 +88,15 @@ namespace lamella
 
 
   std::vector<unsigned int>
-  Newton::next_active_set(const State &state, const std::vector<double> &g) const
+  Newton::next_active_set(const State               &state,
+                          const std::vector<double> &g) const
   {
     std::vector<bool> is_active(rows.size(), false);
     for (const unsigned int r : state.active)
       is_active[r] = state.force[r] > 0.;
 
     // A gap that is only rounding does not close.
-    const double closed = -1e-14 * state.u.linfty_norm();
+    const double              closed = -1e-14 * state.u.linfty_norm();
     std::vector<unsigned int> violators;
     for (unsigned int r = 0; r < rows.size(); ++r)
       if (!is_active[r] && g[r] < closed)

@@ -143,10 +143,10 @@ namespace lamella
     void
     make_matrices();
 
-    AxisMesh                  description;
+    AxisMesh                 description;
     dealii::Triangulation<1> mesh;
-    dealii::FE_Q<1>           fe;
-    dealii::DoFHandler<1>     dof_handler;
+    dealii::FE_Q<1>          fe;
+    dealii::DoFHandler<1>    dof_handler;
 
     std::vector<double>                    node_positions;
     std::vector<std::vector<unsigned int>> cell_nodes;

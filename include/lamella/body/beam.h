@@ -128,8 +128,8 @@ namespace lamella
     struct PointState
     {
       dealii::Tensor<1, 3> displacement, slope;
-      Voigt                 strain;
-      double                twist = 0.;
+      Voigt                strain;
+      double               twist = 0.;
     };
 
     static PointState
@@ -155,8 +155,8 @@ namespace lamella
              const dealii::Point<2> &unit) const;
 
     SurfacePoint
-    lateral_point(const EdgePoint &edge,
-                  const double     weight,
+    lateral_point(const EdgePoint   &edge,
+                  const double       weight,
                   const unsigned int axis_cell,
                   const double       eta) const;
 

@@ -51,8 +51,8 @@ namespace lamella
   struct FieldSample
   {
     dealii::Tensor<1, 3> displacement;
-    Voigt                 strain, stress;
-    Voigt                 ply_stress;
+    Voigt                strain, stress;
+    Voigt                ply_stress;
     /// The largest difference of stress between the places of the location over
     /// the largest stress there, Euclidean norms: what the mesh leaves open.
     double jump = 0.;
@@ -91,8 +91,8 @@ namespace lamella
   /**
    * A linear elastic body: DoFs, a stiffness, rows at its points, points on its
    * surfaces. Supports, loads, contact and reports see nothing else of it, so
-   * they do not know whether it is a beam or a solid. All positions are those of
-   * the scene. A body takes displacements as an argument and stores none.
+   * they do not know whether it is a beam or a solid. All positions are those
+   * of the scene. A body takes displacements as an argument and stores none.
    */
   class Body
   {
@@ -119,7 +119,8 @@ namespace lamella
     dof_level(const DofIndex dof) const = 0;
 
     /// The six rigid motions as displacement vectors: three unit translations
-    /// along the scene's axes, three unit rotations about them through centre().
+    /// along the scene's axes, three unit rotations about them through
+    /// centre().
     virtual std::vector<Vector>
     rigid_motions() const = 0;
 

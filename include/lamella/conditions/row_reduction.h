@@ -63,8 +63,8 @@ namespace lamella
     /// The independent rows of a group and the DoFs that they eliminate.
     struct Group
     {
-      std::vector<unsigned int>                 rows;
-      std::vector<DofIndex>                     pivots;
+      std::vector<unsigned int>                         rows;
+      std::vector<DofIndex>                             pivots;
       std::unique_ptr<dealii::LAPACKFullMatrix<double>> transposed;
     };
 

@@ -25,7 +25,7 @@ namespace lamella
   struct PrescribedRow
   {
     BodyRow          row;
-    double           value = 0.;
+    double           value   = 0.;
     unsigned int     support = 0, component = 0;
     dealii::Point<3> position;
   };

@@ -75,11 +75,11 @@ namespace lamella
       dealii::Tensor<1, 3> normal;
       double               area = 0.;
     };
-    std::string              name;
-    unsigned int             first_body = 0, second_body = 0;
-    unsigned int             unpaired = 0;
-    std::vector<GapRow>      rows;
-    std::vector<Point>       points;
+    std::string         name;
+    unsigned int        first_body = 0, second_body = 0;
+    unsigned int        unpaired = 0;
+    std::vector<GapRow> rows;
+    std::vector<Point>  points;
   };
 
   /**

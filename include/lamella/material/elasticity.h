@@ -39,7 +39,8 @@ namespace lamella
     double G12 = 0., G13 = 0., G23 = 0.;
     double nu12 = 0., nu13 = 0., nu23 = 0.;
 
-    /// The isotropic material of Young's modulus @p E and Poisson's ratio @p nu.
+    /// The isotropic material of Young's modulus @p E and Poisson's ratio @p
+    /// nu.
     static EngineeringConstants
     isotropic(const double E, const double nu);
 
@@ -69,7 +70,8 @@ namespace lamella
   ElasticTensor
   strain_rotation(const Triad &triad);
 
-  /// C in the frame that @p triad is given in, from @p local in the triad's own.
+  /// C in the frame that @p triad is given in, from @p local in the triad's
+  /// own.
   ElasticTensor
   rotated(const ElasticTensor &local, const Triad &triad);
 

@@ -14,7 +14,8 @@
 
 namespace lamella
 {
-  /// The expansion functions that do not vanish on a cell, at one of its points.
+  /// The expansion functions that do not vanish on a cell, at one of its
+  /// points.
   struct FunctionValues
   {
     /// The point, x and z in the section's plane, and the Jacobian
@@ -22,7 +23,7 @@ namespace lamella
     dealii::Point<2>     position;
     dealii::Tensor<2, 2> jacobian;
     /// F_tau and (dF_tau/dx, dF_tau/dz) in the order of cell_functions().
-    std::vector<double>                values;
+    std::vector<double>               values;
     std::vector<dealii::Tensor<1, 2>> gradients;
   };
 

@@ -50,13 +50,13 @@ namespace lamella
    */
   struct SectionPoint
   {
-    unsigned int                       cell = 0;
-    dealii::Point<2>                   unit;
-    dealii::Point<2>                   position;
-    double                             jacobian = 0.;
-    const std::vector<unsigned int>   *fields   = nullptr;
+    unsigned int                      cell = 0;
+    dealii::Point<2>                  unit;
+    dealii::Point<2>                  position;
+    double                            jacobian = 0.;
+    const std::vector<unsigned int>  *fields   = nullptr;
     std::vector<dealii::Tensor<1, 3>> value;
-    std::vector<Voigt>                 in_plane;
+    std::vector<Voigt>                in_plane;
     /// (d Phi_x / dz - d Phi_z / dx) / 2, the rotation about the axis.
     std::vector<double> twist;
   };

@@ -30,7 +30,7 @@ namespace lamella
   {
     /// Of each support, the force on the bodies, scene components.
     std::vector<dealii::Tensor<1, 3>> reactions;
-    std::vector<KuhnTucker>            contacts;
+    std::vector<KuhnTucker>           contacts;
     /// The largest sum of all forces on one body over the largest single force.
     double force_balance = 0.;
     /// |G^T (t f + B^T lambda - internal)| / |internal|, maximum norms.

@@ -23,9 +23,9 @@ namespace lamella
   public:
     virtual ~ContactStrategy() = default;
 
-    /// @p active: numbers of the active rows; @p r_lambda and @p dlambda have an
-    /// entry for each of them. @p r_u need not be condensed; null means zero.
-    /// du vanishes in what supports prescribe.
+    /// @p active: numbers of the active rows; @p r_lambda and @p dlambda have
+    /// an entry for each of them. @p r_u need not be condensed; null means
+    /// zero. du vanishes in what supports prescribe.
     virtual void
     solve(const std::vector<unsigned int> &active,
           const BlockVector               *r_u,

@@ -48,11 +48,11 @@ namespace lamella
     const Structure           &structure;
     const std::vector<GapRow> &rows;
 
-    Constraints                             constraints;
-    dealii::TrilinosWrappers::SparseMatrix matrix;
-    dealii::SolverControl                   control;
+    Constraints                                             constraints;
+    dealii::TrilinosWrappers::SparseMatrix                  matrix;
+    dealii::SolverControl                                   control;
     std::unique_ptr<dealii::TrilinosWrappers::SolverDirect> solver;
-    std::vector<unsigned int> factorised_for;
+    std::vector<unsigned int>                               factorised_for;
   };
 } // namespace lamella
 

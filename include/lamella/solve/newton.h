@@ -34,8 +34,8 @@ namespace lamella
     /// become active in one iteration: the worst violators first.
     unsigned int rows_at_once = 8;
     /// Corrections below this, relative, end the refinement.
-    double refinement_tolerance = 1e-13;
-    unsigned int max_refinements = 6;
+    double       refinement_tolerance = 1e-13;
+    unsigned int max_refinements      = 6;
   };
 
   /**
@@ -84,7 +84,9 @@ namespace lamella
     /// Corrects @p state against r_u = t f + B^T lambda - integral B^T C (B u)
     /// and r_lambda = -(g + lambda / eps) until nothing is left to correct.
     std::vector<double>
-    refine(State &state, const double factor, const unsigned int at_least) const;
+    refine(State             &state,
+           const double       factor,
+           const unsigned int at_least) const;
 
     const Structure           &structure;
     const std::vector<GapRow> &rows;

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef lamella_report_recorder_h
+#define lamella_report_recorder_h
+
+#include <lamella/report/requests.h>
+#include <lamella/solve/checks.h>
+
+#include <map>
+#include <string>
+#include <vector>
+
+namespace lamella
+{
+  /**
+   * Keeps what each load step leaves behind, and writes it in the end:
+   * probes.csv, lines/NAME.csv, cuts/NAME.csv, history.csv, contact_NAME.csv.
+   * Construction locates all requests, so that a probe outside of its body is
+   * an error before anything is solved.
+   */
+  class Recorder
+  {
+  public:
+    /// All are referred to. Throws InputError for places outside of a body.
+    Recorder(const Structure                     &structure,
+             const std::vector<ContactInterface> &contacts,
+             const std::vector<std::string>      &support_names,
+             const std::vector<Probe>            &probes,
+             const std::vector<Line>             &lines,
+             const std::vector<Cut>              &cuts);
+
+    /// Adds the rows of load step @p step (from 1).
+    void
+    record(const unsigned int step,
+           const double       factor,
+           const State       &state,
+           const Checks      &checks);
+
+    /// Writes all files into the existing folder @p directory.
+    void
+    write(const std::string &directory) const;
+
+    /// The value of each reference's quantity at the last step: of probe
+    /// @p probe the one ply's, or of the first ply where there are several.
+    double
+    probe_value(const unsigned int probe, const std::string &quantity) const;
+
+  private:
+    struct LineSample
+    {
+      double   s;
+      Location location;
+    };
+
+    void
+    locate_line(const Line &line);
+    void
+    record_points(const unsigned int step, const BlockVector &u);
+    void
+    record_contacts(const unsigned int step, const State &state);
+    void
+    record_history(const unsigned int step,
+                   const double       factor,
+                   const Checks      &checks);
+    std::string
+    history_header() const;
+
+    const Structure                     &structure;
+    const std::vector<ContactInterface> &contacts;
+    const std::vector<std::string>      &support_names;
+    const std::vector<Probe>            &probes;
+    const std::vector<Line>             &lines;
+    const std::vector<Cut>              &cuts;
+
+    std::vector<std::vector<Location>>   probe_locations;
+    std::vector<std::vector<LineSample>> line_samples;
+    std::vector<FieldSample>             last_probe_samples;
+
+    /// Name of a file in the output folder -> its text so far.
+    std::map<std::string, std::string> files;
+  };
+} // namespace lamella
+
+#endif

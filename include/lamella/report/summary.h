@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef lamella_report_summary_h
+#define lamella_report_summary_h
+
+#include <lamella/base/units.h>
+#include <lamella/solve/checks.h>
+
+#include <map>
+#include <string>
+#include <vector>
+
+namespace lamella
+{
+  /// What summary.json says of a run; results are those of the last load step.
+  struct Summary
+  {
+    std::string                          title;
+    Units                                units;
+    const Structure                     *structure = nullptr;
+    const std::vector<ContactInterface> *contacts  = nullptr;
+    std::vector<std::string>             support_names;
+
+    /// Of each load step.
+    std::vector<unsigned int> iterations;
+    Checks                    checks;
+    double                    condition_estimate = 0.;
+    /// Of the last step; empty if nothing was solved.
+    std::vector<double>      free_corrections, contact_corrections;
+    bool                     converged = false;
+    std::vector<std::string> warnings;
+    /// Phase -> wall seconds.
+    std::map<std::string, double> seconds;
+  };
+
+  /// Writes @p directory/summary.json, keys as fixed in doc/output.md.
+  void
+  write_summary(const Summary &summary, const std::string &directory);
+
+  /// Of this process so far, in megabytes.
+  double
+  peak_memory_mb();
+} // namespace lamella
+
+#endif

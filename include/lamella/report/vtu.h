@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef lamella_report_vtu_h
+#define lamella_report_vtu_h
+
+#include <lamella/solve/structure.h>
+
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace lamella
+{
+  /**
+   * Writes the deformed bodies for ParaView into @p directory as
+   * solution_STEP.vtu: a higher-order hexahedron for each section cell of each
+   * axis element, positions displaced by u (so do not warp again; subtract
+   * `displacement` for the undeformed scene), strains and stresses
+   * discontinuous between elements and so per ply, the ply's number (from 1 at
+   * the bottom), the fibre direction, the body's number. Returns the file's
+   * name. Values in a VTU are single precision: pictures, not numbers.
+   */
+  std::string
+  write_vtu(const std::string &directory,
+            const unsigned int step,
+            const double       factor,
+            const Structure   &structure,
+            const BlockVector &u);
+
+  /// Writes solution.pvd, the collection of (load factor, file) for ParaView.
+  void
+  write_pvd(const std::string                                 &directory,
+            const std::vector<std::pair<double, std::string>> &files);
+} // namespace lamella
+
+#endif

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef lamella_run_command_line_h
+#define lamella_run_command_line_h
+
+#include <string>
+#include <vector>
+
+namespace lamella
+{
+  /// What the user asks for.
+  struct CommandLine
+  {
+    std::string              scene;
+    std::string              output;
+    std::vector<std::string> overrides;
+    unsigned int             threads          = 1;
+    bool                     validate         = false;
+    bool                     print_parameters = false;
+    bool                     version          = false;
+    bool                     help             = false;
+
+    /// Throws InputError for words that it does not know.
+    static CommandLine
+    parse(const std::vector<std::string> &words);
+  };
+
+  /// The text of --help.
+  std::string
+  usage();
+} // namespace lamella
+
+#endif

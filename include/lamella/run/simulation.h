@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef lamella_run_simulation_h
+#define lamella_run_simulation_h
+
+#include <lamella/report/recorder.h>
+#include <lamella/report/summary.h>
+#include <lamella/scene/scene.h>
+#include <lamella/solve/checks.h>
+#include <lamella/solve/newton.h>
+
+#include <deal.II/base/timer.h>
+
+#include <iosfwd>
+#include <memory>
+#include <string>
+
+namespace lamella
+{
+  /// The main loop: from a scene to its results.
+  class Simulation
+  {
+  public:
+    /// Builds everything that a scene can be wrong in: bodies, supports, loads,
+    /// contacts, probes. Throws InputError; nothing is written. Progress goes
+    /// to
+    /// @p out. @p scene is referred to.
+    Simulation(const Scene &scene, std::ostream &out);
+
+    /// Solves all load steps and writes the results into @p directory. Throws
+    /// NumericsError; the load steps before the failing one are then written.
+    void
+    run(const std::string &directory);
+
+    /// Prints plies, laminate stiffnesses, bodies and contacts, without
+    /// solving.
+    void
+    print_validation() const;
+
+  private:
+    void
+    solve_step(const unsigned int step, const double factor);
+    void
+    write_results(const std::string &directory);
+
+    // What is to be solved.
+    const Scene                  &scene;
+    std::ostream                 &out;
+    dealii::TimerOutput           timer;
+    dealii::Timer                 wall;
+    std::unique_ptr<Structure>    structure;
+    std::vector<ContactInterface> contacts;
+
+    // How it is solved.
+    std::vector<GapRow>              gap_rows;
+    std::unique_ptr<ContactStrategy> strategy;
+    std::unique_ptr<Newton>          newton;
+
+    // Where it stands, and what is kept.
+    State                                       state;
+    Summary                                     summary;
+    std::unique_ptr<Recorder>                   recorder;
+    std::string                                 output_directory;
+    std::vector<std::pair<double, std::string>> vtu_files;
+  };
+} // namespace lamella
+
+#endif

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef lamella_scene_scene_h
+#define lamella_scene_scene_h
+
+#include <lamella/axis/axis.h>
+#include <lamella/base/units.h>
+#include <lamella/body/placement.h>
+#include <lamella/conditions/load.h>
+#include <lamella/conditions/support.h>
+#include <lamella/contact/gap_rows.h>
+#include <lamella/report/requests.h>
+#include <lamella/scene/scene_text.h>
+#include <lamella/section/laminate.h>
+#include <lamella/solve/parameters.h>
+
+#include <map>
+#include <string>
+#include <vector>
+
+namespace lamella
+{
+  /// A body as the scene describes it.
+  struct BodyDescription
+  {
+    std::string name, section;
+    /// Degree of the Lagrange expansion LE-N.
+    unsigned int degree = 2;
+    Placement    placement;
+    AxisMesh     axis;
+  };
+
+  /// References of a resultant, see ResultantReferences.
+  using ReferencesByName = std::map<std::string, std::vector<Reference>>;
+
+  /// A scene, read and checked: plain data, names resolved.
+  struct Scene
+  {
+    std::string title;
+    Units       units;
+
+    std::map<std::string, EngineeringConstants> materials;
+    std::map<std::string, Laminate>             sections;
+    std::vector<BodyDescription>                bodies;
+
+    std::vector<Support>     supports;
+    std::vector<Load>        loads;
+    std::vector<ContactPair> contacts;
+    SolveParameters          solve;
+
+    std::vector<Probe> probes;
+    std::vector<Line>  lines;
+    std::vector<Cut>   cuts;
+    ReferencesByName   support_references, contact_references;
+    bool               write_vtu = true;
+
+    /// The scene as it was run, every entry with its value.
+    std::string resolved;
+  };
+
+  /// Reads @p text in two passes: the names first, then all entries. Throws
+  /// InputError with the place in the text.
+  Scene
+  read_scene(const SceneText &text);
+
+  /// All entries with documentation and default, with one subsection of each
+  /// kind, called NAME.
+  std::string
+  parameter_documentation();
+
+  /// The bodies of @p scene. Those with the same section and theory share it.
+  Bodies
+  build_bodies(const Scene &scene);
+} // namespace lamella
+
+#endif

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef lamella_scene_scene_text_h
+#define lamella_scene_scene_text_h
+
+#include <deal.II/base/parameter_handler.h>
+
+#include <string>
+#include <vector>
+
+namespace lamella
+{
+  /**
+   * The text of a scene, looked at before ParameterHandler parses it. That one
+   * lets a repeated entry win in silence and does not know what an unknown
+   * entry was meant to be; this class does, and it knows the line of each
+   * entry.
+   */
+  class SceneText
+  {
+  public:
+    struct Entry
+    {
+      /// `Body upper/Kinematics/Theory`, and its line (0 if from --set).
+      std::string  path, value;
+      unsigned int line = 0;
+    };
+
+    /**
+     * Takes the text of the file named @p file and appends the
+     * @p overrides, each PATH=VALUE as of --set. Throws InputError for what is
+     * neither `subsection`, `set` nor `end`, for subsections that are not
+     * closed, and for entries and subsections that come twice.
+     */
+    SceneText(const std::string              &text,
+              const std::string              &file,
+              const std::vector<std::string> &overrides);
+
+    /// Reads the file. Throws InputError if it cannot.
+    static SceneText
+    read(const std::string &file, const std::vector<std::string> &overrides);
+
+    /// What ParameterHandler is to parse.
+    const std::string &
+    text() const
+    {
+      return full_text;
+    }
+
+    /**
+     * Throws InputError for the first entry or subsection that @p prm does not
+     * declare, naming the nearest that it does.
+     */
+    void
+    check_declared(const dealii::ParameterHandler &prm) const;
+
+    /// `FILE:LINE: ` of the entry whose path @p message begins with, or
+    /// `FILE: `.
+    std::string
+    place_of(const std::string &message) const;
+
+  private:
+    /// Parses @p text into entries and subsections.
+    static void
+    scan(const std::string  &text,
+         const std::string  &file,
+         std::vector<Entry> &entries,
+         std::vector<Entry> &subsections);
+
+    std::string
+    place(const Entry &entry) const;
+
+    std::string        file;
+    std::string        full_text;
+    std::vector<Entry> entries, subsections;
+  };
+} // namespace lamella
+
+#endif

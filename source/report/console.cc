@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <lamella/base/text.h>
+#include <lamella/report/console.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iomanip>
+#include <ostream>
+
+namespace lamella
+{
+  namespace
+  {
+    using Table = std::vector<std::vector<std::string>>;
+
+    /// The first column to the left, numbers to the right, the last to the
+    /// left.
+    void
+    print_table(std::ostream &out, const Table &table)
+    {
+      std::vector<std::size_t> width(table.front().size(), 0);
+      for (const auto &row : table)
+        for (unsigned int c = 0; c < row.size(); ++c)
+          width[c] = std::max(width[c], row[c].size());
+      for (const auto &row : table)
+        {
+          out << "  ";
+          for (unsigned int c = 0; c < row.size(); ++c)
+            {
+              const bool left = c == 0 || c + 1 == row.size();
+              out << (left ? std::left : std::right);
+              if (c + 1 < row.size())
+                out << std::setw(width[c]);
+              out << row[c] << (c + 1 < row.size() ? "  " : "\n");
+            }
+        }
+    }
+
+
+
+    void
+    add_row(Table             &table,
+            const std::string &what,
+            const double       result,
+            const Reference   &reference)
+    {
+      const double difference =
+        reference.value == 0. ?
+          std::nan("") :
+          100. * (result - reference.value) / std::abs(reference.value);
+      table.push_back(
+        {what + " " + reference.quantity,
+         to_text(result, 6),
+         to_text(reference.value, 6),
+         std::isnan(difference) ? "-" : to_text(difference, 2) + " %",
+         reference.source});
+    }
+
+
+
+    std::string
+    seconds(const double value)
+    {
+      std::ostringstream text;
+      text << std::fixed << std::setprecision(3) << value << " s";
+      return text.str();
+    }
+
+
+
+    std::string
+    vector_text(const dealii::Tensor<1, 3> &v)
+    {
+      // A component that is only rounding reads as zero.
+      std::vector<std::string> parts;
+      for (unsigned int c = 0; c < 3; ++c)
+        parts.push_back(std::abs(v[c]) < 1e-9 * v.norm() ? "0" :
+                                                           to_text(v[c], 6));
+      return "(" + joined(parts) + ")";
+    }
+  } // namespace
+
+
+
+  void
+  print_comparison(std::ostream                           &out,
+                   const std::vector<Probe>               &probes,
+                   const Recorder                         &recorder,
+                   const std::vector<ResultantReferences> &resultants)
+  {
+    Table table{{"quantity", "Lamella", "reference", "difference", "source"}};
+    for (unsigned int p = 0; p < probes.size(); ++p)
+      for (const Reference &reference : probes[p].references)
+        add_row(table,
+                probes[p].name,
+                recorder.probe_value(p, reference.quantity),
+                reference);
+    for (const ResultantReferences &resultant : resultants)
+      for (const Reference &reference : resultant.references)
+        add_row(table,
+                resultant.what,
+                resultant.force[reference.quantity[1] - 'x'],
+                reference);
+    if (table.size() == 1)
+      return;
+    out << "\nResults beside their references:\n";
+    print_table(out, table);
+  }
+
+
+
+  void
+  print_summary(std::ostream &out, const Summary &summary)
+  {
+    const Checks     &checks = summary.checks;
+    const std::string force =
+      summary.units.force.empty() ? "" : " " + summary.units.force;
+    const std::string length =
+      summary.units.length.empty() ? "" : " " + summary.units.length;
+
+    out << "\nForces and checks at the last load step:\n";
+    for (unsigned int s = 0; s < checks.reactions.size(); ++s)
+      out << "  support " << summary.support_names[s] << ": reaction "
+          << vector_text(checks.reactions[s]) << force << "\n";
+    for (unsigned int k = 0; k < checks.contacts.size(); ++k)
+      {
+        const KuhnTucker       &kkt     = checks.contacts[k];
+        const ContactInterface &contact = (*summary.contacts)[k];
+        out << "  contact " << contact.name << ": " << kkt.active << " of "
+            << contact.rows.size() << " pairs touch, force on '"
+            << summary.structure->bodies()[contact.second_body]->name() << "' "
+            << vector_text(kkt.force) << force << "\n    smallest force "
+            << to_text(kkt.min_force, 4) << force
+            << ", penetration (by design of a penalty) "
+            << to_text(kkt.max_penetration, 3) << length << ", complementarity "
+            << to_text(kkt.complementarity, 3) << "\n";
+      }
+    out << "  force balance " << to_text(checks.force_balance, 2)
+        << ", residual " << to_text(checks.residual, 2)
+        << ", strain energy against external work "
+        << to_text(checks.energy > 0. ?
+                     std::abs(checks.energy - checks.external_work) /
+                       checks.energy :
+                     0.,
+                   2)
+        << ", largest rotation " << to_text(checks.max_rotation, 3) << " rad\n";
+
+    out << "\nSeconds:\n ";
+    for (const char *phase : {"setup",
+                              "assembly",
+                              "factorisation",
+                              "solve",
+                              "contact",
+                              "output",
+                              "total"})
+      out << " " << phase << " " << seconds(summary.seconds.at(phase))
+          << (std::string(phase) == "total" ? "" : ",");
+    out << "; peak memory " << std::lround(peak_memory_mb()) << " MB\n";
+    for (const std::string &warning : summary.warnings)
+      out << "\nNote: " << warning << ".\n";
+  }
+} // namespace lamella

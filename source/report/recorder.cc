@@ -1,0 +1,272 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <lamella/base/exceptions.h>
+#include <lamella/base/text.h>
+#include <lamella/report/fields_table.h>
+#include <lamella/report/recorder.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+
+namespace lamella
+{
+  using namespace dealii;
+
+  Recorder::Recorder(const Structure                     &structure,
+                     const std::vector<ContactInterface> &contacts,
+                     const std::vector<std::string>      &support_names,
+                     const std::vector<Probe>            &probes,
+                     const std::vector<Line>             &lines,
+                     const std::vector<Cut>              &cuts)
+    : structure(structure)
+    , contacts(contacts)
+    , support_names(support_names)
+    , probes(probes)
+    , lines(lines)
+    , cuts(cuts)
+  {
+    for (const Probe &probe : probes)
+      {
+        const Body &body = *structure.bodies()[probe.body];
+        locate_all(body, {probe.position}, "Probe " + probe.name);
+        probe_locations.push_back(body.locate({probe.position}).front());
+      }
+    for (const Line &line : lines)
+      locate_line(line);
+    for (const Cut &cut : cuts)
+      {
+        const Body &body = *structure.bodies()[cut.body];
+        if (body.cut(cut.position, 1, Vector(body.n_dofs())).empty())
+          throw InputError("Cut " + cut.name + "/At: the axis of body '" +
+                           body.name() + "' does not reach " +
+                           to_text(cut.position) + ".");
+      }
+
+    files["probes.csv"]  = "step,probe," + fields_header() + "\n";
+    files["history.csv"] = history_header() + "\n";
+    for (const Line &line : lines)
+      files["lines/" + line.name + ".csv"] =
+        "s,step,line," + fields_header() + "\n";
+    for (const Cut &cut : cuts)
+      files["cuts/" + cut.name + ".csv"] =
+        "step,cut,cell,i,j," + fields_header() + "\n";
+    for (const ContactInterface &contact : contacts)
+      files["contact_" + contact.name + ".csv"] =
+        "step,x,y,z,x2,y2,z2,nx,ny,nz,area,initial_gap,gap,force,pressure,"
+        "active\n";
+  }
+
+
+
+  void
+  Recorder::locate_line(const Line &line)
+  {
+    const Body       &body  = *structure.bodies()[line.body];
+    const std::string what  = "Line " + line.name;
+    const auto        point = [&line](const double t) {
+      return line.from + t * (line.to - line.from);
+    };
+    locate_all(body, {line.from, line.to}, what);
+
+    // Pieces of one ply each: elements of the same ply are merged. A line in an
+    // interface belongs to the lower ply.
+    struct Piece
+    {
+      double       begin, end;
+      unsigned int ply;
+    };
+    std::vector<Piece>        pieces;
+    const std::vector<double> breaks = body.line_breaks(line.from, line.to);
+    for (unsigned int k = 0; k + 1 < breaks.size(); ++k)
+      {
+        const Point<3>     middle = point(0.5 * (breaks[k] + breaks[k + 1]));
+        const unsigned int ply    = locate_all(body, {middle}, what)[0].ply;
+        if (!pieces.empty() && pieces.back().ply == ply)
+          pieces.back().end = breaks[k + 1];
+        else
+          pieces.push_back({breaks[k], breaks[k + 1], ply});
+      }
+
+    line_samples.emplace_back();
+    for (const Piece &piece : pieces)
+      for (unsigned int i = 0; i < line.samples; ++i)
+        {
+          const double t =
+            piece.begin + (piece.end - piece.begin) * i / (line.samples - 1);
+          const std::vector<Location> both = body.locate({point(t)}).front();
+          for (const Location &location : both)
+            if (location.ply == piece.ply)
+              line_samples.back().push_back(
+                {t * line.from.distance(line.to), location});
+        }
+  }
+
+
+
+  void
+  Recorder::record(const unsigned int step,
+                   const double       factor,
+                   const State       &state,
+                   const Checks      &checks)
+  {
+    record_points(step, state.u);
+    record_contacts(step, state);
+    record_history(step, factor, checks);
+  }
+
+
+
+  void
+  Recorder::record_points(const unsigned int step, const BlockVector &u)
+  {
+    last_probe_samples.clear();
+    const std::string number = std::to_string(step);
+    for (unsigned int p = 0; p < probes.size(); ++p)
+      {
+        const Body &body = *structure.bodies()[probes[p].body];
+        for (const Location &location : probe_locations[p])
+          {
+            const FieldSample sample =
+              body.sample(location, u.block(probes[p].body));
+            if (last_probe_samples.size() == p)
+              last_probe_samples.push_back(sample);
+            files["probes.csv"] += number + "," + probes[p].name + "," +
+                                   fields_line(body.name(),
+                                               location.ply,
+                                               location.position,
+                                               sample) +
+                                   "\n";
+          }
+      }
+    for (unsigned int l = 0; l < lines.size(); ++l)
+      {
+        const Body  &body = *structure.bodies()[lines[l].body];
+        std::string &file = files["lines/" + lines[l].name + ".csv"];
+        for (const auto &[s, location] : line_samples[l])
+          file += csv(s) + "," + number + "," + lines[l].name + "," +
+                  fields_line(body.name(),
+                              location.ply,
+                              location.position,
+                              body.sample(location, u.block(lines[l].body))) +
+                  "\n";
+      }
+    for (const Cut &cut : cuts)
+      {
+        const Body        &body = *structure.bodies()[cut.body];
+        std::string       &file = files["cuts/" + cut.name + ".csv"];
+        const unsigned int n    = cut.samples + 1;
+        const auto         cells =
+          body.cut(cut.position, cut.samples, u.block(cut.body));
+        for (unsigned int c = 0; c < cells.size(); ++c)
+          for (unsigned int k = 0; k < cells[c].samples.size(); ++k)
+            file += number + "," + cut.name + "," + std::to_string(c) + "," +
+                    std::to_string(k % n) + "," + std::to_string(k / n) + "," +
+                    fields_line(body.name(),
+                                cells[c].ply,
+                                cells[c].positions[k],
+                                cells[c].samples[k]) +
+                    "\n";
+      }
+  }
+
+
+
+  void
+  Recorder::record_contacts(const unsigned int step, const State &state)
+  {
+    unsigned int row = 0;
+    for (const ContactInterface &contact : contacts)
+      {
+        std::string &file = files["contact_" + contact.name + ".csv"];
+        for (unsigned int k = 0; k < contact.rows.size(); ++k, ++row)
+          {
+            const ContactInterface::Point &point = contact.points[k];
+            file += std::to_string(step);
+            for (const auto *x : {&point.first, &point.second})
+              for (unsigned int c = 0; c < 3; ++c)
+                file += "," + csv((*x)[c]);
+            for (unsigned int c = 0; c < 3; ++c)
+              file += "," + csv(point.normal[c]);
+            const double force = state.force[row];
+            for (const double value : {point.area,
+                                       contact.rows[k].initial_gap,
+                                       contact.rows[k].gap(state.u),
+                                       force,
+                                       force / point.area})
+              file += "," + csv(value);
+            file += force > 0. ? ",1\n" : ",0\n";
+          }
+      }
+  }
+
+
+
+  std::string
+  Recorder::history_header() const
+  {
+    std::string header = "step,load_factor";
+    for (const std::string &name : support_names)
+      for (const char *c : {"fx", "fy", "fz"})
+        header += ",support:" + name + ":" + c;
+    for (const ContactInterface &contact : contacts)
+      for (const char *c : {"fx", "fy", "fz"})
+        header += ",contact:" + contact.name + ":" + c;
+    for (const Probe &probe : probes)
+      for (const char *c : {"ux", "uy", "uz"})
+        header += ",probe:" + probe.name + ":" + c;
+    return header;
+  }
+
+
+
+  void
+  Recorder::record_history(const unsigned int step,
+                           const double       factor,
+                           const Checks      &checks)
+  {
+    std::string line = std::to_string(step) + "," + csv(factor);
+    const auto  add  = [&line](const Tensor<1, 3> &v) {
+      for (unsigned int c = 0; c < 3; ++c)
+        line += "," + csv(v[c]);
+    };
+    for (const Tensor<1, 3> &reaction : checks.reactions)
+      add(reaction);
+    for (const KuhnTucker &contact : checks.contacts)
+      add(contact.force);
+    for (const FieldSample &sample : last_probe_samples)
+      add(sample.displacement);
+    files["history.csv"] += line + "\n";
+  }
+
+
+
+  double
+  Recorder::probe_value(const unsigned int probe,
+                        const std::string &quantity) const
+  {
+    const auto &names = field_names();
+    const auto  place = std::find(names.begin(), names.end(), quantity);
+    Assert(place != names.end(), ExcMessage("No such quantity."));
+    return field_values(last_probe_samples[probe])[place - names.begin()];
+  }
+
+
+
+  void
+  Recorder::write(const std::string &directory) const
+  {
+    for (const auto &[name, text] : files)
+      {
+        const std::filesystem::path path =
+          std::filesystem::path(directory) / name;
+        std::filesystem::create_directories(path.parent_path());
+        std::ofstream file(path);
+        file << text;
+        file.close();
+        if (!file)
+          throw InputError("Cannot write " + path.string() +
+                           ". Is the disk full?");
+      }
+  }
+} // namespace lamella

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <lamella/report/summary.h>
+
+#include <deal.II/base/utilities.h>
+
+#include <nlohmann/json.hpp>
+
+#include <fstream>
+
+namespace lamella
+{
+  using Json = nlohmann::ordered_json;
+
+  double
+  peak_memory_mb()
+  {
+    dealii::Utilities::System::MemoryStats stats;
+    dealii::Utilities::System::get_memory_stats(stats);
+    return stats.VmHWM / 1024.;
+  }
+
+
+
+  namespace
+  {
+    Json
+    to_json(const dealii::Tensor<1, 3> &v)
+    {
+      return Json::array({v[0], v[1], v[2]});
+    }
+
+
+
+    Json
+    contact_json(const ContactInterface &contact, const KuhnTucker &kkt)
+    {
+      double smallest = contact.rows.front().initial_gap, largest = smallest;
+      for (const GapRow &row : contact.rows)
+        {
+          smallest = std::min(smallest, row.initial_gap);
+          largest  = std::max(largest, row.initial_gap);
+        }
+      return {{"rows", contact.rows.size()},
+              {"unpaired", contact.unpaired},
+              {"active", kkt.active},
+              {"force", to_json(kkt.force)},
+              {"max_penetration", kkt.max_penetration},
+              {"min_force", kkt.min_force},
+              {"complementarity", kkt.complementarity},
+              {"initial_gap_min", smallest},
+              {"initial_gap_max", largest}};
+    }
+  } // namespace
+
+
+
+  void
+  write_summary(const Summary &summary, const std::string &directory)
+  {
+    Json json;
+    json["version"] = LAMELLA_VERSION;
+    json["title"]   = summary.title;
+    json["units"]   = {{"length", summary.units.length},
+                       {"force", summary.units.force},
+                       {"stress", summary.units.stress}};
+    for (const auto &body : summary.structure->bodies())
+      json["theory"][body->name()] = body->theory();
+    json["dofs"] = summary.structure->n_dofs();
+    for (const auto &body : summary.structure->bodies())
+      json["bodies"][body->name()]["dofs"] = body->n_dofs();
+    for (const auto &[phase, seconds] : summary.seconds)
+      json["seconds"][phase] = seconds;
+    json["peak_memory_mb"] = peak_memory_mb();
+    json["load_steps"]     = summary.iterations.size();
+    json["iterations"]     = summary.iterations;
+    json["contacts"]       = Json::object();
+    json["supports"]       = Json::object();
+    const bool solved =
+      summary.checks.contacts.size() == summary.contacts->size();
+    for (unsigned int k = 0; solved && k < summary.contacts->size(); ++k)
+      json["contacts"][(*summary.contacts)[k].name] =
+        contact_json((*summary.contacts)[k], summary.checks.contacts[k]);
+    for (unsigned int s = 0; s < summary.checks.reactions.size(); ++s)
+      json["supports"][summary.support_names[s]]["reaction"] =
+        to_json(summary.checks.reactions[s]);
+    json["force_balance"]       = summary.checks.force_balance;
+    json["residual"]            = summary.checks.residual;
+    json["max_rotation"]        = summary.checks.max_rotation;
+    json["energy"]              = summary.checks.energy;
+    json["external_work"]       = summary.checks.external_work;
+    json["condition_estimate"]  = summary.condition_estimate;
+    json["free_corrections"]    = summary.free_corrections;
+    json["contact_corrections"] = summary.contact_corrections;
+    json["converged"]           = summary.converged;
+    json["warnings"]            = summary.warnings;
+
+    std::ofstream file(directory + "/summary.json");
+    file << json.dump(2) << "\n";
+  }
+} // namespace lamella

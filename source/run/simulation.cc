@@ -1,0 +1,255 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <lamella/base/exceptions.h>
+#include <lamella/base/text.h>
+#include <lamella/report/console.h>
+#include <lamella/report/vtu.h>
+#include <lamella/run/simulation.h>
+#include <lamella/solve/condensed_strategy.h>
+#include <lamella/solve/full_strategy.h>
+
+#include <filesystem>
+#include <fstream>
+#include <iomanip>
+#include <ostream>
+
+namespace lamella
+{
+  using namespace dealii;
+
+  Simulation::Simulation(const Scene &scene, std::ostream &out)
+    : scene(scene)
+    , out(out)
+    , timer(out, TimerOutput::never, TimerOutput::wall_times)
+  {
+    {
+      TimerOutput::Scope scope(timer, "setup");
+      structure = std::make_unique<Structure>(build_bodies(scene),
+                                              scene.supports,
+                                              scene.loads);
+    }
+    {
+      TimerOutput::Scope scope(timer, "contact");
+      for (const ContactPair &contact : scene.contacts)
+        {
+          contacts.push_back(make_interface(contact, structure->bodies()));
+          gap_rows.insert(gap_rows.end(),
+                          contacts.back().rows.begin(),
+                          contacts.back().rows.end());
+        }
+    }
+    TimerOutput::Scope scope(timer, "setup");
+    for (const Support &support : scene.supports)
+      summary.support_names.push_back(support.name);
+    summary.title     = scene.title;
+    summary.units     = scene.units;
+    summary.structure = structure.get();
+    summary.contacts  = &contacts;
+    recorder          = std::make_unique<Recorder>(*structure,
+                                          contacts,
+                                          summary.support_names,
+                                          scene.probes,
+                                          scene.lines,
+                                          scene.cuts);
+  }
+
+
+
+  namespace
+  {
+    /// Creates @p directory and makes sure that files can be written there.
+    void
+    prepare_directory(const std::string &directory)
+    {
+      std::error_code error;
+      std::filesystem::create_directories(directory, error);
+      const std::string trial = directory + "/.lamella";
+      const bool writes       = !error && std::ofstream(trial).put('\n').good();
+      std::filesystem::remove(trial, error);
+      if (!writes)
+        throw InputError("--output " + directory +
+                         ": results cannot be written there. Name a folder "
+                         "that can be created and written.");
+    }
+  } // namespace
+
+
+
+  void
+  Simulation::run(const std::string &directory)
+  {
+    output_directory = directory;
+    prepare_directory(directory);
+    for (const auto &body : structure->bodies())
+      out << "Body " << body->name() << ": " << body->theory() << ", "
+          << body->n_dofs() << " DoFs\n";
+    out << structure->n_dofs() << " DoFs, " << gap_rows.size()
+        << " pairs that may touch" << std::endl;
+    {
+      TimerOutput::Scope scope(timer, "assembly");
+      structure->assemble();
+    }
+    {
+      TimerOutput::Scope scope(timer, "factorisation");
+      if (scene.solve.strategy == Strategy::condensed)
+        {
+          structure->factorise();
+          strategy = std::make_unique<CondensedStrategy>(*structure, gap_rows);
+        }
+      else
+        strategy = std::make_unique<FullStrategy>(*structure, gap_rows);
+    }
+    newton           = std::make_unique<Newton>(*structure,
+                                      gap_rows,
+                                      *strategy,
+                                      scene.solve.newton);
+    newton->progress = [this](const std::string &line) {
+      out << "  " << line << std::endl;
+    };
+
+    try
+      {
+        for (unsigned int step = 1; step <= scene.solve.load_factors.size();
+             ++step)
+          solve_step(step, scene.solve.load_factors[step - 1]);
+        summary.converged = true;
+      }
+    catch (const NumericsError &)
+      {
+        write_results(directory);
+        throw;
+      }
+    write_results(directory);
+  }
+
+
+
+  void
+  Simulation::solve_step(const unsigned int step, const double factor)
+  {
+    out << "Load step " << step << " of " << scene.solve.load_factors.size()
+        << ", load factor " << factor << std::endl;
+    {
+      TimerOutput::Scope              scope(timer, "solve");
+      const std::vector<unsigned int> last_active = state.active;
+      state                                       = newton->solve_free(factor);
+      state.active                                = last_active;
+    }
+    {
+      TimerOutput::Scope              scope(timer, "contact");
+      const std::vector<unsigned int> start = std::move(state.active);
+      state.active.clear();
+      if (!gap_rows.empty())
+        state = newton->solve_contact(state, factor, start);
+    }
+    Checks checks;
+    {
+      TimerOutput::Scope scope(timer, "solve");
+      checks =
+        check_state(*structure, contacts, scene.supports.size(), state, factor);
+      require_sound(state, checks, scene.solve.rotation_limit);
+    }
+    TimerOutput::Scope scope(timer, "output");
+    recorder->record(step, factor, state, checks);
+    if (scene.write_vtu)
+      vtu_files.emplace_back(
+        factor, write_vtu(output_directory, step, factor, *structure, state.u));
+    summary.checks = checks;
+    summary.iterations.push_back(state.iterations);
+    summary.free_corrections    = state.free_corrections;
+    summary.contact_corrections = state.contact_corrections;
+    summary.warnings            = warnings_of(state, checks);
+    summary.condition_estimate  = strategy->condition_estimate();
+  }
+
+
+
+  void
+  Simulation::write_results(const std::string &directory)
+  {
+    if (summary.iterations.empty())
+      {
+        // Nothing was solved, so nothing is left behind.
+        std::error_code error;
+        std::filesystem::remove(directory, error);
+        return;
+      }
+    {
+      TimerOutput::Scope scope(timer, "output");
+      recorder->write(directory);
+      write_pvd(directory, vtu_files);
+      std::ofstream(directory + "/scene.prm") << scene.resolved;
+    }
+    for (const char *phase :
+         {"setup", "assembly", "factorisation", "solve", "contact", "output"})
+      summary.seconds[phase] = 0.;
+    for (const auto &[phase, seconds] :
+         timer.get_summary_data(TimerOutput::total_wall_time))
+      summary.seconds[phase] = seconds;
+    summary.seconds["total"] = wall.wall_time();
+    write_summary(summary, directory);
+
+    std::vector<ResultantReferences> resultants;
+    for (unsigned int s = 0; s < scene.supports.size(); ++s)
+      resultants.push_back(
+        {"support " + scene.supports[s].name,
+         summary.checks.reactions[s],
+         scene.support_references.at(scene.supports[s].name)});
+    for (unsigned int k = 0; k < contacts.size(); ++k)
+      resultants.push_back({"contact " + contacts[k].name,
+                            summary.checks.contacts[k].force,
+                            scene.contact_references.at(contacts[k].name)});
+    print_comparison(out, scene.probes, *recorder, resultants);
+    print_summary(out, summary);
+    out << "\nResults are in " << directory
+        << " (summary.json, probes.csv, solution.pvd, ...)" << std::endl;
+  }
+
+
+
+  void
+  Simulation::print_validation() const
+  {
+    out << scene.title << (scene.title.empty() ? "" : "\n");
+    for (const auto &[name, laminate] : scene.sections)
+      {
+        const std::vector<Ply> plies = laminate.plies(scene.materials);
+        out << "\nSection " << name << ": " << laminate.width << " x "
+            << laminate.height() << ", plies from the bottom:\n";
+        for (unsigned int i = 0; i < plies.size(); ++i)
+          out << "  " << std::setw(3) << i + 1 << "  " << std::setw(6)
+              << plies[i].angle << " deg  z " << std::setw(10)
+              << plies[i].bottom << " to " << std::setw(10) << plies[i].top
+              << "  " << plies[i].material << "\n";
+
+        const LaminateStiffness stiffness =
+          laminate_stiffness(plies, laminate.width);
+        out << "  Classical lamination theory about the mid-plane, order yy, "
+               "xx, xy (y along the beam):\n";
+        for (const auto &[letter, matrix] : {std::make_pair("A", &stiffness.A),
+                                             std::make_pair("B", &stiffness.B),
+                                             std::make_pair("D", &stiffness.D)})
+          for (unsigned int r = 0; r < 3; ++r)
+            {
+              out << "  " << (r == 0 ? letter : " ");
+              for (unsigned int c = 0; c < 3; ++c)
+                out << std::setw(14) << (*matrix)[r][c];
+              out << "\n";
+            }
+        out << "  EA " << stiffness.EA << ", EI " << stiffness.EI << ", GA "
+            << stiffness.GA
+            << "\n  (EA, EI: free to contract and twist; GA: int G_yz dA, no "
+               "shear factor)\n";
+      }
+    out << "\n";
+    for (const auto &body : structure->bodies())
+      out << "Body " << body->name() << ": " << body->theory() << ", "
+          << body->n_dofs() << " DoFs, centre " << to_text(body->centre())
+          << "\n";
+    for (const ContactInterface &contact : contacts)
+      out << "Contact " << contact.name << ": " << contact.rows.size()
+          << " pairs, " << contact.unpaired << " unpaired points, first gap "
+          << contact.rows.front().initial_gap << "\n";
+    out << "The scene is valid; nothing was solved or written." << std::endl;
+  }
+} // namespace lamella

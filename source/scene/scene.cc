@@ -1,0 +1,406 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <lamella/axis/parameters.h>
+#include <lamella/base/exceptions.h>
+#include <lamella/base/text.h>
+#include <lamella/body/beam.h>
+#include <lamella/conditions/parameters.h>
+#include <lamella/contact/parameters.h>
+#include <lamella/material/parameters.h>
+#include <lamella/scene/scene.h>
+#include <lamella/section/lagrange_element.h>
+#include <lamella/section/parameters.h>
+
+#include <algorithm>
+#include <regex>
+#include <set>
+#include <sstream>
+
+namespace lamella
+{
+  using dealii::ParameterHandler;
+  using dealii::Patterns::Anything;
+
+  namespace
+  {
+    /// The lists of names that a scene begins with, and the subsection of each.
+    const std::vector<std::pair<std::string, std::string>> &
+    kinds()
+    {
+      static const std::vector<std::pair<std::string, std::string>> all{
+        {"Materials", "Material"},
+        {"Sections", "Section"},
+        {"Bodies", "Body"},
+        {"Supports", "Support"},
+        {"Loads", "Load"},
+        {"Contacts", "Contact"},
+        {"Probes", "Probe"},
+        {"Lines", "Line"},
+        {"Cuts", "Cut"}};
+      return all;
+    }
+
+    /// Names by list.
+    using Names = std::map<std::string, std::vector<std::string>>;
+
+
+
+    void
+    declare_scene(ParameterHandler &prm)
+    {
+      prm.declare_entry("Title", "", Anything(), "Printed with the results.");
+      prm.declare_entry("Units",
+                        "none",
+                        Anything(),
+                        "m, N (stress in Pa) or mm, N (MPa) or none: labels "
+                        "results and converts the built-in materials.");
+      prm.declare_entry(
+        "Theory",
+        "LE-2",
+        Anything(),
+        "Of all bodies: LE-N, the layer-wise Lagrange expansion "
+        "of degree N; LE-1, 2, 3 are L4, L9, L16.");
+      SolveParameters::declare(prm);
+      prm.declare_entry(
+        "Write VTU",
+        "true",
+        Anything(),
+        "Whether to write the deformed bodies for ParaView: true "
+        "or false.");
+      for (const auto &[list, kind] : kinds())
+        prm.declare_entry(list,
+                          "",
+                          Anything(),
+                          "Names between commas; each has a subsection '" +
+                            kind + " NAME'.");
+    }
+
+
+
+    void
+    declare_body(ParameterHandler &prm)
+    {
+      prm.declare_entry("Section", "", Anything(), "A name of Sections.");
+      prm.declare_entry("Origin",
+                        "0, 0, 0",
+                        Anything(),
+                        "Scene position of the section's lower left corner at "
+                        "the start of the axis [length].");
+      prm.declare_entry("Axis",
+                        "0, 1, 0",
+                        Anything(),
+                        "Direction of the axis, the body's y.");
+      prm.declare_entry("Up",
+                        "0, 0, 1",
+                        Anything(),
+                        "Direction that the section's z leans towards.");
+      prm.declare_entry("Length", "", Anything(), "Of the axis [length].");
+      prm.enter_subsection("Kinematics");
+      prm.declare_entry("Theory",
+                        "",
+                        Anything(),
+                        "Overrides the scene's Theory for this body.");
+      AxisParameters::declare(prm);
+      prm.leave_subsection();
+    }
+
+
+
+    void
+    declare_references(ParameterHandler &prm)
+    {
+      prm.declare_entry(
+        "References",
+        "",
+        Anything(),
+        "Values to print beside the resultant, quantity: value: "
+        "source, between '|'. Quantities: fx, fy, fz.");
+    }
+
+
+
+    void
+    declare_all(ParameterHandler &prm, const Names &names)
+    {
+      declare_scene(prm);
+      for (const auto &[list, kind] : kinds())
+        for (const std::string &name : names.at(list))
+          {
+            prm.enter_subsection(kind + " " + name);
+            if (kind == "Material")
+              MaterialParameters::declare(prm);
+            else if (kind == "Section")
+              SectionParameters::declare(prm);
+            else if (kind == "Body")
+              declare_body(prm);
+            else if (kind == "Support")
+              declare_support(prm);
+            else if (kind == "Load")
+              declare_load(prm);
+            else if (kind == "Contact")
+              declare_contact(prm);
+            else if (kind == "Probe")
+              declare_probe(prm);
+            else if (kind == "Line")
+              declare_line(prm);
+            else if (kind == "Cut")
+              declare_cut(prm);
+            if (kind == "Support" || kind == "Contact")
+              declare_references(prm);
+            prm.leave_subsection();
+          }
+    }
+
+
+
+    /// The first pass.
+    Names
+    read_names(const SceneText &text)
+    {
+      static const std::regex form("[A-Za-z][A-Za-z0-9_-]*");
+      ParameterHandler        prm;
+      declare_scene(prm);
+      prm.parse_input_from_string(text.text(), "", true);
+      Names names;
+      for (const auto &[list, kind] : kinds())
+        {
+          names[list] = split(prm.get(list), ',');
+          std::set<std::string> seen;
+          for (const std::string &name : names[list])
+            {
+              const std::string entry = list + " = " + prm.get(list);
+              if (!std::regex_match(name, form))
+                throw InputError(
+                  entry + ": '" + name +
+                  "' is not a name. Names begin with a letter "
+                  "and go on with letters, digits, '_' and '-'.");
+              if (!seen.insert(name).second)
+                throw InputError(entry + ": '" + name +
+                                 "' stands there twice.");
+            }
+        }
+      for (const char *list : {"Materials", "Sections", "Bodies"})
+        if (names[list].empty())
+          throw InputError(std::string(list) +
+                           " is empty: a scene needs at least one name there.");
+      return names;
+    }
+
+
+
+    /// N of LE-N. Throws InputError, beginning with @p what.
+    unsigned int
+    parse_theory(const std::string &theory, const std::string &what)
+    {
+      static const std::regex layer_wise("LE-([1-8])");
+      std::smatch             match;
+      if (std::regex_match(theory, match, layer_wise))
+        return std::stoi(match[1]);
+      static const std::regex planned("EBBT|TBT|TE-[0-9]+|solid-[0-9]+");
+      throw InputError(what + " = " + theory + ": " +
+                       (std::regex_match(theory, planned) ?
+                          "this theory is not in this version. " :
+                          "no such theory. ") +
+                       "Use LE-N with N from 1 to 8 (LE-2 is L9).");
+    }
+
+
+
+    BodyDescription
+    parse_body(ParameterHandler               &prm,
+               const std::string              &name,
+               const std::string              &scene_theory,
+               const std::vector<std::string> &sections)
+    {
+      const std::string what = "Body " + name;
+      BodyDescription   body;
+      body.name    = name;
+      body.section = prm.get("Section");
+      if (std::find(sections.begin(), sections.end(), body.section) ==
+          sections.end())
+        throw InputError(what + "/Section = " + body.section +
+                         ": there is no such section. The nearest of Sections "
+                         "is '" +
+                         nearest_name(body.section, sections) + "'.");
+
+      const std::string length = prm.get("Length");
+      const double      value = to_number(length, what + "/Length = " + length);
+      if (!(value > 0.))
+        throw InputError(what + "/Length = " + length + ": must be positive.");
+      try
+        {
+          body.placement = Placement::from_directions(
+            to_point(prm.get("Origin"), what + "/Origin"),
+            to_point(prm.get("Axis"), what + "/Axis"),
+            to_point(prm.get("Up"), what + "/Up"));
+        }
+      catch (const InputError &error)
+        {
+          const std::string message = error.what();
+          throw InputError(message.compare(0, what.size(), what) == 0 ?
+                             message :
+                             what + ": " + message);
+        }
+
+      prm.enter_subsection("Kinematics");
+      const std::string theory = prm.get("Theory");
+      body.degree              = theory.empty() ?
+                                   parse_theory(scene_theory, "Theory") :
+                                   parse_theory(theory, what + "/Kinematics/Theory");
+      body.axis = AxisParameters::parse(prm).mesh(value, what + "/Kinematics");
+      prm.leave_subsection();
+      return body;
+    }
+
+
+
+    bool
+    parse_bool(const std::string &text, const std::string &what)
+    {
+      if (text != "true" && text != "false")
+        throw InputError(what + " = " + text + ": must be true or false.");
+      return text == "true";
+    }
+
+
+
+    /// The second pass, over what @p prm has parsed.
+    Scene
+    resolve(ParameterHandler &prm, const Names &names)
+    {
+      const auto in = [&prm](const std::string &subsection, const auto &parse) {
+        prm.enter_subsection(subsection);
+        parse(subsection);
+        prm.leave_subsection();
+      };
+      const std::vector<std::string> resultant{"fx", "fy", "fz"};
+
+      Scene scene;
+      scene.title              = prm.get("Title");
+      scene.units              = Units::parse(prm.get("Units"));
+      scene.solve              = SolveParameters::parse(prm);
+      scene.write_vtu          = parse_bool(prm.get("Write VTU"), "Write VTU");
+      const std::string theory = prm.get("Theory");
+      const auto       &bodies = names.at("Bodies");
+
+      for (const std::string &name : names.at("Materials"))
+        in("Material " + name, [&](const std::string &what) {
+          scene.materials[name] =
+            MaterialParameters::parse(prm).constants(scene.units, what);
+        });
+      for (const std::string &name : names.at("Sections"))
+        in("Section " + name, [&](const std::string &what) {
+          scene.sections[name] =
+            SectionParameters::parse(prm).laminate(names.at("Materials"), what);
+        });
+      for (const std::string &name : bodies)
+        in("Body " + name, [&](const std::string &) {
+          scene.bodies.push_back(
+            parse_body(prm, name, theory, names.at("Sections")));
+        });
+      for (const std::string &name : names.at("Supports"))
+        in("Support " + name, [&](const std::string &what) {
+          scene.supports.push_back(parse_support(prm, name, bodies));
+          scene.support_references[name] =
+            parse_references(prm.get("References"), resultant, what);
+        });
+      for (const std::string &name : names.at("Loads"))
+        in("Load " + name, [&](const std::string &) {
+          scene.loads.push_back(parse_load(prm, name, bodies));
+        });
+      for (const std::string &name : names.at("Contacts"))
+        in("Contact " + name, [&](const std::string &what) {
+          scene.contacts.push_back(parse_contact(prm, name, bodies));
+          scene.contact_references[name] =
+            parse_references(prm.get("References"), resultant, what);
+        });
+      for (const std::string &name : names.at("Probes"))
+        in("Probe " + name, [&](const std::string &) {
+          scene.probes.push_back(parse_probe(prm, name, bodies));
+        });
+      for (const std::string &name : names.at("Lines"))
+        in("Line " + name, [&](const std::string &) {
+          scene.lines.push_back(parse_line(prm, name, bodies));
+        });
+      for (const std::string &name : names.at("Cuts"))
+        in("Cut " + name, [&](const std::string &) {
+          scene.cuts.push_back(parse_cut(prm, name, bodies));
+        });
+      return scene;
+    }
+  } // namespace
+
+
+
+  Scene
+  read_scene(const SceneText &text)
+  {
+    try
+      {
+        const Names      names = read_names(text);
+        ParameterHandler prm;
+        declare_all(prm, names);
+        text.check_declared(prm);
+        prm.parse_input_from_string(text.text());
+
+        Scene              scene = resolve(prm, names);
+        std::ostringstream resolved;
+        prm.print_parameters(resolved,
+                             ParameterHandler::ShortText |
+                               ParameterHandler::KeepDeclarationOrder);
+        scene.resolved = resolved.str();
+        return scene;
+      }
+    catch (const InputError &error)
+      {
+        // Messages of the text itself know their place already.
+        const std::string message = error.what();
+        const bool        placed  = message.find(": ") < message.find(' ') ||
+                            message.compare(0, 5, "--set") == 0;
+        throw InputError(placed ? message : text.place_of(message) + message);
+      }
+  }
+
+
+
+  std::string
+  parameter_documentation()
+  {
+    Names names;
+    for (const auto &[list, kind] : kinds())
+      names[list] = {"NAME"};
+    ParameterHandler prm;
+    declare_all(prm, names);
+    std::ostringstream text;
+    prm.print_parameters(text,
+                         ParameterHandler::Text |
+                           ParameterHandler::KeepDeclarationOrder);
+    return text.str();
+  }
+
+
+
+  Bodies
+  build_bodies(const Scene &scene)
+  {
+    std::map<std::pair<std::string, unsigned int>,
+             std::shared_ptr<const Section>>
+           sections;
+    Bodies bodies;
+    for (const BodyDescription &description : scene.bodies)
+      {
+        auto &section = sections[{description.section, description.degree}];
+        if (section == nullptr)
+          section = std::make_shared<Section>(std::make_unique<LagrangeElement>(
+            make_section_mesh(scene.sections.at(description.section),
+                              scene.materials),
+            description.degree));
+        bodies.push_back(
+          std::make_unique<Beam>(description.name,
+                                 section,
+                                 std::make_shared<Axis>(description.axis),
+                                 description.placement));
+      }
+    return bodies;
+  }
+} // namespace lamella

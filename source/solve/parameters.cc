@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <lamella/base/exceptions.h>
+#include <lamella/base/text.h>
+#include <lamella/solve/parameters.h>
+
+namespace lamella
+{
+  using dealii::ParameterHandler;
+  using dealii::Patterns::Anything;
+
+  void
+  SolveParameters::declare(ParameterHandler &prm)
+  {
+    prm.declare_entry(
+      "Load factors",
+      "1",
+      Anything(),
+      "One a step: what multiplies all prescribed displacements "
+      "and loads. 0.5, 1, 0 loads and unloads.");
+    prm.declare_entry("Contact strategy",
+                      "condensed",
+                      Anything(),
+                      "condensed: factorise once, contact on the compliance of "
+                      "its rows; full: assemble and factorise K + K^p in each "
+                      "iteration, as in the paper. Same results.");
+    prm.declare_entry("Maximum iterations",
+                      "50",
+                      Anything(),
+                      "Newton iterations of a load step before it fails; a "
+                      "scene that needs more wants smaller steps.");
+    prm.declare_entry("Rotation limit",
+                      "0.5",
+                      Anything(),
+                      "Largest rotation for which the linear result is written "
+                      "at all [rad]; from 0.1 on it comes with a warning.");
+  }
+
+
+
+  SolveParameters
+  SolveParameters::parse(const ParameterHandler &prm)
+  {
+    SolveParameters parameters;
+    parameters.load_factors =
+      to_numbers(prm.get("Load factors"), "Load factors");
+    if (parameters.load_factors.empty())
+      throw InputError("Load factors is empty: give one number a load step.");
+
+    const std::string strategy = prm.get("Contact strategy");
+    if (strategy != "condensed" && strategy != "full")
+      throw InputError("Contact strategy = " + strategy +
+                       ": must be condensed or full.");
+    parameters.strategy =
+      strategy == "full" ? Strategy::full : Strategy::condensed;
+
+    const double n =
+      to_number(prm.get("Maximum iterations"), "Maximum iterations");
+    if (!(n >= 1. && n <= 1e6 && n == std::floor(n)))
+      throw InputError("Maximum iterations = " + prm.get("Maximum iterations") +
+                       ": must be a whole number from 1.");
+    parameters.newton.max_iterations = static_cast<unsigned int>(n);
+
+    parameters.rotation_limit =
+      to_number(prm.get("Rotation limit"), "Rotation limit");
+    if (!(parameters.rotation_limit > 0.))
+      throw InputError("Rotation limit = " + prm.get("Rotation limit") +
+                       ": must be positive, in rad.");
+    return parameters;
+  }
+} // namespace lamella
