@@ -9,6 +9,7 @@
 
 #include <dlfcn.h>
 
+#include <cstdlib>
 #include <iostream>
 
 namespace
@@ -24,6 +25,20 @@ namespace
     if (const auto set_threads = reinterpret_cast<SetThreads>(
           dlsym(RTLD_DEFAULT, "openblas_set_num_threads")))
       set_threads(n);
+  }
+
+
+
+  /// A process that no launcher started talks to nobody: Open MPI then need not
+  /// look for networks, which takes longer than a small scene.
+  void
+  skip_network_search()
+  {
+    if (std::getenv("OMPI_COMM_WORLD_SIZE") == nullptr)
+      {
+        setenv("OMPI_MCA_btl", "self", 0);
+        setenv("OMPI_MCA_pml", "ob1", 0);
+      }
   }
 
 
@@ -65,6 +80,7 @@ main(int argc, char **argv)
 {
   try
     {
+      skip_network_search();
       dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
       run(CommandLine::parse({argv + 1, argv + argc}));
     }

@@ -126,8 +126,14 @@ namespace lamella
   {
     const std::vector<double> free_gaps = gaps(free.u);
 
-    State state  = free;
-    state.active = start.empty() ? next_active_set(state, free_gaps) : start;
+    // Of the rows to start from those that would be open without any contact
+    // are left out: in unloading they pull, and pull others in.
+    State state = free;
+    for (const unsigned int r : start)
+      if (free_gaps[r] < 0.)
+        state.active.push_back(r);
+    if (state.active.empty())
+      state.active = next_active_set(state, free_gaps);
     if (state.active.empty())
       return state;
 

@@ -1,0 +1,241 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+// Patch tests: a displacement u = E x, linear in space, prescribed on the whole
+// surface, is the solution inside, with the constant strain E and the stress
+// C E, whatever the mesh. Six strain states, sections of one and of several
+// plies of the same material, distorted section meshes, all orders, bodies in
+// any direction. And rigid motions, which make no strain.
+
+#include "fixtures.h"
+
+#include <deal.II/grid/grid_tools.h>
+
+#include <boost/test/unit_test.hpp>
+
+using namespace lamella;
+using dealii::Point;
+using dealii::Tensor;
+
+namespace
+{
+  const EngineeringConstants
+    orthotropic{165., 9., 8., 5.6, 5.2, 2.8, 0.34, 0.3, 0.45};
+
+  /// A section of 3 x 3 cells with its interior vertices moved.
+  std::shared_ptr<const SectionMesh>
+  distorted_mesh(const double angle)
+  {
+    const Laminate plies = rectangle(0.7, 0.5, {angle, angle, angle}, 3, 1);
+    auto           mesh  = std::make_shared<SectionMesh>();
+    const auto regular = make_section_mesh(plies, {{"material", orthotropic}});
+    mesh->mesh.copy_triangulation(regular->mesh);
+    mesh->plies      = regular->plies;
+    mesh->boundaries = regular->boundaries;
+    dealii::GridTools::distort_random(0.25, mesh->mesh, true, 7);
+    return mesh;
+  }
+
+
+
+  /// The tensor of the Voigt strain that is 1 in @p place.
+  Tensor<2, 3>
+  unit_strain(const unsigned int place)
+  {
+    constexpr unsigned int axes[6][2] = {
+      {0, 0}, {1, 1}, {2, 2}, {0, 1}, {0, 2}, {1, 2}};
+    Tensor<2, 3> E;
+    E[axes[place][0]][axes[place][1]] += 0.5;
+    E[axes[place][1]][axes[place][0]] += 0.5;
+    return E;
+  }
+
+
+
+  void
+  check_patch(Beam &beam, const ElasticTensor &C_scene)
+  {
+    for (unsigned int place = 0; place < 6; ++place)
+      {
+        const Tensor<2, 3> E     = unit_strain(place);
+        const Field        field = [&E](const Point<3> &x) {
+          return E * Tensor<1, 3>(x);
+        };
+        const Vector u =
+          solve_prescribed(beam, prescribe_on_surface(beam, field));
+
+        Voigt strain;
+        strain[place]      = 1.;
+        const Voigt stress = C_scene * strain;
+        double      worst  = 0.;
+        for (const OutputCell &cell : beam.output_cells(2, u))
+          for (unsigned int k = 0; k < cell.samples.size(); ++k)
+            {
+              const FieldSample &s = cell.samples[k];
+              worst =
+                std::max({worst,
+                          (s.displacement - field(cell.positions[k])).norm(),
+                          (s.strain - strain).norm(),
+                          (s.stress - stress).norm() / stress.norm()});
+            }
+        BOOST_TEST(worst < 1e-10,
+                   beam.theory()
+                     << ", strain state " << place << ": error " << worst);
+      }
+  }
+} // namespace
+
+BOOST_AUTO_TEST_SUITE(patch)
+
+BOOST_AUTO_TEST_CASE(all_orders_one_and_three_plies)
+{
+  for (const unsigned int section_degree : {1, 2, 3})
+    for (const std::vector<double> &angles :
+         {std::vector<double>{30.}, std::vector<double>{30., 30., 30.}})
+      {
+        if (section_degree == 3 && angles.size() == 3)
+          continue; // as two plies more of degree 2, at ten times the cost
+        const auto section = make_section(rectangle(0.7, 0.5, angles, 2),
+                                          orthotropic,
+                                          section_degree);
+        for (const unsigned int axis_degree :
+             {section_degree, 4 - section_degree})
+          {
+            Beam beam("beam",
+                      section,
+                      make_axis(1.3, 2, axis_degree),
+                      Placement());
+            check_patch(beam, section->elasticity(0));
+          }
+      }
+}
+
+
+
+BOOST_AUTO_TEST_CASE(distorted_section)
+{
+  for (const unsigned int degree : {1, 2, 3})
+    {
+      const auto section = make_section(distorted_mesh(20.), degree);
+      Beam       beam("beam", section, make_axis(1.3, 2, 2), Placement());
+      check_patch(beam, section->elasticity(0));
+    }
+}
+
+
+
+BOOST_AUTO_TEST_CASE(tilted_body)
+{
+  // The elasticity in scene axes follows from turning the strain into body
+  // axes, the other way round than the program does it.
+  const Placement placement =
+    Placement::from_directions({0.2, -0.1, 0.4},
+                               Point<3>(1., 2., 0.5),
+                               Point<3>(-0.3, 0.2, 1.));
+  const auto section = make_section(distorted_mesh(20.), 2);
+  Beam       beam("beam", section, make_axis(1.3, 2, 2), placement);
+  check_patch(beam,
+              transpose(strain_rotation(placement.axes)) *
+                section->elasticity(0) * strain_rotation(placement.axes));
+}
+
+
+
+BOOST_AUTO_TEST_CASE(rigid_motions_have_no_energy)
+{
+  const Placement placement =
+    Placement::from_directions({5., -3., 0.4},
+                               Point<3>(1., 2., 0.5),
+                               Point<3>(-0.3, 0.2, 1.));
+  for (const unsigned int degree : {1, 2, 3})
+    {
+      const auto section = make_section(distorted_mesh(20.), degree);
+      const Beam beam("beam", section, make_axis(1.3, 3), placement);
+
+      // Energy of a unit strain: E_2 / 2 times the volume, at least.
+      const double unit = 0.5 * 8. * 0.7 * 0.5 * 1.3;
+      for (const Vector &motion : beam.rigid_motions())
+        {
+          BOOST_TEST(beam.deformation(motion).energy < 1e-12 * unit);
+          Vector forces(beam.n_dofs());
+          beam.add_internal_forces(motion, forces);
+          BOOST_TEST(forces.linfty_norm() < 1e-10);
+        }
+
+      // They are what they are called: at a corner, u = omega x (X - X_c).
+      const Point<3> corner = placement.to_scene({0.7, 1.3, 0.});
+      const Location there  = beam.locate({corner})[0][0];
+      for (unsigned int m = 0; m < 3; ++m)
+        {
+          Tensor<1, 3> e;
+          e[m]               = 1.;
+          const auto motions = beam.rigid_motions();
+          BOOST_TEST((beam.sample(there, motions[m]).displacement - e).norm() <
+                     1e-12);
+          BOOST_TEST((beam.sample(there, motions[3 + m]).displacement -
+                      cross_product_3d(e, corner - beam.centre()))
+                       .norm() < 1e-12);
+        }
+    }
+}
+
+
+
+BOOST_AUTO_TEST_CASE(strain_first_forces_equal_the_assembled_stiffness)
+{
+  // On a stubby body both have their digits: int B^T C B u = K u.
+  Beam        beam("beam",
+            make_section(distorted_mesh(20.), 2),
+            make_axis(1.3, 2),
+            Placement());
+  Constraints none;
+  none.close();
+  beam.assemble(none);
+  Vector u(beam.n_dofs()), forces(beam.n_dofs()), product(beam.n_dofs());
+  for (unsigned int i = 0; i < u.size(); ++i)
+    u[i] = std::sin(1. + i);
+  beam.add_internal_forces(u, forces);
+  beam.stiffness().vmult(product, u);
+  product -= forces;
+  BOOST_TEST(product.linfty_norm() < 1e-12 * forces.linfty_norm());
+}
+
+
+
+BOOST_AUTO_TEST_CASE(fewer_fields_at_a_node_are_a_submatrix)
+{
+  // Node-dependent kinematics: a beam whose second node carries the linear
+  // fields only has the stiffness of the full one without the rows and columns
+  // of the fields that are left out.
+  const auto section = make_section(rectangle(0.7, 0.5), orthotropic, 2);
+  const auto axis    = make_axis(1.3, 1, 2);
+  std::vector<unsigned int> all(section->n_fields()), linear(9);
+  std::iota(all.begin(), all.end(), 0);
+  std::iota(linear.begin(), linear.end(), 0);
+  Beam full("full", section, axis, Placement());
+  Beam mixed("mixed", section, axis, Placement(), {all, linear, all});
+  BOOST_TEST(mixed.n_dofs() == 2 * all.size() + 9);
+
+  Constraints none;
+  none.close();
+  full.assemble(none);
+  mixed.assemble(none);
+  double worst = 0.;
+  for (const auto &entry : mixed.stiffness())
+    {
+      const auto to_full = [&](const DofIndex dof) {
+        const unsigned int node = dof < all.size()     ? 0 :
+                                  dof < all.size() + 9 ? 1 :
+                                                         2;
+        return full.dofs().first(node) + mixed.dofs().field_of(dof);
+      };
+      worst = std::max(worst,
+                       std::abs(entry.value() -
+                                full.stiffness()(to_full(entry.row()),
+                                                 to_full(entry.column()))));
+    }
+  BOOST_TEST(worst < 1e-12);
+  for (const Vector &motion : mixed.rigid_motions())
+    BOOST_TEST(mixed.deformation(motion).energy < 1e-12);
+}
+
+BOOST_AUTO_TEST_SUITE_END()

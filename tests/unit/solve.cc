@@ -1,0 +1,219 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+// Newton loop, strategies and checks on scenes with a closed form.
+
+#include "fixtures.h"
+
+#include <lamella/base/exceptions.h>
+#include <lamella/contact/gap_rows.h>
+#include <lamella/solve/checks.h>
+#include <lamella/solve/condensed_strategy.h>
+#include <lamella/solve/full_strategy.h>
+#include <lamella/solve/parameters.h>
+
+#include <boost/test/unit_test.hpp>
+
+using namespace lamella;
+using dealii::Point;
+
+namespace
+{
+  constexpr double E = 200., side = 1.5, penalty = 700., gap = 0.01,
+                   press = 0.05;
+
+  /// Two cubes of the side 1.5, one above the other with a gap; the lower one
+  /// stands on a fixed floor, the upper one's top is moved down. nu = 0, so the
+  /// stress is uniform.
+  struct TwoCubes
+  {
+    TwoCubes(const double moved, const double nu = 0.)
+    {
+      const auto section = make_section(rectangle(side, side, {0.}, 2, 2),
+                                        EngineeringConstants::isotropic(E, nu),
+                                        2);
+      const auto axis    = make_axis(side, 2, 2);
+      Bodies     bodies;
+      Placement  above;
+      above.origin = Point<3>(0., 0., side + gap);
+      bodies.push_back(std::make_unique<Beam>("upper", section, axis, above));
+      bodies.push_back(
+        std::make_unique<Beam>("lower", section, axis, Placement()));
+
+      using Kind = Region::Kind;
+      const Region top{0, Kind::surface, "top", {}},
+        floor{1, Kind::surface, "bottom", {}},
+        upper_face{0, Kind::surface, "bottom", {}},
+        lower_face{1, Kind::surface, "top", {}};
+      const ContactPair pair{"faces",
+                             upper_face,
+                             lower_face,
+                             Discretisation::node_to_node,
+                             Enforcement::penalty,
+                             {PenaltyKind::per_area, penalty},
+                             1e-6};
+      contacts.push_back(make_interface(pair, bodies));
+      const Support moves{"press", {top}, {{0., 0., -moved}}},
+        stands{"floor", {floor}, {{0., 0., 0.}}};
+      structure =
+        std::make_unique<Structure>(std::move(bodies),
+                                    std::vector<Support>{moves, stands},
+                                    std::vector<Load>());
+      structure->assemble();
+    }
+
+    State
+    solve(const Strategy strategy)
+    {
+      std::unique_ptr<ContactStrategy> solver;
+      if (strategy == Strategy::full)
+        solver = std::make_unique<FullStrategy>(*structure, contacts[0].rows);
+      else
+        {
+          structure->factorise();
+          solver =
+            std::make_unique<CondensedStrategy>(*structure, contacts[0].rows);
+        }
+      const Newton newton(*structure, contacts[0].rows, *solver);
+      return newton.solve_contact(newton.solve_free(1.), 1., {});
+    }
+
+    std::vector<ContactInterface> contacts;
+    std::unique_ptr<Structure>    structure;
+  };
+} // namespace
+
+BOOST_AUTO_TEST_SUITE(solve)
+
+BOOST_AUTO_TEST_CASE(two_cubes_pressure_and_penetration)
+{
+  // Springs in series, per area: two cubes of stiffness E / side and the
+  // penalty. p = (press - gap) / (2 side / E + 1 / penalty).
+  const double p = (press - gap) / (2. * side / E + 1. / penalty);
+
+  TwoCubes     scene(press);
+  const State  state = scene.solve(Strategy::condensed);
+  const Checks checks =
+    check_state(*scene.structure, scene.contacts, 2, state, 1.);
+  BOOST_TEST(state.active.size() == scene.contacts[0].rows.size());
+  for (unsigned int i = 0; i < state.force.size(); ++i)
+    {
+      const double area = scene.contacts[0].points[i].area;
+      const double g    = scene.contacts[0].rows[i].gap(state.u);
+      BOOST_TEST(std::abs(state.force[i] / area / p - 1.) < 1e-10);
+      // The law itself: pressure = penalty times penetration.
+      BOOST_TEST(std::abs(-penalty * g / p - 1.) < 1e-10);
+    }
+
+  // On the lower cube downwards, the same from its floor, and the energies.
+  const double force = p * side * side;
+  BOOST_TEST(std::abs(checks.contacts[0].force[2] / -force - 1.) < 1e-10);
+  BOOST_TEST(std::abs(checks.reactions[1][2] / force - 1.) < 1e-10);
+  BOOST_TEST(std::abs(checks.reactions[0][2] / -force - 1.) < 1e-10);
+  BOOST_TEST(std::abs(checks.energy / (p * p / E * side * side * side) - 1.) <
+             1e-10);
+  BOOST_TEST(std::abs(checks.energy / checks.external_work - 1.) < 1e-10);
+  BOOST_TEST(checks.force_balance < 1e-12);
+  BOOST_TEST(checks.residual < 1e-12);
+  BOOST_TEST(checks.contacts[0].complementarity == 0.);
+}
+
+
+
+BOOST_AUTO_TEST_CASE(condensed_and_full_agree)
+{
+  // Poisson's ratio and clamped faces: no uniform stress, no closed form, but
+  // two ways that share neither factorisation nor compliance.
+  TwoCubes    scene(press, 0.3);
+  const State condensed = scene.solve(Strategy::condensed),
+              full      = scene.solve(Strategy::full);
+  BOOST_TEST(condensed.active == full.active);
+  BlockVector difference = condensed.u;
+  difference -= full.u;
+  BOOST_TEST(difference.linfty_norm() < 1e-10 * full.u.linfty_norm());
+  for (unsigned int i = 0; i < full.force.size(); ++i)
+    BOOST_TEST(std::abs(condensed.force[i] - full.force[i]) < 1e-10);
+}
+
+
+
+BOOST_AUTO_TEST_CASE(an_open_gap_carries_nothing)
+{
+  TwoCubes    scene(0.9 * gap);
+  const State state = scene.solve(Strategy::condensed);
+  BOOST_TEST(state.active.empty());
+  BOOST_TEST(state.iterations == 0);
+  // The upper cube moves as a whole, so the gap is a tenth everywhere.
+  for (const GapRow &row : scene.contacts[0].rows)
+    BOOST_TEST(std::abs(row.gap(state.u) - 0.1 * gap) < 1e-12);
+  const Checks checks =
+    check_state(*scene.structure, scene.contacts, 2, state, 1.);
+  BOOST_TEST(checks.contacts[0].force.norm() == 0.);
+  BOOST_TEST(checks.energy < 1e-20);
+}
+
+
+
+BOOST_AUTO_TEST_CASE(a_body_that_can_move_is_refused)
+{
+  const auto section =
+    make_section(rectangle(1., 1.), EngineeringConstants::isotropic(E, 0.3), 1);
+  Bodies bodies;
+  bodies.push_back(
+    std::make_unique<Beam>("bar", section, make_axis(1., 1), Placement()));
+  const Region  end{0, Region::Kind::surface, "start", {}};
+  const Support slides{"slides", {end}, {{std::nullopt, 0., std::nullopt}}};
+  // u_y = 0 on a whole end holds y and the rotations about x and z.
+  BOOST_CHECK_EXCEPTION(
+    Structure(std::move(bodies), {slides}, {}),
+    InputError,
+    [](const InputError &error) {
+      const std::string text = error.what();
+      return text.find("'bar' can move freely") != std::string::npos &&
+             text.find("translation along x") != std::string::npos &&
+             text.find("translation along z") != std::string::npos &&
+             text.find("rotation about y") != std::string::npos &&
+             text.find("translation along y") == std::string::npos &&
+             text.find("rotation about x") == std::string::npos;
+    });
+}
+
+
+
+BOOST_AUTO_TEST_CASE(a_turned_scene_gives_turned_results)
+{
+  // A cantilever under a tip force, along y and along a skew direction: the
+  // displacement in the force's direction is the same.
+  const auto section = make_section(rectangle(0.4, 0.3, {20., -50.}, 1, 1),
+                                    {165., 9., 8., 5.6, 5.2, 2.8, .34, .3, .45},
+                                    2);
+  std::vector<double> results;
+  for (const Placement &placement :
+       {Placement(),
+        Placement::from_directions({0.2, -0.1, 0.4},
+                                   Point<3>(1., 2., 0.5),
+                                   Point<3>(-0.3, 0.2, 1.))})
+    {
+      Bodies bodies;
+      bodies.push_back(
+        std::make_unique<Beam>("bar", section, make_axis(3., 3), placement));
+      const Point<3> tip = placement.to_scene({0.4, 3., 0.3});
+      const auto     f   = placement.vector_to_scene(Point<3>(0.3, 0.1, -1.));
+      Load           load{"tip", {{0, Region::Kind::point, "", {tip}}}, {}, ""};
+      for (unsigned int c = 0; c < 3; ++c)
+        load.force[c] = std::to_string(f[c]);
+      const Support clamp{"clamp",
+                          {{0, Region::Kind::surface, "start", {}}},
+                          {{0., 0., 0.}}};
+      Structure     structure(std::move(bodies), {clamp}, {load});
+      structure.assemble();
+      structure.factorise();
+      const std::vector<GapRow> none;
+      CondensedStrategy         strategy(structure, none);
+      const State state = Newton(structure, none, strategy).solve_free(1.);
+      results.push_back(structure.load() * state.u);
+    }
+  // std::to_string keeps six decimals of the force.
+  BOOST_TEST(std::abs(results[0] / results[1] - 1.) < 1e-5);
+}
+
+BOOST_AUTO_TEST_SUITE_END()
