@@ -214,10 +214,13 @@ def new_figure(results, about, rows=1, columns=1, height=2.3, **options):
 
 
 def legend_above(axis, fewest=2):
-    handles, _ = axis.get_legend_handles_labels()
+    handles, labels = axis.get_legend_handles_labels()
     if len(handles) >= fewest:
-        axis.legend(loc="lower left", bbox_to_anchor=(0, 1.0), ncol=min(
-            len(handles), 3), borderaxespad=0.2, handlelength=2.4)
+        # About ten characters an inch, a handle taking eight.
+        fitting = int(10 * WIDTH / (8 + max(len(label) for label in labels)))
+        axis.legend(loc="lower left", bbox_to_anchor=(0, 1.0), ncol=max(
+            1, min(len(handles), 3, fitting)), borderaxespad=0.2,
+            handlelength=2.4)
 
 
 def label_of(line, lines):

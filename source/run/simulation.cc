@@ -158,7 +158,10 @@ namespace lamella
     summary.iterations.push_back(state.iterations);
     summary.free_corrections    = state.free_corrections;
     summary.contact_corrections = state.contact_corrections;
-    summary.warnings            = warnings_of(state, checks);
+    summary.warnings = warnings_of(state, checks, contacts);
+    summary.warnings.insert(summary.warnings.end(),
+                            scene.warnings.begin(),
+                            scene.warnings.end());
     summary.condition_estimate  = strategy->condition_estimate();
   }
 

@@ -264,6 +264,30 @@ namespace lamella
 
 
 
+    /// What low orders get wrong, in words.
+    std::vector<std::string>
+    warnings_of_orders(const std::vector<BodyDescription> &bodies)
+    {
+      std::vector<std::string> warnings;
+      for (const BodyDescription &body : bodies)
+        {
+          if (body.axis.degree < 3)
+            warnings.push_back("body " + body.name + ": B" +
+                               std::to_string(body.axis.degree + 1) +
+                               " elements are integrated fully and too stiff in "
+                               "bending where they are longer than the section "
+                               "is high (shear locking); use B4");
+          if (body.degree == 1)
+            warnings.push_back("body " + body.name +
+                               ": LE-1 (L4) cells cannot contract linearly "
+                               "through their height and are too stiff in "
+                               "bending (Poisson locking); use LE-2");
+        }
+      return warnings;
+    }
+
+
+
     /// The second pass, over what @p prm has parsed.
     Scene
     resolve(ParameterHandler &prm, const Names &names)
@@ -298,6 +322,7 @@ namespace lamella
           scene.bodies.push_back(
             parse_body(prm, name, theory, names.at("Sections")));
         });
+      scene.warnings = warnings_of_orders(scene.bodies);
       for (const std::string &name : names.at("Supports"))
         in("Support " + name, [&](const std::string &what) {
           scene.supports.push_back(parse_support(prm, name, bodies));

@@ -18,6 +18,8 @@ namespace lamella
     // A first correction above this says that the assembled matrix has lost
     // more than half of its digits.
     constexpr double lost_digits = 1e-7;
+    // Of the displacements; a penalty this soft changes the answer.
+    constexpr double large_penetration = 1e-3;
     // What a trusted result may be off by.
     constexpr double sound = 1e-6;
 
@@ -202,10 +204,49 @@ namespace lamella
 
 
 
+  namespace
+  {
+    void
+    add_contact_warnings(const ContactInterface   &contact,
+                         const KuhnTucker         &kkt,
+                         const double              displacement,
+                         std::vector<std::string> &warnings)
+    {
+      const std::string what = "contact " + contact.name + ": ";
+      if (kkt.max_penetration > large_penetration * displacement)
+        warnings.push_back(what + "bodies penetrate by " +
+                           to_text(kkt.max_penetration, 3) + ", " +
+                           to_text(100. * kkt.max_penetration / displacement,
+                                   2) +
+                           " % of the displacements; raise Penalty, or use "
+                           "auto");
+      if (contact.unpaired > 0)
+        warnings.push_back(what + std::to_string(contact.unpaired) +
+                           " nodes of First face no node of Second and cannot "
+                           "touch");
+      double smallest = 0.;
+      for (const GapRow &row : contact.rows)
+        smallest = std::min(smallest, row.initial_gap);
+      if (smallest < 0.)
+        warnings.push_back(what + "the bodies overlap from the start by up to " +
+                           to_text(-smallest, 3) +
+                           " and are pushed apart");
+    }
+  } // namespace
+
+
+
   std::vector<std::string>
-  warnings_of(const State &state, const Checks &checks)
+  warnings_of(const State                         &state,
+              const Checks                        &checks,
+              const std::vector<ContactInterface> &contacts)
   {
     std::vector<std::string> warnings;
+    for (unsigned int k = 0; k < contacts.size(); ++k)
+      add_contact_warnings(contacts[k],
+                           checks.contacts[k],
+                           state.u.linfty_norm(),
+                           warnings);
     if (checks.max_rotation > linear_rotation)
       warnings.push_back(
         "rotations reach " + to_text(checks.max_rotation, 3) +

@@ -54,6 +54,9 @@ namespace lamella
     ReferencesByName   support_references, contact_references;
     bool               write_vtu = true;
 
+    /// What is known to be inaccurate in the choices made, a sentence each.
+    std::vector<std::string> warnings;
+
     /// The scene as it was run, every entry with its value.
     std::string resolved;
   };

@@ -61,9 +61,13 @@ namespace lamella
                 const double  rotation_limit);
 
   /// What the user should know of a state that is sound: lost digits, rotations
-  /// beyond the linear theory. A sentence each.
+  /// beyond the linear theory, penetrations of the size of the displacements,
+  /// points that face nothing, bodies that overlap from the start. A sentence
+  /// each.
   std::vector<std::string>
-  warnings_of(const State &state, const Checks &checks);
+  warnings_of(const State                         &state,
+              const Checks                        &checks,
+              const std::vector<ContactInterface> &contacts);
 } // namespace lamella
 
 #endif
