@@ -24,6 +24,7 @@ namespace lamella
         for (const OutputCell &cell : body.output_cells(n, u))
           {
             DataOutBase::Patch<3, 3> patch;
+            patch.reference_cell       = ReferenceCells::Hexahedron;
             patch.patch_index          = patches.size();
             patch.n_subdivisions       = n;
             patch.points_are_available = true;
