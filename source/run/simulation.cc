@@ -3,6 +3,7 @@
 #include <lamella/base/exceptions.h>
 #include <lamella/base/text.h>
 #include <lamella/report/console.h>
+#include <lamella/report/validation.h>
 #include <lamella/report/vtu.h>
 #include <lamella/run/simulation.h>
 #include <lamella/solve/condensed_strategy.h>
@@ -10,7 +11,6 @@
 
 #include <filesystem>
 #include <fstream>
-#include <iomanip>
 #include <ostream>
 
 namespace lamella
@@ -80,11 +80,7 @@ namespace lamella
   {
     output_directory = directory;
     prepare_directory(directory);
-    for (const auto &body : structure->bodies())
-      out << "Body " << body->name() << ": " << body->theory() << ", "
-          << body->n_dofs() << " DoFs\n";
-    out << structure->n_dofs() << " DoFs, " << gap_rows.size()
-        << " pairs that may touch" << std::endl;
+    print_bodies(out, *structure, contacts);
     {
       TimerOutput::Scope scope(timer, "assembly");
       structure->assemble();
@@ -158,11 +154,11 @@ namespace lamella
     summary.iterations.push_back(state.iterations);
     summary.free_corrections    = state.free_corrections;
     summary.contact_corrections = state.contact_corrections;
-    summary.warnings = warnings_of(state, checks, contacts);
+    summary.warnings            = warnings_of(state, checks, contacts);
     summary.warnings.insert(summary.warnings.end(),
                             scene.warnings.begin(),
                             scene.warnings.end());
-    summary.condition_estimate  = strategy->condition_estimate();
+    summary.condition_estimate = strategy->condition_estimate();
   }
 
 
@@ -215,44 +211,13 @@ namespace lamella
   {
     out << scene.title << (scene.title.empty() ? "" : "\n");
     for (const auto &[name, laminate] : scene.sections)
-      {
-        const std::vector<Ply> plies = laminate.plies(scene.materials);
-        out << "\nSection " << name << ": " << laminate.width << " x "
-            << laminate.height() << ", plies from the bottom:\n";
-        for (unsigned int i = 0; i < plies.size(); ++i)
-          out << "  " << std::setw(3) << i + 1 << "  " << std::setw(6)
-              << plies[i].angle << " deg  z " << std::setw(10)
-              << plies[i].bottom << " to " << std::setw(10) << plies[i].top
-              << "  " << plies[i].material << "\n";
-
-        const LaminateStiffness stiffness =
-          laminate_stiffness(plies, laminate.width);
-        out << "  Classical lamination theory about the mid-plane, order yy, "
-               "xx, xy (y along the beam):\n";
-        for (const auto &[letter, matrix] : {std::make_pair("A", &stiffness.A),
-                                             std::make_pair("B", &stiffness.B),
-                                             std::make_pair("D", &stiffness.D)})
-          for (unsigned int r = 0; r < 3; ++r)
-            {
-              out << "  " << (r == 0 ? letter : " ");
-              for (unsigned int c = 0; c < 3; ++c)
-                out << std::setw(14) << (*matrix)[r][c];
-              out << "\n";
-            }
-        out << "  EA " << stiffness.EA << ", EI " << stiffness.EI << ", GA "
-            << stiffness.GA
-            << "\n  (EA, EI: free to contract and twist; GA: int G_yz dA, no "
-               "shear factor)\n";
-      }
-    out << "\n";
-    for (const auto &body : structure->bodies())
-      out << "Body " << body->name() << ": " << body->theory() << ", "
-          << body->n_dofs() << " DoFs, centre " << to_text(body->centre())
-          << "\n";
-    for (const ContactInterface &contact : contacts)
-      out << "Contact " << contact.name << ": " << contact.rows.size()
-          << " pairs, " << contact.unpaired << " unpaired points, first gap "
-          << contact.rows.front().initial_gap << "\n";
+      print_laminate(out,
+                     name,
+                     laminate.plies(scene.materials),
+                     laminate.width);
+    print_bodies(out, *structure, contacts);
+    for (const std::string &warning : scene.warnings)
+      out << "Note: " << warning << ".\n";
     out << "The scene is valid; nothing was solved or written." << std::endl;
   }
 } // namespace lamella

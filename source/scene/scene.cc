@@ -272,11 +272,12 @@ namespace lamella
       for (const BodyDescription &body : bodies)
         {
           if (body.axis.degree < 3)
-            warnings.push_back("body " + body.name + ": B" +
-                               std::to_string(body.axis.degree + 1) +
-                               " elements are integrated fully and too stiff in "
-                               "bending where they are longer than the section "
-                               "is high (shear locking); use B4");
+            warnings.push_back(
+              "body " + body.name + ": B" +
+              std::to_string(body.axis.degree + 1) +
+              " elements are integrated fully and too stiff in "
+              "bending where they are longer than the section "
+              "is high (shear locking); use B4");
           if (body.degree == 1)
             warnings.push_back("body " + body.name +
                                ": LE-1 (L4) cells cannot contract linearly "

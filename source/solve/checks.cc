@@ -214,12 +214,11 @@ namespace lamella
     {
       const std::string what = "contact " + contact.name + ": ";
       if (kkt.max_penetration > large_penetration * displacement)
-        warnings.push_back(what + "bodies penetrate by " +
-                           to_text(kkt.max_penetration, 3) + ", " +
-                           to_text(100. * kkt.max_penetration / displacement,
-                                   2) +
-                           " % of the displacements; raise Penalty, or use "
-                           "auto");
+        warnings.push_back(
+          what + "bodies penetrate by " + to_text(kkt.max_penetration, 3) +
+          ", " + to_text(100. * kkt.max_penetration / displacement, 2) +
+          " % of the displacements; raise Penalty, or use "
+          "auto");
       if (contact.unpaired > 0)
         warnings.push_back(what + std::to_string(contact.unpaired) +
                            " nodes of First face no node of Second and cannot "
@@ -228,9 +227,9 @@ namespace lamella
       for (const GapRow &row : contact.rows)
         smallest = std::min(smallest, row.initial_gap);
       if (smallest < 0.)
-        warnings.push_back(what + "the bodies overlap from the start by up to " +
-                           to_text(-smallest, 3) +
-                           " and are pushed apart");
+        warnings.push_back(what +
+                           "the bodies overlap from the start by up to " +
+                           to_text(-smallest, 3) + " and are pushed apart");
     }
   } // namespace
 
