@@ -82,6 +82,9 @@ main(int argc, char **argv)
     {
       skip_network_search();
       dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+      if (dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD) > 1)
+        throw InputError("this version runs on one process; start it without "
+                         "mpirun.");
       run(CommandLine::parse({argv + 1, argv + argc}));
     }
   catch (const InputError &error)
@@ -92,6 +95,13 @@ main(int argc, char **argv)
   catch (const NumericsError &error)
     {
       std::cerr << "lamella: " << error.what() << std::endl;
+      return 2;
+    }
+  catch (const std::bad_alloc &)
+    {
+      std::cerr << "lamella: the scene does not fit in memory. Use a coarser "
+                   "mesh or a lower order."
+                << std::endl;
       return 2;
     }
   catch (const std::exception &error)

@@ -157,9 +157,13 @@ namespace lamella
     for (unsigned int cell = 0; cell < n_cells(); ++cell)
       {
         const auto [begin, end] = cell_bounds[cell];
-        if (y >= begin - tolerance && y <= end + tolerance)
-          found.emplace_back(
-            cell, std::min(1., std::max(0., (y - begin) / (end - begin))));
+        // An end of the element is one exactly.
+        if (std::abs(y - begin) <= tolerance)
+          found.emplace_back(cell, 0.);
+        else if (std::abs(y - end) <= tolerance)
+          found.emplace_back(cell, 1.);
+        else if (y > begin && y < end)
+          found.emplace_back(cell, (y - begin) / (end - begin));
       }
     return found;
   }
@@ -169,7 +173,12 @@ namespace lamella
   std::pair<unsigned int, double>
   Axis::place_of_node(const unsigned int node) const
   {
-    return locate(node_positions[node], 1e-10 * length()).front();
+    for (unsigned int cell = 0; cell < n_cells(); ++cell)
+      for (unsigned int i = 0; i < cell_nodes[cell].size(); ++i)
+        if (cell_nodes[cell][i] == node)
+          return {cell, fe.unit_support_point(i)[0]};
+    Assert(false, ExcMessage("There is no such node."));
+    return {};
   }
 
 

@@ -76,9 +76,8 @@ namespace lamella
     const std::string entry = what + "/Axis elements = " + elements;
     for (const double n : to_numbers(elements, entry))
       {
-        if (!(n >= 1. && n <= 1e6 && n == std::floor(n)))
-          throw InputError(entry +
-                           ": must be whole numbers from 1 to 1000000.");
+        if (!(n >= 1. && n <= 1e5 && n == std::floor(n)))
+          throw InputError(entry + ": must be whole numbers from 1 to 100000.");
         mesh.elements.push_back(static_cast<unsigned int>(n));
       }
     if (mesh.elements.size() != mesh.breaks.size() + 1)

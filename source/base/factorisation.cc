@@ -6,6 +6,7 @@
 #include <cholmod.h>
 
 #include <cstring>
+#include <new>
 
 namespace lamella
 {
@@ -64,6 +65,8 @@ namespace lamella
 
       cholmod_sparse *A = cholmod_l_allocate_sparse(
         n, n, count, true, true, -1, CHOLMOD_REAL, &common);
+      if (A == nullptr)
+        throw std::bad_alloc();
       auto *const start = static_cast<SuiteSparse_long *>(A->p);
       auto *const rows  = static_cast<SuiteSparse_long *>(A->i);
       auto *const x     = static_cast<double *>(A->x);
@@ -97,13 +100,17 @@ namespace lamella
 
       cholmod_sparse *A = lower_triangle(matrix, common);
       factor            = cholmod_l_analyze(A, &common);
+      if (factor == nullptr)
+        throw std::bad_alloc();
       cholmod_l_factorize(A, factor, &common);
       reciprocal_condition = cholmod_l_rcond(factor, &common);
       cholmod_l_free_sparse(&A, &common);
 
-      const std::size_t minor     = factor->minor;
-      const int         status    = common.status;
-      const bool        succeeded = status == CHOLMOD_OK && minor == matrix.m();
+      const std::size_t minor  = factor->minor;
+      const int         status = common.status;
+      // The condition is no number where the matrix holds one that is none.
+      const bool succeeded = status == CHOLMOD_OK && minor == matrix.m() &&
+                             reciprocal_condition > 0.;
       if (!succeeded)
         {
           cholmod_l_free_factor(&factor, &common);

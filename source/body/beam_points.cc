@@ -69,12 +69,16 @@ namespace lamella
     for (const Location &where : locations)
       {
         // Body axes to those asked for, and for stresses the elasticity.
-        const Ply    &ply      = beam_section->plies()[where.ply];
-        ElasticTensor to_frame = frame == Frame::scene ?
-                                   placement.strain_to_scene() :
-                                   strain_rotation(ply.axes());
+        const Triad axes = beam_section->plies()[where.ply].axes();
+        const Triad to_axes =
+          frame == Frame::scene ? transpose(placement.axes) : axes;
+        ElasticTensor to_frame = strain_rotation(to_axes);
         if (quantity == Quantity::stress)
-          to_frame = transpose(invert(to_frame)) * ply.stiffness();
+          // sigma' = T^-T sigma, and T^-1 is the strain rotation of the way
+          // back.
+          to_frame = transpose(strain_rotation(transpose(to_axes))) *
+                     beam_section->elasticity(where.places[0].cell %
+                                              beam_section->n_cells());
 
         std::vector<Row> rows(n);
         for (const Location::Place &place : where.places)
@@ -200,10 +204,11 @@ namespace lamella
       }
 
     const std::vector<double> weights = beam_axis->node_weights();
+    const auto around = beam_section->element().edge_points(surface);
     for (unsigned int node = 0; node < beam_axis->n_nodes(); ++node)
       {
         const auto [cell, eta] = beam_axis->place_of_node(node);
-        for (const EdgePoint &p : beam_section->element().edge_points(surface))
+        for (const EdgePoint &p : around)
           points.push_back(lateral_point(p, weights[node], cell, eta));
       }
     return points;
@@ -211,14 +216,24 @@ namespace lamella
 
 
 
-  std::vector<Point<3>>
+  std::vector<Location>
   Beam::body_points() const
   {
-    std::vector<Point<3>> points;
-    for (const double y : beam_axis->nodes())
-      for (const EdgePoint &p : beam_section->element().section_points())
-        points.push_back(placement.to_scene({p.position[0], y, p.position[1]}));
-    return points;
+    const auto            in_section = beam_section->element().section_points();
+    std::vector<Location> locations;
+    for (unsigned int node = 0; node < beam_axis->n_nodes(); ++node)
+      {
+        const auto [cell, eta] = beam_axis->place_of_node(node);
+        for (const EdgePoint &p : in_section)
+          locations.push_back(location(
+            placement.to_scene(
+              {p.position[0], beam_axis->nodes()[node], p.position[1]}),
+            cell,
+            eta,
+            p.cell,
+            p.unit));
+      }
+    return locations;
   }
 
 
@@ -328,6 +343,19 @@ namespace lamella
         inside.push_back(t);
     inside.back() = 1.;
     return inside;
+  }
+
+
+
+  unsigned int
+  Beam::line_degree(const Point<3> &from, const Point<3> &to) const
+  {
+    const Tensor<1, 3> d         = placement.vector_to_body(to - from);
+    const double       tolerance = 1e-10 * d.norm();
+    const unsigned int p         = beam_section->element().degree();
+    return (std::abs(d[0]) > tolerance ? p : 0) +
+           (std::abs(d[1]) > tolerance ? beam_axis->degree() : 0) +
+           (std::abs(d[2]) > tolerance ? p : 0);
   }
 
 

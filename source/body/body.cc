@@ -21,7 +21,7 @@ namespace lamella
   std::vector<Point<3>>
   Body::line_points(const Point<3> &a, const Point<3> &b) const
   {
-    const QGaussLobatto<1>    nodes(degree() + 1);
+    const QGaussLobatto<1>    nodes(line_degree(a, b) + 1);
     const std::vector<double> breaks = line_breaks(a, b);
     std::vector<Point<3>>     points;
     for (unsigned int k = 0; k + 1 < breaks.size(); ++k)
@@ -38,7 +38,7 @@ namespace lamella
   Body::line_quadrature(const Point<3> &a, const Point<3> &b) const
   {
     // Two points more than the trace needs, for loads that vary.
-    const QGauss<1>                          quadrature(degree() + 3);
+    const QGauss<1>                          quadrature(line_degree(a, b) + 3);
     const std::vector<double>                breaks = line_breaks(a, b);
     std::vector<std::pair<Point<3>, double>> points;
     for (unsigned int k = 0; k + 1 < breaks.size(); ++k)
@@ -58,7 +58,6 @@ namespace lamella
   {
     factor.reset();
     matrix.clear();
-    body_constraints = &constraints;
     assemble_stiffness(constraints, sparsity, matrix);
     constraints.condense(matrix);
   }
@@ -68,7 +67,7 @@ namespace lamella
   void
   Body::factorise()
   {
-    Assert(body_constraints != nullptr, ExcMessage("Call assemble() first."));
+    Assert(matrix.m() > 0, ExcMessage("Call assemble() first."));
     factor = lamella::factorise(matrix, "body '" + name() + "'");
   }
 
@@ -77,17 +76,8 @@ namespace lamella
   const Matrix &
   Body::stiffness() const
   {
-    Assert(body_constraints != nullptr, ExcMessage("Call assemble() first."));
+    Assert(matrix.m() > 0, ExcMessage("Call assemble() first."));
     return matrix;
-  }
-
-
-
-  const Constraints &
-  Body::constraints() const
-  {
-    Assert(body_constraints != nullptr, ExcMessage("Call assemble() first."));
-    return *body_constraints;
   }
 
 

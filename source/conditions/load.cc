@@ -7,7 +7,10 @@
 #include <deal.II/base/exceptions.h>
 #include <deal.II/base/function_parser.h>
 
+#include <cmath>
 #include <deque>
+#include <iostream>
+#include <sstream>
 
 namespace lamella
 {
@@ -20,6 +23,8 @@ namespace lamella
     {
     public:
       Expression(const std::string &expression, const std::string &what)
+        : text(expression)
+        , what(what)
       {
         const auto fail = [&](const std::string &why) {
           throw InputError(what + ": '" + expression +
@@ -27,6 +32,15 @@ namespace lamella
                            ". Write it as for muParser, as in "
                            "-1000*sin(pi*y/2).");
         };
+        // A comma outside of a function would make muParser take what follows.
+        if (split(expression, ',').size() != 1)
+          fail(" (a decimal point is '.')");
+        // deal.II prints what muParser says before it throws; one message is
+        // enough.
+        std::ostringstream    discarded;
+        std::streambuf *const standard_error =
+          std::cerr.rdbuf(discarded.rdbuf());
+        bool parses = true;
         try
           {
             parser.initialize("x,y,z",
@@ -38,18 +52,27 @@ namespace lamella
           }
         catch (const ExceptionBase &)
           {
-            fail("");
+            parses = false;
           }
+        std::cerr.rdbuf(standard_error);
+        if (!parses)
+          fail("");
       }
 
       double
       operator()(const Point<3> &x) const
       {
-        return parser.value(x);
+        const double value = parser.value(x);
+        if (!std::isfinite(value))
+          throw InputError(what + ": '" + text +
+                           "' is not a finite number at " + to_text(x) +
+                           ". Change the expression or where it applies.");
+        return value;
       }
 
     private:
       FunctionParser<3> parser;
+      std::string       text, what;
     };
 
 

@@ -45,6 +45,9 @@ namespace lamella
     std::vector<Region> regions;
     for (const std::string &piece : split(on, ';'))
       {
+        // A semicolon at the end is no fault.
+        if (piece.empty())
+          continue;
         const auto [body, word] = parse_on_body(piece, bodies, what + "/On");
         Region region;
         region.body = body;

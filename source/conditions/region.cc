@@ -47,26 +47,30 @@ namespace lamella
 
 
 
-  std::vector<Point<3>>
-  region_points(const Body &body, const Region &region, const std::string &what)
+  std::vector<Location>
+  region_locations(const Body        &body,
+                   const Region      &region,
+                   const std::string &what)
   {
     switch (region.kind)
       {
         case Region::Kind::point:
-          return region.at;
+          return locate_all(body, region.at, what);
         case Region::Kind::line:
           // The ends first: a segment that leaves the body has no crossings.
           locate_all(body, region.at, what);
-          return body.line_points(region.at[0], region.at[1]);
+          return locate_all(body,
+                            body.line_points(region.at[0], region.at[1]),
+                            what);
         case Region::Kind::body:
           return body.body_points();
         case Region::Kind::surface:
           {
             check_surface(body, region.surface, what);
-            std::vector<Point<3>> points;
+            std::vector<Location> locations;
             for (const SurfacePoint &p : body.surface_points(region.surface))
-              points.push_back(p.position);
-            return points;
+              locations.push_back(p.location);
+            return locations;
           }
         default:
           Assert(false, ExcMessage("The region was never filled in."));

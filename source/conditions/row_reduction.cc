@@ -8,6 +8,7 @@
 
 #include <map>
 #include <numeric>
+#include <set>
 
 namespace lamella
 {
@@ -115,23 +116,26 @@ namespace lamella
 
 
 
-    /// The equation to eliminate @p dof with, or null if none has an entry
-    /// above @p threshold.
-    template <typename Equations>
-    auto *
-    find_pivot(Equations &equations, const DofIndex dof, const double threshold)
+    /// The one of @p equations, all with an entry of @p dof, to eliminate it
+    /// with; null if none is above @p threshold.
+    template <typename Equation>
+    Equation *
+    find_pivot(const std::vector<Equation *> &equations,
+               const DofIndex                 dof,
+               const double                   threshold)
     {
       double largest = threshold;
-      for (const auto &equation : equations)
-        if (equation.pivot == numbers::invalid_dof_index)
-          largest = std::max(largest, std::abs(equation.entry(dof)));
-      typename Equations::value_type *best = nullptr;
-      for (auto &equation : equations)
-        if (equation.pivot == numbers::invalid_dof_index &&
-            std::abs(equation.entry(dof)) >= 0.1 * largest &&
-            std::abs(equation.entry(dof)) > threshold &&
-            (best == nullptr || equation.entries.size() < best->entries.size()))
-          best = &equation;
+      for (const Equation *equation : equations)
+        if (equation->pivot == numbers::invalid_dof_index)
+          largest = std::max(largest, std::abs(equation->entry(dof)));
+      Equation *best = nullptr;
+      for (Equation *equation : equations)
+        if (equation->pivot == numbers::invalid_dof_index &&
+            std::abs(equation->entry(dof)) >= 0.1 * largest &&
+            std::abs(equation->entry(dof)) > threshold &&
+            (best == nullptr ||
+             equation->entries.size() < best->entries.size()))
+          best = equation;
       return best;
     }
   } // namespace
@@ -154,10 +158,18 @@ namespace lamella
           equations.back().entries.emplace(dof, weight);
       }
 
+    // Which equations have an entry of a DoF, or once had.
+    std::map<DofIndex, std::set<Equation *>> users;
+    for (Equation &equation : equations)
+      for (const auto &[dof, weight] : equation.entries)
+        users[dof].insert(&equation);
+
     Group eliminated;
     for (const auto &[dof, scale] : ordered_columns(body, equations))
       {
-        Equation *pivot = find_pivot(equations, dof, rank_tolerance * scale);
+        const std::vector<Equation *> with_dof(users[dof].begin(),
+                                               users[dof].end());
+        Equation *pivot = find_pivot(with_dof, dof, rank_tolerance * scale);
         if (pivot == nullptr)
           continue;
         pivot->pivot          = dof;
@@ -165,11 +177,13 @@ namespace lamella
         for (auto &[other, weight] : pivot->entries)
           weight /= diagonal;
         pivot->value /= diagonal;
-        for (Equation &equation : equations)
-          if (&equation != pivot && equation.entry(dof) != 0.)
+        for (Equation *equation : with_dof)
+          if (equation != pivot && equation->entry(dof) != 0.)
             {
-              equation.subtract(*pivot, equation.entry(dof));
-              equation.entries.erase(dof);
+              equation->subtract(*pivot, equation->entry(dof));
+              equation->entries.erase(dof);
+              for (const auto &[other, weight] : pivot->entries)
+                users[other].insert(equation);
             }
         eliminated.rows.push_back(pivot->number);
         eliminated.pivots.push_back(dof);

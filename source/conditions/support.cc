@@ -16,24 +16,25 @@ namespace lamella
     for (unsigned int s = 0; s < supports.size(); ++s)
       for (const Region &region : supports[s].on)
         {
-          const std::string what   = "Support " + supports[s].name;
-          const Body       &body   = *bodies[region.body];
-          const auto        points = region_points(body, region, what);
-          auto              all =
-            body.rows(locate_all(body, points, what), Quantity::displacement);
-          // A node's place comes out of its position, with rounding: without
-          // what that leaves at other nodes the rows of a node stay its own.
+          const std::string           what = "Support " + supports[s].name;
+          const Body                 &body = *bodies[region.body];
+          const std::vector<Location> places =
+            region_locations(body, region, what);
+          auto all = body.rows(places, Quantity::displacement);
+          // The place of a given point comes out of its position, with
+          // rounding: without what that leaves at other nodes the rows of a
+          // node stay its own.
           for (std::vector<Row> &components : all)
             for (Row &row : components)
               row.drop_below(1e-11);
-          for (unsigned int i = 0; i < points.size(); ++i)
+          for (unsigned int i = 0; i < places.size(); ++i)
             for (unsigned int c = 0; c < 3; ++c)
               if (supports[s].u[c])
                 rows.push_back({{region.body, all[i][c]},
                                 *supports[s].u[c],
                                 s,
                                 c,
-                                points[i]});
+                                places[i].position});
         }
     return rows;
   }

@@ -49,6 +49,28 @@ namespace lamella
                   "look at each other, and give both the same nodes (cells "
                   "across, axis elements, axis nodes).");
     }
+
+
+
+    /// Surfaces that lie behind each other by more than the cells below them
+    /// are deep do not look at each other: they are swapped or misnamed.
+    void
+    check_not_passed(const ContactPair               &contact,
+                     const Pairing                   &pairing,
+                     const std::vector<SurfacePoint> &first,
+                     const std::vector<SurfacePoint> &second)
+    {
+      for (const PointPair &pair : pairing.pairs)
+        if (-pair.initial_gap >
+            std::min(first[pair.first].depth, second[pair.second].depth))
+          throw InputError(
+            "Contact " + contact.name + ": the surface '" +
+            contact.first.surface + "' of First lies " +
+            to_text(-pair.initial_gap) + " behind '" + contact.second.surface +
+            "' of Second, at " + to_text(first[pair.first].position) +
+            ". Name the two surfaces that look at each other, or move the "
+            "bodies apart.");
+    }
   } // namespace
 
 
@@ -56,6 +78,11 @@ namespace lamella
   ContactInterface
   make_interface(const ContactPair &contact, const Bodies &bodies)
   {
+    // The one pairing and the one law that there are so far.
+    Assert(contact.discretisation == Discretisation::node_to_node,
+           ExcNotImplemented());
+    Assert(contact.enforcement == Enforcement::penalty, ExcNotImplemented());
+
     const Body &first  = *bodies[contact.first.body];
     const Body &second = *bodies[contact.second.body];
     check_surface(first, contact.first.surface, "Contact " + contact.name);
@@ -75,6 +102,8 @@ namespace lamella
       }
     const auto rows_1 = first.rows(locations_1, Quantity::displacement);
     const auto rows_2 = second.rows(locations_2, Quantity::displacement);
+
+    check_not_passed(contact, pairing, points_1, points_2);
 
     ContactInterface interface;
     interface.name        = contact.name;

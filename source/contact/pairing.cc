@@ -30,10 +30,13 @@ namespace lamella
         bool paired = false;
         for (const unsigned int j : search.nearest(first[i].position, 3))
           {
-            const Tensor<1, 3> &n      = first[i].normal;
-            const Tensor<1, 3>  d      = second[j].position - first[i].position;
-            const double        gap    = d * n;
-            const double        offset = (d - gap * n).norm();
+            const Tensor<1, 3> &n = first[i].normal;
+            const Tensor<1, 3>  d = second[j].position - first[i].position;
+            // Bodies that touch have a gap of rounding only.
+            const double rounding =
+              1e-14 * (first[i].position.norm() + second[j].position.norm());
+            const double gap    = std::abs(d * n) < rounding ? 0. : d * n;
+            const double offset = (d - gap * n).norm();
             result.nearest_distance =
               std::min(result.nearest_distance, d.norm());
             const bool opposed = n * second[j].normal < -0.5;

@@ -31,6 +31,9 @@ namespace lamella
   std::vector<double>
   parse_layup(const std::string &code, const std::string &what)
   {
+    if (code.size() > 1000)
+      throw InputError(what + " is longer than 1000 characters. Use brackets "
+                              "and a repetition, as in [0/90]50s.");
     // A bracket, what it holds, and what follows it; or no bracket at all.
     static const std::regex form(
       R"(\s*(\[?)([^\[\]]*)(\]?)\s*([0-9]*)(s?)\s*)");

@@ -63,6 +63,10 @@ namespace lamella
         try
           {
             constants = library_material(library, units);
+            if (units.stress.empty() && library != "hertz-200")
+              throw InputError("Library = " + library +
+                               ": its constants have units, but Units is none. "
+                               "Set Units = m, N or mm, N.");
           }
         catch (const InputError &error)
           {

@@ -62,13 +62,15 @@ namespace lamella
     unsigned int
     parse_samples(const ParameterHandler &prm,
                   const unsigned int      least,
+                  const unsigned int      most,
                   const std::string      &what)
     {
       const double n = to_number(prm.get("Samples"), what + "/Samples");
-      if (!(n >= least && n <= 1e6 && n == std::floor(n)))
+      if (!(n >= least && n <= most && n == std::floor(n)))
         throw InputError(what + "/Samples = " + prm.get("Samples") +
                          ": must be a whole number from " +
-                         std::to_string(least) + ".");
+                         std::to_string(least) + " to " + std::to_string(most) +
+                         ".");
       return static_cast<unsigned int>(n);
     }
   } // namespace
@@ -133,7 +135,7 @@ namespace lamella
       throw InputError(what + ": From and To must be on the same body.");
     if (from.distance(to) == 0.)
       throw InputError(what + ": From and To are the same point.");
-    return {name, first, from, to, parse_samples(prm, 2, what)};
+    return {name, first, from, to, parse_samples(prm, 2, 100000, what)};
   }
 
 
@@ -164,6 +166,6 @@ namespace lamella
     return {name,
             body,
             to_number(text, what + "/At"),
-            parse_samples(prm, 1, what)};
+            parse_samples(prm, 1, 100, what)};
   }
 } // namespace lamella

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <lamella/base/exceptions.h>
 #include <lamella/report/summary.h>
 
 #include <deal.II/base/utilities.h>
@@ -48,6 +49,7 @@ namespace lamella
               {"max_penetration", kkt.max_penetration},
               {"min_force", kkt.min_force},
               {"complementarity", kkt.complementarity},
+              {"law_error", kkt.law_error},
               {"initial_gap_min", smallest},
               {"initial_gap_max", largest}};
     }
@@ -89,6 +91,7 @@ namespace lamella
     json["max_rotation"]        = summary.checks.max_rotation;
     json["energy"]              = summary.checks.energy;
     json["external_work"]       = summary.checks.external_work;
+    json["energy_balance"]      = summary.checks.energy_balance;
     json["condition_estimate"]  = summary.condition_estimate;
     json["free_corrections"]    = summary.free_corrections;
     json["contact_corrections"] = summary.contact_corrections;
@@ -97,5 +100,9 @@ namespace lamella
 
     std::ofstream file(directory + "/summary.json");
     file << json.dump(2) << "\n";
+    file.close();
+    if (!file)
+      throw InputError("Cannot write " + directory +
+                       "/summary.json. Is the disk full?");
   }
 } // namespace lamella

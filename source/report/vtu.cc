@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <lamella/base/exceptions.h>
 #include <lamella/report/fields_table.h>
 #include <lamella/report/vtu.h>
 
@@ -128,6 +129,10 @@ namespace lamella
       "solution_" + Utilities::int_to_string(step, 4) + ".vtu";
     std::ofstream file(directory + "/" + name);
     output.write_vtu(file);
+    file.close();
+    if (!file)
+      throw InputError("Cannot write " + directory + "/" + name +
+                       ". Is the disk full?");
     return name;
   }
 
@@ -137,6 +142,8 @@ namespace lamella
   write_pvd(const std::string                                 &directory,
             const std::vector<std::pair<double, std::string>> &files)
   {
+    if (files.empty())
+      return;
     std::ofstream file(directory + "/solution.pvd");
     DataOutBase::write_pvd_record(file, files);
   }

@@ -42,6 +42,7 @@ namespace lamella
     for (const Support &support : scene.supports)
       summary.support_names.push_back(support.name);
     summary.title     = scene.title;
+    summary.warnings  = scene.warnings;
     summary.units     = scene.units;
     summary.structure = structure.get();
     summary.contacts  = &contacts;
@@ -57,11 +58,13 @@ namespace lamella
 
   namespace
   {
-    /// Creates @p directory and makes sure that files can be written there.
-    void
+    /// Creates @p directory where there is none, which it returns, and makes
+    /// sure that files can be written there.
+    bool
     prepare_directory(const std::string &directory)
     {
       std::error_code error;
+      const bool      is_new = !std::filesystem::exists(directory, error);
       std::filesystem::create_directories(directory, error);
       const std::string trial = directory + "/.lamella";
       const bool writes       = !error && std::ofstream(trial).put('\n').good();
@@ -70,6 +73,7 @@ namespace lamella
         throw InputError("--output " + directory +
                          ": results cannot be written there. Name a folder "
                          "that can be created and written.");
+      return is_new;
     }
   } // namespace
 
@@ -78,8 +82,8 @@ namespace lamella
   void
   Simulation::run(const std::string &directory)
   {
-    output_directory = directory;
-    prepare_directory(directory);
+    output_directory  = directory;
+    created_directory = prepare_directory(directory);
     print_bodies(out, *structure, contacts);
     {
       TimerOutput::Scope scope(timer, "assembly");
@@ -125,16 +129,13 @@ namespace lamella
   {
     out << "Load step " << step << " of " << scene.solve.load_factors.size()
         << ", load factor " << factor << std::endl;
+    const std::vector<unsigned int> start = state.active;
     {
-      TimerOutput::Scope              scope(timer, "solve");
-      const std::vector<unsigned int> last_active = state.active;
-      state                                       = newton->solve_free(factor);
-      state.active                                = last_active;
+      TimerOutput::Scope scope(timer, "solve");
+      state = newton->solve_free(factor);
     }
     {
-      TimerOutput::Scope              scope(timer, "contact");
-      const std::vector<unsigned int> start = std::move(state.active);
-      state.active.clear();
+      TimerOutput::Scope scope(timer, "contact");
       if (!gap_rows.empty())
         state = newton->solve_contact(state, factor, start);
     }
@@ -149,15 +150,16 @@ namespace lamella
     recorder->record(step, factor, state, checks);
     if (scene.write_vtu)
       vtu_files.emplace_back(
-        factor, write_vtu(output_directory, step, factor, *structure, state.u));
+        step, write_vtu(output_directory, step, factor, *structure, state.u));
     summary.checks = checks;
     summary.iterations.push_back(state.iterations);
     summary.free_corrections    = state.free_corrections;
     summary.contact_corrections = state.contact_corrections;
-    summary.warnings            = warnings_of(state, checks, contacts);
-    summary.warnings.insert(summary.warnings.end(),
-                            scene.warnings.begin(),
-                            scene.warnings.end());
+    for (const std::string &warning : warnings_of(state, checks, contacts))
+      summary.warnings.push_back((scene.solve.load_factors.size() > 1 ?
+                                    "load step " + std::to_string(step) + ": " :
+                                    "") +
+                                 warning);
     summary.condition_estimate = strategy->condition_estimate();
   }
 
@@ -170,14 +172,17 @@ namespace lamella
       {
         // Nothing was solved, so nothing is left behind.
         std::error_code error;
-        std::filesystem::remove(directory, error);
+        if (created_directory)
+          std::filesystem::remove(directory, error);
         return;
       }
     {
       TimerOutput::Scope scope(timer, "output");
       recorder->write(directory);
       write_pvd(directory, vtu_files);
-      std::ofstream(directory + "/scene.prm") << scene.resolved;
+      if (!(std::ofstream(directory + "/scene.prm") << scene.resolved))
+        throw InputError("Cannot write into " + directory +
+                         ". Is the disk full?");
     }
     for (const char *phase :
          {"setup", "assembly", "factorisation", "solve", "contact", "output"})
@@ -198,6 +203,9 @@ namespace lamella
       resultants.push_back({"contact " + contacts[k].name,
                             summary.checks.contacts[k].force,
                             scene.contact_references.at(contacts[k].name)});
+    if (scene.solve.load_factors.size() > 1)
+      out << "\nOf load step " << summary.iterations.size() << ", load factor "
+          << scene.solve.load_factors[summary.iterations.size() - 1] << ":";
     print_comparison(out, scene.probes, *recorder, resultants);
     print_summary(out, summary);
     out << "\nResults are in " << directory

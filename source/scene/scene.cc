@@ -264,6 +264,27 @@ namespace lamella
 
 
 
+    /// Throws InputError if the last of @p contacts pairs the same surfaces as
+    /// another: their penalties would add up.
+    void
+    check_contact_is_new(const std::vector<ContactPair> &contacts)
+    {
+      const auto same = [](const Region &a, const Region &b) {
+        return a.body == b.body && a.surface == b.surface;
+      };
+      const ContactPair &last = contacts.back();
+      for (auto other = contacts.begin(); other + 1 != contacts.end(); ++other)
+        if ((same(other->first, last.first) &&
+             same(other->second, last.second)) ||
+            (same(other->first, last.second) &&
+             same(other->second, last.first)))
+          throw InputError("Contact " + last.name +
+                           ": pairs the same surfaces as Contact " +
+                           other->name + ". Keep one of the two.");
+    }
+
+
+
     /// What low orders get wrong, in words.
     std::vector<std::string>
     warnings_of_orders(const std::vector<BodyDescription> &bodies)
@@ -337,6 +358,7 @@ namespace lamella
       for (const std::string &name : names.at("Contacts"))
         in("Contact " + name, [&](const std::string &what) {
           scene.contacts.push_back(parse_contact(prm, name, bodies));
+          check_contact_is_new(scene.contacts);
           scene.contact_references[name] =
             parse_references(prm.get("References"), resultant, what);
         });

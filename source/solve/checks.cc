@@ -20,8 +20,11 @@ namespace lamella
     constexpr double lost_digits = 1e-7;
     // Of the displacements; a penalty this soft changes the answer.
     constexpr double large_penetration = 1e-3;
-    // What a trusted result may be off by.
+    // What displacements and gaps of a trusted result may be off by.
     constexpr double sound = 1e-6;
+    // Forces come out of displacements that are held in doubles, which leaves
+    // about eps (L/h)^2 of them: tolerable, but to be told.
+    constexpr double tolerable = 1e-3, worth_telling = 1e-7;
 
 
 
@@ -86,14 +89,18 @@ namespace lamella
           const double lambda = force[first_row + k];
           const double g      = contact.rows[k].gap(u);
           kkt.max_penetration = std::max(kkt.max_penetration, -g);
+          kkt.law_error =
+            std::max(kkt.law_error,
+                     lambda == 0. ?
+                       -g :
+                       std::abs(g + lambda / contact.rows[k].penalty));
+          kkt.complementarity =
+            std::max(kkt.complementarity, std::max(g, 0.) * std::abs(lambda));
           if (lambda != 0.)
             {
               ++kkt.active;
               kkt.force += lambda * contact.points[k].normal;
               kkt.min_force = std::min(kkt.min_force, lambda);
-              if (g > 0. || lambda < 0.)
-                kkt.complementarity =
-                  std::max(kkt.complementarity, std::abs(lambda * g));
             }
         }
       if (kkt.active == 0)
@@ -134,9 +141,8 @@ namespace lamella
     BlockVector reaction = r;
     reaction *= -1.;
     checks.external_work =
-      add_reactions(structure, reaction, factor, checks, on_body);
-    checks.external_work += 0.5 * factor * (structure.load() * state.u) +
-                            0.5 * (contact_load * state.u);
+      add_reactions(structure, reaction, factor, checks, on_body) +
+      0.5 * factor * (structure.load() * state.u);
 
     double internal = 0.;
     for (unsigned int b = 0; b < structure.bodies().size(); ++b)
@@ -147,10 +153,14 @@ namespace lamella
         for (unsigned int c = 0; c < 3; ++c)
           load[c] = factor * (structure.load().block(b) * rigid[c]);
         on_body[b].add(load);
-        if (on_body[b].largest > 0.)
+        // What is not a number must not be lost in a maximum.
+        const double unbalanced = on_body[b].sum.norm();
+        if (unbalanced != 0.)
           checks.force_balance =
-            std::max(checks.force_balance,
-                     on_body[b].sum.norm() / on_body[b].largest);
+            unbalanced / on_body[b].largest > checks.force_balance ||
+                !std::isfinite(unbalanced) ?
+              unbalanced / on_body[b].largest :
+              checks.force_balance;
 
         const Deformation deformation = body.deformation(state.u.block(b));
         checks.energy += deformation.energy;
@@ -161,7 +171,13 @@ namespace lamella
         internal = std::max(internal, forces.linfty_norm());
       }
     structure.condense(r);
-    checks.residual = internal > 0. ? r.linfty_norm() / internal : 0.;
+    checks.residual = r.l2_norm() == 0. ? 0. : r.linfty_norm() / internal;
+    const double all_work =
+      checks.external_work + 0.5 * (contact_load * state.u);
+    const double size =
+      std::max(std::abs(checks.energy), std::abs(checks.external_work));
+    checks.energy_balance =
+      size == 0. ? 0. : std::abs(checks.energy - all_work) / size;
     return checks;
   }
 
@@ -183,17 +199,32 @@ namespace lamella
         to_text(left, 3) +
         " of the displacements. The scene is beyond what double precision "
         "holds: less slender bodies or less different stiffnesses are needed.");
-    if (!(checks.force_balance < sound))
-      throw NumericsError(
-        "The forces do not balance: " + to_text(checks.force_balance, 3) +
-        " of the largest force is left over. The scene is "
-        "beyond what double precision holds.");
+    for (const auto &[what, error] :
+         {std::make_pair("forces on a body do not balance",
+                         checks.force_balance),
+          std::make_pair("unbalanced forces do not vanish", checks.residual),
+          std::make_pair("strain energy is not the work done",
+                         checks.energy_balance)})
+      if (!(error < tolerable))
+        throw NumericsError("The " + std::string(what) +
+                            ": the relative error "
+                            "is " +
+                            to_text(error, 3) +
+                            ". The scene is beyond what double precision "
+                            "holds: make bodies less slender, or stiffnesses "
+                            "and penalties less different.");
     for (const KuhnTucker &contact : checks.contacts)
-      if (contact.min_force < 0.)
-        throw NumericsError("A contact pulls (force " +
-                            to_text(contact.min_force) +
-                            "): the active set is wrong. Use smaller load "
-                            "steps.");
+      if (contact.min_force < 0. ||
+          !(contact.law_error <= sound * state.u.linfty_norm()))
+        throw NumericsError(
+          "The contact conditions do not hold: the smallest force is " +
+          to_text(contact.min_force) +
+          ", and gaps miss the contact law by up to " +
+          to_text(contact.law_error, 3) +
+          ". Try the condensed strategy or a softer penalty.");
+    if (!std::isfinite(checks.max_rotation) || !std::isfinite(checks.energy))
+      throw NumericsError("The solution is not a finite number. Check the "
+                          "loads and the materials.");
     if (checks.max_rotation > rotation_limit)
       throw NumericsError(
         "Rotations reach " + to_text(checks.max_rotation, 3) +
@@ -217,8 +248,8 @@ namespace lamella
         warnings.push_back(
           what + "bodies penetrate by " + to_text(kkt.max_penetration, 3) +
           ", " + to_text(100. * kkt.max_penetration / displacement, 2) +
-          " % of the displacements; raise Penalty, or use "
-          "auto");
+          " % of the displacements: a result of the penalty as "
+          "much as of the bodies");
       if (contact.unpaired > 0)
         warnings.push_back(what + std::to_string(contact.unpaired) +
                            " nodes of First face no node of Second and cannot "
@@ -256,6 +287,13 @@ namespace lamella
         "cause); read the results as those of a linear model");
     const double first =
       state.free_corrections.empty() ? 0. : state.free_corrections.front();
+    const double forces =
+      std::max({checks.force_balance, checks.residual, checks.energy_balance});
+    if (forces > worth_telling)
+      warnings.push_back("reactions and contact forces hold to " +
+                         to_text(forces, 2) +
+                         " only (their balance, relative): bodies are very "
+                         "slender or stiffnesses very different");
     if (first > lost_digits)
       warnings.push_back(
         "the assembled matrix has lost digits (first refinement correction " +

@@ -44,6 +44,32 @@ namespace lamella
             columns[b].y.emplace_back(&block(0, k), &block(0, k) + n);
           }
       }
+
+    for (const unsigned int r : active)
+      if (place.count(r) == 0)
+        {
+          place[r] = known_rows.size();
+          known_rows.push_back(r);
+          compliance.emplace_back();
+          for (const unsigned int other : known_rows)
+            compliance.back().push_back(product(r, other));
+        }
+  }
+
+
+
+  double
+  CondensedStrategy::product(const unsigned int row_i,
+                             const unsigned int row_j) const
+  {
+    double sum = 0.;
+    for (const BodyColumns &body : columns)
+      {
+        const auto i = body.column.find(row_i), j = body.column.find(row_j);
+        if (i != body.column.end() && j != body.column.end())
+          sum += body.y[i->second] * body.y[j->second];
+      }
+    return sum;
   }
 
 
@@ -75,28 +101,32 @@ namespace lamella
       return;
 
     add_columns(active);
-    LAPACKFullMatrix<double> compliance(active.size());
+    LAPACKFullMatrix<double> system(active.size());
     for (unsigned int i = 0; i < active.size(); ++i)
       {
         const GapRow &row = rows[active[i]];
         dlambda[i]        = r_lambda[i] - row.parts[0](du) - row.parts[1](du);
         for (unsigned int j = 0; j <= i; ++j)
           {
-            double sum = i == j ? 1. / row.penalty : 0.;
-            for (const BodyColumns &body : columns)
-              {
-                const auto a = body.column.find(active[i]),
-                           b = body.column.find(active[j]);
-                if (a != body.column.end() && b != body.column.end())
-                  sum += body.y[a->second] * body.y[b->second];
-              }
-            compliance(i, j) = sum;
-            compliance(j, i) = sum;
+            const unsigned int p = place.at(active[i]), q = place.at(active[j]);
+            system(i, j) = compliance[std::max(p, q)][std::min(p, q)] +
+                           (i == j ? 1. / row.penalty : 0.);
+            system(j, i) = system(i, j);
           }
       }
-    compliance.set_property(LAPACKSupport::symmetric);
-    compliance.compute_cholesky_factorization();
-    compliance.solve(dlambda);
+    system.set_property(LAPACKSupport::symmetric);
+    try
+      {
+        system.compute_cholesky_factorization();
+      }
+    catch (const ExceptionBase &)
+      {
+        throw NumericsError(
+          "The compliance of the active contact rows is singular: rows depend "
+          "on each other, and the penalty is too hard to tell them apart. Use "
+          "a softer Penalty (auto), and name each pair of surfaces once.");
+      }
+    system.solve(dlambda);
 
     for (unsigned int b = 0; b < columns.size(); ++b)
       {

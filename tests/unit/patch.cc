@@ -140,6 +140,77 @@ BOOST_AUTO_TEST_CASE(tilted_body)
 
 
 
+BOOST_AUTO_TEST_CASE(rows_are_the_fields)
+{
+  // A row applied to u is what sample() gives at the same place, in scene and
+  // in ply axes, on a tilted body of two plies, where elements meet and inside.
+  const Placement placement =
+    Placement::from_directions({0.2, -0.1, 0.4},
+                               Point<3>(1., 2., 0.5),
+                               Point<3>(-0.3, 0.2, 1.));
+  const auto section =
+    make_section(rectangle(0.7, 0.5, {20., -50.}, 2), orthotropic, 2);
+  const Beam beam("beam", section, make_axis(1.3, 2, 3), placement);
+  Vector     u(beam.n_dofs());
+  for (unsigned int i = 0; i < u.size(); ++i)
+    u[i] = std::sin(1. + 3. * i);
+
+  for (const Point<3> &x :
+       {Point<3>(0.1, 0.3, 0.1), Point<3>(0.35, 0.65, 0.25)})
+    {
+      const auto locations = beam.locate({placement.to_scene(x)})[0];
+      BOOST_TEST(locations.size() == (x[2] == 0.25 ? 2 : 1));
+      for (const Location &where : locations)
+        {
+          const FieldSample s     = beam.sample(where, u);
+          const auto        check = [&](const Quantity quantity,
+                                 const Frame    frame,
+                                 const auto    &expected) {
+            const std::vector<Row> rows =
+              beam.rows({where}, quantity, frame)[0];
+            for (unsigned int c = 0; c < rows.size(); ++c)
+              BOOST_TEST(std::abs(rows[c](u) - expected[c]) <
+                         1e-10 * expected.norm());
+          };
+          check(Quantity::displacement, Frame::scene, s.displacement);
+          check(Quantity::strain, Frame::scene, s.strain);
+          check(Quantity::stress, Frame::scene, s.stress);
+          check(Quantity::stress, Frame::ply, s.ply_stress);
+        }
+    }
+}
+
+
+
+BOOST_AUTO_TEST_CASE(far_from_the_origin)
+{
+  // Positions carry rounding of the size of the origin; the supports of faces
+  // must not: a cantilever 1e5 of its widths away, and turned, bends alike.
+  std::vector<double> energies;
+  for (const double distance : {0., 1e5})
+    {
+      const Placement placement =
+        Placement::from_directions({distance, -0.3 * distance, distance},
+                                   Point<3>(1., 2., 0.5),
+                                   Point<3>(-0.3, 0.2, 1.));
+      Beam         beam("beam",
+                make_section(rectangle(1., 1.), orthotropic, 2),
+                make_axis(3., 2),
+                placement);
+      const Vector u =
+        solve_prescribed(beam,
+                         prescribe_on_surface(beam, [&](const Point<3> &x) {
+                           const Point<3> local = placement.to_body(x);
+                           return placement.vector_to_scene(
+                             Point<3>(0., 0., local[1] * local[1]));
+                         }));
+      energies.push_back(beam.deformation(u).energy);
+    }
+  BOOST_TEST(std::abs(energies[1] / energies[0] - 1.) < 1e-8);
+}
+
+
+
 BOOST_AUTO_TEST_CASE(rigid_motions_have_no_energy)
 {
   const Placement placement =

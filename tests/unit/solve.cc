@@ -111,7 +111,12 @@ BOOST_AUTO_TEST_CASE(two_cubes_pressure_and_penetration)
   BOOST_TEST(std::abs(checks.reactions[0][2] / -force - 1.) < 1e-10);
   BOOST_TEST(std::abs(checks.energy / (p * p / E * side * side * side) - 1.) <
              1e-10);
-  BOOST_TEST(std::abs(checks.energy / checks.external_work - 1.) < 1e-10);
+  // Half the upper face's force times its displacement; the difference to the
+  // energy is the contact's.
+  BOOST_TEST(std::abs(checks.external_work / (0.5 * force * press) - 1.) <
+             1e-10);
+  BOOST_TEST(checks.energy_balance < 1e-10);
+  BOOST_TEST(checks.contacts[0].law_error < 1e-14);
   BOOST_TEST(checks.force_balance < 1e-12);
   BOOST_TEST(checks.residual < 1e-12);
   BOOST_TEST(checks.contacts[0].complementarity == 0.);
@@ -149,6 +154,46 @@ BOOST_AUTO_TEST_CASE(an_open_gap_carries_nothing)
     check_state(*scene.structure, scene.contacts, 2, state, 1.);
   BOOST_TEST(checks.contacts[0].force.norm() == 0.);
   BOOST_TEST(checks.energy < 1e-20);
+}
+
+
+
+BOOST_AUTO_TEST_CASE(what_is_no_number_is_refused)
+{
+  TwoCubes scene(press);
+  State    state = scene.solve(Strategy::condensed);
+  Checks   good  = check_state(*scene.structure, scene.contacts, 2, state, 1.);
+  BOOST_CHECK_NO_THROW(require_sound(state, good, 1.));
+
+  // Each check on its own must be able to refuse.
+  const auto refused = [&state](const Checks &checks) {
+    BOOST_CHECK_THROW(require_sound(state, checks, 1.), NumericsError);
+  };
+  for (double Checks::*value :
+       {&Checks::force_balance, &Checks::residual, &Checks::energy_balance})
+    {
+      Checks bad = good;
+      bad.*value = 0.01;
+      refused(bad);
+      bad.*value = std::nan("");
+      refused(bad);
+    }
+  Checks pulls                = good;
+  pulls.contacts[0].min_force = -1.;
+  refused(pulls);
+  Checks lawless                = good;
+  lawless.contacts[0].law_error = 0.01 * press;
+  refused(lawless);
+  Checks turned       = good;
+  turned.max_rotation = 1.1;
+  refused(turned);
+
+  // A penetrating row that is not active is off the law.
+  State forgotten = state;
+  forgotten.force.assign(forgotten.force.size(), 0.);
+  BOOST_TEST(check_state(*scene.structure, scene.contacts, 2, forgotten, 1.)
+               .contacts[0]
+               .law_error > 1e-3);
 }
 
 

@@ -74,7 +74,7 @@ namespace lamella
     surfaces() const override;
     std::vector<SurfacePoint>
     surface_points(const std::string &surface) const override;
-    std::vector<dealii::Point<3>>
+    std::vector<Location>
     body_points() const override;
     std::vector<SurfacePoint>
     surface_quadrature(const std::string &surface) const override;
@@ -83,6 +83,9 @@ namespace lamella
                 const dealii::Point<3> &b) const override;
     unsigned int
     degree() const override;
+    unsigned int
+    line_degree(const dealii::Point<3> &a,
+                const dealii::Point<3> &b) const override;
 
     std::vector<OutputCell>
     cut(const double       position,

@@ -171,8 +171,8 @@ namespace lamella
     virtual std::vector<SurfacePoint>
     surface_points(const std::string &surface) const = 0;
 
-    /// Points that fix the displacement of the whole body.
-    virtual std::vector<dealii::Point<3>>
+    /// Locations that fix the displacement of the whole body.
+    virtual std::vector<Location>
     body_points() const = 0;
 
     /// Integration points of @p surface.
@@ -184,9 +184,15 @@ namespace lamella
     virtual std::vector<double>
     line_breaks(const dealii::Point<3> &a, const dealii::Point<3> &b) const = 0;
 
-    /// The polynomial degree of displacements along a line within an element.
+    /// The largest polynomial degree of displacements along a coordinate of an
+    /// element: for pictures.
     virtual unsigned int
     degree() const = 0;
+
+    /// The polynomial degree of displacements along the segment from @p a to
+    /// @p b within an element: on a skew line the sum of those it runs along.
+    virtual unsigned int
+    line_degree(const dealii::Point<3> &a, const dealii::Point<3> &b) const = 0;
 
     /// Points of the segment from @p a to @p b that fix the displacement there.
     std::vector<dealii::Point<3>>
@@ -208,7 +214,7 @@ namespace lamella
     /**
      * Assembles the stiffness, condensed by the homogeneous part of
      * @p constraints (constrained DoFs keep a positive diagonal and nothing
-     * else). The body refers to @p constraints from then on.
+     * else).
      */
     void
     assemble(const Constraints &constraints);
@@ -219,8 +225,6 @@ namespace lamella
 
     const Matrix &
     stiffness() const;
-    const Constraints &
-    constraints() const;
     const Factorisation &
     factorisation() const;
 
@@ -234,7 +238,6 @@ namespace lamella
 
   private:
     std::string                    body_name;
-    const Constraints             *body_constraints = nullptr;
     dealii::SparsityPattern        sparsity;
     Matrix                         matrix;
     std::unique_ptr<Factorisation> factor;

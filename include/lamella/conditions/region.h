@@ -32,14 +32,14 @@ namespace lamella
   };
 
   /**
-   * Points that fix the displacement of @p body on @p region. Throws
+   * Locations that fix the displacement of @p body on @p region. Throws
    * InputError, beginning with @p what, if a point or a line is not in the body
    * or the body has no such surface.
    */
-  std::vector<dealii::Point<3>>
-  region_points(const Body        &body,
-                const Region      &region,
-                const std::string &what);
+  std::vector<Location>
+  region_locations(const Body        &body,
+                   const Region      &region,
+                   const std::string &what);
 
   /**
    * For each point one location (either side of a ply interface: displacements

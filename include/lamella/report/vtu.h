@@ -27,7 +27,7 @@ namespace lamella
             const Structure   &structure,
             const BlockVector &u);
 
-  /// Writes solution.pvd, the collection of (load factor, file) for ParaView.
+  /// Writes solution.pvd, the collection of (load step, file) for ParaView.
   void
   write_pvd(const std::string                                 &directory,
             const std::vector<std::pair<double, std::string>> &files);

@@ -61,6 +61,7 @@ namespace lamella
     Summary                                     summary;
     std::unique_ptr<Recorder>                   recorder;
     std::string                                 output_directory;
+    bool                                        created_directory = false;
     std::vector<std::pair<double, std::string>> vtu_files;
   };
 } // namespace lamella

@@ -21,8 +21,11 @@ namespace lamella
     double max_penetration = 0.;
     /// The smallest force of an active row: not negative.
     double min_force = 0.;
-    /// The largest |lambda g| of a row that is open or in tension: zero.
+    /// The largest lambda max(0, g): zero.
     double complementarity = 0.;
+    /// The largest |g + lambda / eps| of an active row and -g of any other: how
+    /// far gaps and forces are from the law, a length.
+    double law_error = 0.;
   };
 
   /// What every load step is checked for.
@@ -35,10 +38,13 @@ namespace lamella
     double force_balance = 0.;
     /// |G^T (t f + B^T lambda - internal)| / |internal|, maximum norms.
     double residual = 0.;
-    /// Strain energy, and half the sum of all forces on bodies (loads,
-    /// reactions, contact) times their displacements: Clapeyron's theorem makes
-    /// them equal.
+    /// Strain energy, and half the sum of loads and reactions times their
+    /// displacements.
     double energy = 0., external_work = 0.;
+    /// |energy - external_work - half the contact forces times their
+    /// displacements| over the larger of the first two: zero by Clapeyron's
+    /// theorem.
+    double energy_balance = 0.;
     /// In rad, over all bodies.
     double max_rotation = 0.;
   };
@@ -52,8 +58,9 @@ namespace lamella
 
   /**
    * Throws NumericsError if the state is not to be trusted: corrections that do
-   * not become small, an unbalanced force, a tension in a contact, or a
-   * rotation above @p rotation_limit.
+   * not become small, forces, residual or energy out of balance, gaps and
+   * forces off the contact law, numbers that are none, or a rotation above
+   * @p rotation_limit.
    */
   void
   require_sound(const State  &state,

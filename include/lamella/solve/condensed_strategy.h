@@ -44,9 +44,14 @@ namespace lamella
       std::map<unsigned int, unsigned int> column;
     };
 
-    /// Computes the columns of those of @p active that have none yet.
+    /// Computes the columns of those of @p active that have none yet, and their
+    /// compliance with all others.
     void
     add_columns(const std::vector<unsigned int> &active);
+
+    /// y_i . y_j over all bodies.
+    double
+    product(const unsigned int row_i, const unsigned int row_j) const;
 
     /// K^-1 r of the unconstrained DoFs, expanded.
     BlockVector
@@ -55,6 +60,12 @@ namespace lamella
     const Structure           &structure;
     const std::vector<GapRow> &rows;
     std::vector<BodyColumns>   columns;
+
+    /// The rows that were ever active, their place in the compliance, and its
+    /// lower triangle by rows.
+    std::vector<unsigned int>            known_rows;
+    std::map<unsigned int, unsigned int> place;
+    std::vector<std::vector<double>>     compliance;
   };
 } // namespace lamella
 

@@ -42,8 +42,9 @@ namespace lamella
    * The Newton loop of one load step. Bodies are linear, so only the active set
    * is not: each iteration solves the linear problem for the current active
    * rows exactly, drops those in tension and takes in the worst of those that
-   * penetrate; it ends when nothing changes. The result is then refined against
-   * the strain-first residual.
+   * penetrate; it ends when nothing changes, also not after the result was
+   * refined against the strain-first residual. A set that comes back makes it
+   * change one row at a time from then on.
    */
   class Newton
   {
@@ -77,9 +78,18 @@ namespace lamella
     gaps(const BlockVector &u) const;
 
   private:
-    /// The active set that follows from @p state with gaps @p g.
+    /// The active set that follows from @p state with gaps @p g: rows in
+    /// tension open, at most @p at_once of those that penetrate close.
     std::vector<unsigned int>
-    next_active_set(const State &state, const std::vector<double> &g) const;
+    next_active_set(const State               &state,
+                    const std::vector<double> &g,
+                    const std::size_t          at_once) const;
+
+    /// Displacements and forces of @p state for its active rows.
+    void
+    solve_active(const State               &free,
+                 const std::vector<double> &free_gaps,
+                 State                     &state) const;
 
     /// Corrects @p state against r_u = t f + B^T lambda - integral B^T C (B u)
     /// and r_lambda = -(g + lambda / eps) until nothing is left to correct.

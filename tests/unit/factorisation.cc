@@ -1,0 +1,256 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+// The factorisation and its halves on matrices whose inverse is known by
+// formula.
+
+#include <lamella/base/exceptions.h>
+#include <lamella/base/factorisation.h>
+
+#include <deal.II/lac/dynamic_sparsity_pattern.h>
+
+#include <boost/test/unit_test.hpp>
+
+#include <cmath>
+#include <functional>
+
+using namespace lamella;
+
+namespace
+{
+  using Entry = std::function<double(unsigned int, unsigned int)>;
+
+  /// A sparse matrix of size n with a place for each entry that is not zero.
+  struct Sparse
+  {
+    Sparse(const unsigned int n, const Entry &entry)
+    {
+      dealii::DynamicSparsityPattern pattern(n);
+      for (unsigned int i = 0; i < n; ++i)
+        for (unsigned int j = 0; j < n; ++j)
+          if (i == j || entry(i, j) != 0. || entry(j, i) != 0.)
+            pattern.add(i, j);
+      sparsity.copy_from(pattern);
+      matrix.reinit(sparsity);
+      for (unsigned int i = 0; i < n; ++i)
+        for (unsigned int j = 0; j < n; ++j)
+          if (sparsity.exists(i, j))
+            matrix.set(i, j, entry(i, j));
+    }
+
+    dealii::SparsityPattern sparsity;
+    Matrix                  matrix;
+  };
+
+
+
+  // I + e e^T, whose inverse is I - e e^T / (n + 1).
+  double
+  dense(const unsigned int i, const unsigned int j)
+  {
+    return i == j ? 2. : 1.;
+  }
+
+
+
+  // {-1, 2, -1}, whose inverse is min(i, j) (n + 1 - max(i, j)) / (n + 1),
+  // counted from 1.
+  double
+  chain(const unsigned int i, const unsigned int j)
+  {
+    return i == j ? 2. : i + 1 == j || j + 1 == i ? -1. : 0.;
+  }
+
+
+
+  struct Case
+  {
+    unsigned int n;
+    Entry        entry, inverse;
+  };
+
+  std::vector<Case>
+  cases()
+  {
+    std::vector<Case> all;
+    for (const unsigned int n : {1, 2, 7, 40})
+      {
+        all.push_back({n, dense, [n](auto i, auto j) {
+                         return (i == j ? 1. : 0.) - 1. / (n + 1.);
+                       }});
+        all.push_back({n, chain, [n](auto i, auto j) {
+                         return (std::min(i, j) + 1.) * (n - std::max(i, j)) /
+                                (n + 1.);
+                       }});
+      }
+    return all;
+  }
+
+
+
+  bool
+  failure_is_named(const Sparse &sparse, const unsigned int n)
+  {
+    try
+      {
+        factorise(sparse.matrix, "body 'plank'");
+      }
+    catch (const NumericsError &error)
+      {
+        const std::string message = error.what();
+        return message.find("body 'plank'") != std::string::npos &&
+               message.find("pivot ") != std::string::npos &&
+               message.find("of " + std::to_string(n)) != std::string::npos &&
+               message.find("not positive definite") != std::string::npos;
+      }
+    return false;
+  }
+} // namespace
+
+BOOST_AUTO_TEST_SUITE(factorisation)
+
+BOOST_AUTO_TEST_CASE(solve)
+{
+  for (const Case &c : cases())
+    {
+      const Sparse A(c.n, c.entry);
+      const auto   factor = factorise(A.matrix, "the matrix");
+      for (unsigned int k = 0; k < c.n; ++k)
+        {
+          Vector x(c.n);
+          x[k] = 3.;
+          factor->solve(x);
+          for (unsigned int i = 0; i < c.n; ++i)
+            BOOST_TEST(std::abs(x[i] - 3. * c.inverse(i, k)) < 1e-12);
+        }
+    }
+}
+
+
+
+BOOST_AUTO_TEST_CASE(halves_make_the_whole)
+{
+  for (const Case &c : cases())
+    {
+      const Sparse A(c.n, c.entry);
+      const auto   factor = factorise(A.matrix, "the matrix");
+
+      // backward(forward(b)) = A^-1 b, for two columns at once.
+      Columns y(c.n, 2);
+      for (unsigned int i = 0; i < c.n; ++i)
+        {
+          y(i, 0) = 1. + i;
+          y(i, 1) = i == 0 ? 1. : 0.;
+        }
+      factor->forward(y);
+      for (unsigned int k = 0; k < 2; ++k)
+        {
+          Vector x(c.n);
+          for (unsigned int i = 0; i < c.n; ++i)
+            x[i] = y(i, k);
+          factor->backward(x);
+          for (unsigned int i = 0; i < c.n; ++i)
+            {
+              double due = 0.;
+              for (unsigned int j = 0; j < c.n; ++j)
+                due += c.inverse(i, j) * (k == 0 ? 1. + j : j == 0 ? 1. : 0.);
+              BOOST_TEST(std::abs(x[i] - due) < 1e-10);
+            }
+        }
+    }
+}
+
+
+
+BOOST_AUTO_TEST_CASE(compliance_of_rows)
+{
+  // B A^-1 B^T = Y^T Y with Y = L^-1 P B^T.
+  for (const Case &c : cases())
+    {
+      const Sparse A(c.n, c.entry);
+      const auto   factor = factorise(A.matrix, "the matrix");
+      const auto   B      = [](const unsigned int row, const unsigned int i) {
+        return std::cos(1. + row + 2. * i);
+      };
+      constexpr unsigned int rows = 3;
+      Columns                Y(c.n, rows);
+      for (unsigned int i = 0; i < c.n; ++i)
+        for (unsigned int row = 0; row < rows; ++row)
+          Y(i, row) = B(row, i);
+      factor->forward(Y);
+      for (unsigned int a = 0; a < rows; ++a)
+        for (unsigned int b = 0; b < rows; ++b)
+          {
+            double found = 0., due = 0.;
+            for (unsigned int i = 0; i < c.n; ++i)
+              {
+                found += Y(i, a) * Y(i, b);
+                for (unsigned int j = 0; j < c.n; ++j)
+                  due += B(a, i) * c.inverse(i, j) * B(b, j);
+              }
+            BOOST_TEST(std::abs(found - due) < 1e-11 * (1. + std::abs(due)));
+          }
+    }
+}
+
+
+
+BOOST_AUTO_TEST_CASE(only_the_upper_triangle_is_read)
+{
+  const Sparse A(7, [](const unsigned int i, const unsigned int j) {
+    return i > j ? 99. : dense(i, j);
+  });
+  const auto   factor = factorise(A.matrix, "the matrix");
+  Vector       x(7);
+  x[2] = 1.;
+  factor->solve(x);
+  for (unsigned int i = 0; i < 7; ++i)
+    BOOST_TEST(std::abs(x[i] - (i == 2 ? 7. / 8. : -1. / 8.)) < 1e-14);
+}
+
+
+
+BOOST_AUTO_TEST_CASE(matrices_without_a_factor)
+{
+  // One negative eigenvalue, whatever the order of the pivots.
+  BOOST_TEST(failure_is_named(Sparse(4,
+                                     [](auto i, auto j) {
+                                       return i != j ? 0. : i == 2 ? -3. : 1.;
+                                     }),
+                              4));
+  // Positive diagonal, eigenvalues 3 and -1.
+  BOOST_TEST(
+    failure_is_named(Sparse(2, [](auto i, auto j) { return i == j ? 1. : 2.; }),
+                     2));
+  // Singular: a free chain; 1 - 1 = 0 is left for the last pivot, exactly.
+  BOOST_TEST(failure_is_named(Sparse(3,
+                                     [](auto i, auto j) {
+                                       return i == j ? (i == 1 ? 2. : 1.) :
+                                                       chain(i, j);
+                                     }),
+                              3));
+  // Zero.
+  BOOST_TEST(failure_is_named(Sparse(2, [](auto, auto) { return 0.; }), 2));
+}
+
+
+
+BOOST_AUTO_TEST_CASE(condition_of_a_diagonal)
+{
+  // L = diag(1, 1e3, 10), so (1e3)^2 = 1e6, which here is the exact condition.
+  const std::vector<double> d{1., 1e6, 100.};
+  const Sparse A(3, [&d](const unsigned int i, const unsigned int j) {
+    return i == j ? d[i] : 0.;
+  });
+  const auto   factor = factorise(A.matrix, "the matrix");
+  BOOST_TEST(std::abs(factor->condition_estimate() / 1e6 - 1.) < 1e-12);
+  BOOST_TEST(factor->n_nonzero() >= 3);
+
+  // A lower estimate: the chain of 40 has the condition cot^2(pi/82) = 680.6.
+  const Sparse chained(40, chain);
+  const double estimate =
+    factorise(chained.matrix, "the matrix")->condition_estimate();
+  BOOST_TEST(estimate >= 1.);
+  BOOST_TEST(estimate < 681.);
+}
+
+BOOST_AUTO_TEST_SUITE_END()
