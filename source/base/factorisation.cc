@@ -121,7 +121,7 @@ namespace lamella
                                 "or a lower order.");
           throw NumericsError(
             "The stiffness matrix of " + what +
-            " is not positive definite (pivot " + std::to_string(minor) +
+            " is not positive definite (pivot " + std::to_string(minor + 1) +
             " of " + std::to_string(matrix.m()) +
             "). Either the body can still move, or its slenderness or its "
             "ratio of stiffnesses is beyond what double precision holds.");

@@ -52,7 +52,9 @@ namespace lamella
     const std::string word  = trimmed(text);
     char             *end   = nullptr;
     const double      value = std::strtod(word.c_str(), &end);
-    if (word.empty() || *end != '\0' || !std::isfinite(value))
+    // strtod takes hexadecimal numbers, too; nobody means them.
+    if (word.empty() || *end != '\0' || !std::isfinite(value) ||
+        word.find_first_of("xX") != std::string::npos)
       throw InputError(what + ": '" + word +
                        "' is not a number. Write it plainly, without a unit, "
                        "as in 0.05 or 5e-2.");

@@ -16,7 +16,7 @@ namespace lamella
     if (!(across.norm() > 1e-6 * axis.norm() * up.norm()))
       throw InputError("Axis and Up must be two directions that are neither "
                        "zero nor parallel; they fix where the section's x and "
-                       "z point. Change Up, for instance to 0, 0, 1.");
+                       "z point. Make Up a direction across the axis.");
     Placement placement;
     placement.origin  = origin;
     placement.axes[0] = across / across.norm();

@@ -189,6 +189,20 @@ namespace lamella
         eliminated.pivots.push_back(dof);
       }
 
+    keep(equations, largest_value, body, rows, support_names);
+    factorise(eliminated, rows);
+    groups.push_back(std::move(eliminated));
+  }
+
+
+
+  void
+  RowReduction::keep(const std::vector<Equation>      &equations,
+                     const double                      largest_value,
+                     const Body                       &body,
+                     const std::vector<PrescribedRow> &rows,
+                     const std::vector<std::string>   &support_names)
+  {
     for (const Equation &equation : equations)
       if (equation.pivot == numbers::invalid_dof_index)
         {
@@ -208,7 +222,14 @@ namespace lamella
               homogeneous.add_entry(equation.pivot, dof, -weight);
           particular_solution[equation.pivot] = equation.value;
         }
+  }
 
+
+
+  void
+  RowReduction::factorise(Group                            &eliminated,
+                          const std::vector<PrescribedRow> &rows)
+  {
     const unsigned int n  = eliminated.rows.size();
     eliminated.transposed = std::make_unique<LAPACKFullMatrix<double>>(n, n);
     std::map<DofIndex, unsigned int> column;
@@ -220,7 +241,6 @@ namespace lamella
         if (column.count(dof) > 0)
           (*eliminated.transposed)(column[dof], k) = weight;
     eliminated.transposed->compute_lu_factorization();
-    groups.push_back(std::move(eliminated));
   }
 
 

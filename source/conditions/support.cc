@@ -63,6 +63,37 @@ namespace lamella
           parts.emplace_back(names[m]);
       return joined(parts, " with ");
     }
+
+
+
+    /// Combines @p motions so that each has a rotation, or failing that a
+    /// translation, that no other has: those are motions that a user can see.
+    void
+    reduce_to_echelon(std::vector<std::array<double, 6>> &motions)
+    {
+      unsigned int done = 0;
+      for (const unsigned int m : {3, 4, 5, 0, 1, 2})
+        {
+          const auto largest =
+            std::max_element(motions.begin() + done,
+                             motions.end(),
+                             [m](const auto &a, const auto &b) {
+                               return std::abs(a[m]) < std::abs(b[m]);
+                             });
+          if (largest == motions.end() || std::abs((*largest)[m]) < 1e-6)
+            continue;
+          std::swap(*largest, motions[done]);
+          const std::array<double, 6> pivot = motions[done];
+          for (unsigned int k = 0; k < motions.size(); ++k)
+            {
+              const double factor = motions[k][m] / pivot[m];
+              if (k != done)
+                for (unsigned int c = 0; c < 6; ++c)
+                  motions[k][c] -= factor * pivot[c];
+            }
+          ++done;
+        }
+    }
   } // namespace
 
 
@@ -94,16 +125,18 @@ namespace lamella
     held.compute_svd();
 
     // Singular values come in descending order.
-    std::vector<std::string> free;
-    const double             largest = held.singular_value(0);
+    std::vector<std::array<double, 6>> null_space;
     for (unsigned int k = 0; k < 6; ++k)
-      if (!(held.singular_value(k) > 1e-8 * largest))
+      if (!(held.singular_value(k) > 1e-8 * held.singular_value(0)))
         {
-          std::array<double, 6> motion;
+          null_space.emplace_back();
           for (unsigned int m = 0; m < 6; ++m)
-            motion[m] = held.get_svd_vt()(k, m);
-          free.push_back(describe(motion));
+            null_space.back()[m] = held.get_svd_vt()(k, m);
         }
+    reduce_to_echelon(null_space);
+    std::vector<std::string> free;
+    for (const std::array<double, 6> &motion : null_space)
+      free.push_back(describe(motion));
     return free;
   }
 } // namespace lamella

@@ -54,7 +54,11 @@ namespace lamella
     out << structure.n_dofs() << " DoFs in all\n";
     for (const ContactInterface &contact : contacts)
       out << "Contact " << contact.name << ": " << contact.rows.size()
-          << " pairs that may touch\n";
+          << " pairs that may touch"
+          << (contact.unpaired == 0 ? "" :
+                                      ", " + std::to_string(contact.unpaired) +
+                                        " nodes of First that face none")
+          << "\n";
     out << std::flush;
   }
 } // namespace lamella

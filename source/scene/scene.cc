@@ -160,6 +160,7 @@ namespace lamella
       static const std::regex form("[A-Za-z][A-Za-z0-9_-]*");
       ParameterHandler        prm;
       declare_scene(prm);
+      text.check_declared(prm, /*top_level_only=*/true);
       prm.parse_input_from_string(text.text(), "", true);
       Names names;
       for (const auto &[list, kind] : kinds())
@@ -224,7 +225,9 @@ namespace lamella
                          nearest_name(body.section, sections) + "'.");
 
       const std::string length = prm.get("Length");
-      const double      value = to_number(length, what + "/Length = " + length);
+      if (length.empty())
+        throw InputError(what + "/Length is missing: give a positive length.");
+      const double value = to_number(length, what + "/Length = " + length);
       if (!(value > 0.))
         throw InputError(what + "/Length = " + length + ": must be positive.");
       try
@@ -312,9 +315,13 @@ namespace lamella
 
     /// The second pass, over what @p prm has parsed.
     Scene
-    resolve(ParameterHandler &prm, const Names &names)
+    resolve(ParameterHandler &prm, const Names &names, const SceneText &text)
     {
-      const auto in = [&prm](const std::string &subsection, const auto &parse) {
+      const auto in = [&](const std::string &subsection, const auto &parse) {
+        if (!text.has_subsection(subsection))
+          throw InputError("there is no 'subsection " + subsection +
+                           "' for the name in the list. Add it, or remove the "
+                           "name.");
         prm.enter_subsection(subsection);
         parse(subsection);
         prm.leave_subsection();
@@ -391,7 +398,7 @@ namespace lamella
         text.check_declared(prm);
         prm.parse_input_from_string(text.text());
 
-        Scene              scene = resolve(prm, names);
+        Scene              scene = resolve(prm, names, text);
         std::ostringstream resolved;
         prm.print_parameters(resolved,
                              ParameterHandler::ShortText |

@@ -5,6 +5,7 @@
 #include <lamella/scene/scene_text.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <fstream>
 #include <sstream>
 
@@ -12,8 +13,7 @@ namespace lamella
 {
   namespace
   {
-    /// @p text with runs of white space as single spaces, as ParameterHandler
-    /// reads names.
+    /// @p text with runs of white space as single spaces.
     std::string
     collapsed(const std::string &text)
     {
@@ -45,6 +45,31 @@ namespace lamella
 
 
 
+    bool
+    contains(const std::vector<SceneText::Entry> &items,
+             const std::string                   &path)
+    {
+      return std::any_of(items.begin(), items.end(), [&path](const auto &item) {
+        return item.path == path;
+      });
+    }
+
+
+
+    /// The names of those of @p items that stand in the subsection @p path.
+    std::vector<std::string>
+    children(const std::vector<SceneText::Entry> &items,
+             const std::string                   &path)
+    {
+      std::vector<std::string> names;
+      for (const SceneText::Entry &item : items)
+        if (parent(item.path) == path)
+          names.push_back(last_part(item.path));
+      return names;
+    }
+
+
+
     void
     refuse_repetition(const std::vector<SceneText::Entry> &items,
                       const std::string                   &kind,
@@ -61,24 +86,19 @@ namespace lamella
 
 
 
-    /// The lines of a scene that set PATH=VALUE.
-    std::string
-    override_text(const std::string &assignment)
+    /// The entry that PATH=VALUE of --set means.
+    SceneText::Entry
+    override_entry(const std::string &assignment)
     {
       const auto equals = assignment.find('=');
       if (equals == std::string::npos || equals == 0)
         throw InputError("--set " + assignment +
                          ": write SUBSECTION/ENTRY=VALUE, as in "
                          "\"Body upper/Kinematics/Theory=LE-3\".");
-      const auto  parts = split(assignment.substr(0, equals), '/');
-      std::string text;
-      for (unsigned int i = 0; i + 1 < parts.size(); ++i)
-        text += "subsection " + parts[i] + "\n";
-      text +=
-        "set " + parts.back() + " = " + assignment.substr(equals + 1) + "\n";
-      for (unsigned int i = 0; i + 1 < parts.size(); ++i)
-        text += "end\n";
-      return text;
+      std::vector<std::string> parts = split(assignment.substr(0, equals), '/');
+      for (std::string &part : parts)
+        part = collapsed(part);
+      return {joined(parts, "/"), trimmed(assignment.substr(equals + 1)), 0};
     }
   } // namespace
 
@@ -88,7 +108,6 @@ namespace lamella
                        const std::string              &file,
                        const std::vector<std::string> &overrides)
     : file(file)
-    , full_text(text + "\n")
   {
     scan(text, file, entries, subsections);
     refuse_repetition(entries, "entry", file);
@@ -98,19 +117,49 @@ namespace lamella
                               "--print-parameters` prints what it may say.");
     for (const std::string &assignment : overrides)
       {
-        const std::string  lines = override_text(assignment);
-        std::vector<Entry> more, more_subsections;
-        scan(lines, "--set " + assignment, more, more_subsections);
-        for (std::vector<Entry> *items : {&more, &more_subsections})
-          for (Entry &item : *items)
-            item.line = 0;
-        // The later one wins, also in place_of().
-        entries.insert(entries.begin(), more.begin(), more.end());
-        subsections.insert(subsections.end(),
-                           more_subsections.begin(),
-                           more_subsections.end());
-        full_text += lines;
+        const Entry entry = override_entry(assignment);
+        const auto  old   = std::find_if(entries.begin(),
+                                      entries.end(),
+                                      [&entry](const Entry &e) {
+                                        return e.path == entry.path;
+                                      });
+        if (old != entries.end())
+          *old = entry;
+        else
+          entries.push_back(entry);
+        for (std::string path = parent(entry.path); !path.empty();
+             path             = parent(path))
+          if (!has_subsection(path))
+            subsections.push_back({path, "", 0});
       }
+  }
+
+
+
+  std::string
+  SceneText::text() const
+  {
+    std::string result;
+    for (const Entry &entry : entries)
+      {
+        const std::vector<std::string> parts = split(entry.path, '/');
+        for (unsigned int i = 0; i + 1 < parts.size(); ++i)
+          result += "subsection " + parts[i] + "\n";
+        result += "set " + parts.back() + " = " + entry.value + "\n";
+        for (unsigned int i = 0; i + 1 < parts.size(); ++i)
+          result += "end\n";
+      }
+    return result;
+  }
+
+
+
+  bool
+  SceneText::has_subsection(const std::string &path) const
+  {
+    return std::any_of(subsections.begin(),
+                       subsections.end(),
+                       [&path](const Entry &s) { return s.path == path; });
   }
 
 
@@ -122,7 +171,7 @@ namespace lamella
     std::ifstream      input(file);
     std::ostringstream text;
     text << input.rdbuf();
-    if (!input)
+    if (!input || std::filesystem::is_directory(file))
       throw InputError(file + ": cannot read this scene file. Check its name "
                               "and that it may be read.");
     return SceneText(text.str(), file, overrides);
@@ -149,11 +198,12 @@ namespace lamella
         const unsigned int first = ++number;
         // A backslash at the end continues the line.
         std::string next;
+        line = trimmed(line);
         while (!line.empty() && line.back() == '\\' &&
                std::getline(lines, next))
           {
             ++number;
-            line = line.substr(0, line.size() - 1) + next;
+            line = line.substr(0, line.size() - 1) + trimmed(next);
           }
         line                   = trimmed(line.substr(0, line.find('#')));
         const std::string word = line.substr(0, line.find_first_of(" \t"));
@@ -199,7 +249,8 @@ namespace lamella
 
 
   void
-  SceneText::check_declared(const dealii::ParameterHandler &prm) const
+  SceneText::check_declared(const dealii::ParameterHandler &prm,
+                            const bool top_level_only) const
   {
     // What is declared, in the one form that ParameterHandler gives it in.
     std::ostringstream declared_text;
@@ -209,37 +260,48 @@ namespace lamella
     std::vector<Entry> declared, declared_subsections;
     scan(declared_text.str(), "", declared, declared_subsections);
 
-    const auto check = [this](const std::vector<Entry> &given,
-                              const std::vector<Entry> &valid,
-                              const std::string        &kind) {
-      for (const Entry &item : given)
+    for (const Entry &item : subsections)
+      if (!top_level_only && !contains(declared_subsections, item.path))
+        fail_on_subsection(item, declared_subsections);
+    for (const Entry &item : entries)
+      if ((!top_level_only || parent(item.path).empty()) &&
+          !contains(declared, item.path))
         {
-          std::vector<std::string> siblings;
-          bool                     known = false;
-          for (const Entry &other : valid)
-            {
-              known = known || other.path == item.path;
-              if (parent(other.path) == parent(item.path))
-                siblings.push_back(last_part(other.path));
-            }
-          if (known)
-            continue;
           const std::string where =
             parent(item.path).empty() ? "" : " in " + parent(item.path);
           const std::string nearest =
-            nearest_name(last_part(item.path), siblings);
+            nearest_name(last_part(item.path),
+                         children(declared, parent(item.path)));
           throw InputError(
-            place(item) + "there is no " + kind + " '" + last_part(item.path) +
-            "'" + where +
-            (nearest.empty() ? "." : "; the nearest is '" + nearest + "'.") +
-            (kind == "subsection" ?
-               " A subsection's name must stand in its list (Materials, "
-               "Sections, Bodies, ...) first." :
-               ""));
+            place(item) + "there is no entry '" + last_part(item.path) + "'" +
+            where +
+            (nearest.empty() ? "." : "; the nearest is '" + nearest + "'."));
         }
-    };
-    check(subsections, declared_subsections, "subsection");
-    check(entries, declared, "entry");
+  }
+
+
+
+  void
+  SceneText::fail_on_subsection(const Entry              &item,
+                                const std::vector<Entry> &declared) const
+  {
+    // Nearest among those of the same kind: `Body uper` is no `Probe`.
+    const std::string        name = last_part(item.path);
+    const std::string        kind = name.substr(0, name.find(' '));
+    std::vector<std::string> alike;
+    for (const std::string &other : children(declared, parent(item.path)))
+      if (!parent(item.path).empty() ||
+          other.compare(0, kind.size() + 1, kind + " ") == 0)
+        alike.push_back(other);
+    const std::string nearest = nearest_name(name, alike);
+    const bool        nested  = !parent(item.path).empty();
+    throw InputError(
+      place(item) + "there is no subsection '" + name + "'" +
+      (nested ? " in " + parent(item.path) : "") +
+      (nearest.empty() ? "." : "; the nearest is '" + nearest + "'.") +
+      (nested ? "" :
+                " A subsection's name must stand in its list (Materials, "
+                "Sections, Bodies, ...) first."));
   }
 
 
@@ -247,11 +309,13 @@ namespace lamella
   std::string
   SceneText::place_of(const std::string &message) const
   {
-    // The longest path that the message begins with.
+    // The longest path that the message begins with, as a whole.
     const Entry *best = nullptr;
     for (const std::vector<Entry> *items : {&entries, &subsections})
       for (const Entry &item : *items)
         if (message.compare(0, item.path.size(), item.path) == 0 &&
+            std::string("/ :").find(message[item.path.size()]) !=
+              std::string::npos &&
             (best == nullptr || item.path.size() > best->path.size()))
           best = &item;
     return best == nullptr ? file + ": " : place(*best);

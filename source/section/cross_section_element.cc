@@ -19,7 +19,7 @@ namespace lamella
     for (const auto &cell : this->mesh->mesh.active_cell_iterators())
       {
         area += cell->measure();
-        moment += cell->measure() * Tensor<1, 2>(cell->center());
+        moment += cell->measure() * Tensor<1, 2>(cell->barycenter());
       }
     origin = Point<2>(moment / area);
 

@@ -77,6 +77,19 @@ namespace lamella
            const std::vector<PrescribedRow> &rows,
            const std::vector<std::string>   &support_names);
 
+    /// Keeps the reduced @p equations of a group as constraints. Throws
+    /// InputError if nothing but a value is left of one.
+    void
+    keep(const std::vector<Equation>      &equations,
+         const double                      largest_value,
+         const Body                       &body,
+         const std::vector<PrescribedRow> &rows,
+         const std::vector<std::string>   &support_names);
+
+    /// Factorises the independent rows of @p eliminated, for multipliers().
+    static void
+    factorise(Group &eliminated, const std::vector<PrescribedRow> &rows);
+
     Constraints        homogeneous;
     Vector             particular_solution;
     std::vector<Group> groups;

@@ -27,9 +27,9 @@ namespace lamella
     };
 
     /**
-     * Takes the text of the file named @p file and appends the
-     * @p overrides, each PATH=VALUE as of --set. Throws InputError for what is
-     * neither `subsection`, `set` nor `end`, for subsections that are not
+     * Takes the text of the file named @p file and replaces what the
+     * @p overrides set, each PATH=VALUE as of --set. Throws InputError for what
+     * is neither `subsection`, `set` nor `end`, for subsections that are not
      * closed, and for entries and subsections that come twice.
      */
     SceneText(const std::string              &text,
@@ -40,19 +40,22 @@ namespace lamella
     static SceneText
     read(const std::string &file, const std::vector<std::string> &overrides);
 
-    /// What ParameterHandler is to parse.
-    const std::string &
-    text() const
-    {
-      return full_text;
-    }
+    /// What ParameterHandler is to parse: the entries, overrides among them,
+    /// one by one, without the comments, continuations and blanks of the file.
+    std::string
+    text() const;
+
+    bool
+    has_subsection(const std::string &path) const;
 
     /**
      * Throws InputError for the first entry or subsection that @p prm does not
-     * declare, naming the nearest that it does.
+     * declare, naming the nearest that it does. With @p top_level_only what
+     * stands in subsections is left out.
      */
     void
-    check_declared(const dealii::ParameterHandler &prm) const;
+    check_declared(const dealii::ParameterHandler &prm,
+                   const bool top_level_only = false) const;
 
     /// `FILE:LINE: ` of the entry whose path @p message begins with, or
     /// `FILE: `.
@@ -70,8 +73,12 @@ namespace lamella
     std::string
     place(const Entry &entry) const;
 
+    /// Throws InputError for the subsection @p item, not among @p declared.
+    [[noreturn]] void
+    fail_on_subsection(const Entry              &item,
+                       const std::vector<Entry> &declared) const;
+
     std::string        file;
-    std::string        full_text;
     std::vector<Entry> entries, subsections;
   };
 } // namespace lamella
