@@ -17,8 +17,12 @@ namespace lamella
   namespace
   {
     // An entry below this fraction of its column's largest at the start is
-    // rounding; so is a right-hand side below this fraction of the largest.
+    // rounding.
     constexpr double rank_tolerance = 1e-9;
+    // So is what is left of the value of a row that depends on others, below
+    // this fraction of the largest value: pivots may be small (rows of a skew
+    // line), and rounding grows by their inverse.
+    constexpr double contradiction = 1e-6;
 
     /// The rows of @p body, number @p index, in groups that share DoFs.
     std::vector<std::vector<unsigned int>>
@@ -206,13 +210,14 @@ namespace lamella
     for (const Equation &equation : equations)
       if (equation.pivot == numbers::invalid_dof_index)
         {
-          if (std::abs(equation.value) > rank_tolerance * largest_value)
+          if (std::abs(equation.value) > contradiction * largest_value)
             throw InputError(
               "Support " + support_names[rows[equation.number].support] +
               " contradicts the other supports of body '" + body.name() +
               "' at " + to_text(rows[equation.number].position) +
               ": they prescribe different displacements of the same points. "
-              "Remove one of them or make them agree.");
+              "Remove one of them, make them agree, or put more elements "
+              "between them.");
         }
       else
         {

@@ -26,7 +26,7 @@ namespace lamella
           // node stay its own.
           for (std::vector<Row> &components : all)
             for (Row &row : components)
-              row.drop_below(1e-11);
+              row.drop_below(1e-13);
           for (unsigned int i = 0; i < places.size(); ++i)
             for (unsigned int c = 0; c < 3; ++c)
               if (supports[s].u[c])

@@ -152,6 +152,10 @@ namespace lamella
         << to_text(checks.energy_balance, 2) << ", largest rotation "
         << to_text(checks.max_rotation, 3) << " rad\n";
 
+    for (const auto &[line, jump] : summary.interface_jumps)
+      out << "  line " << line << ": tractions jump by " << percent(100. * jump)
+          << " of the largest at ply interfaces\n";
+
     out << "\nSeconds:\n ";
     for (const char *phase : {"setup",
                               "assembly",

@@ -117,6 +117,20 @@ namespace lamella
 
 
 
+  namespace
+  {
+    /// sigma . d.
+    Tensor<1, 3>
+    traction_on(const Voigt &s, const Tensor<1, 3> &d)
+    {
+      return Point<3>(s[0] * d[0] + s[3] * d[1] + s[4] * d[2],
+                      s[3] * d[0] + s[1] * d[1] + s[5] * d[2],
+                      s[4] * d[0] + s[5] * d[1] + s[2] * d[2]);
+    }
+  } // namespace
+
+
+
   void
   Recorder::record_points(const unsigned int step, const BlockVector &u)
   {
@@ -139,18 +153,9 @@ namespace lamella
                                    "\n";
           }
       }
+    jumps.clear();
     for (unsigned int l = 0; l < lines.size(); ++l)
-      {
-        const Body  &body = *structure.bodies()[lines[l].body];
-        std::string &file = files["lines/" + lines[l].name + ".csv"];
-        for (const auto &[s, location] : line_samples[l])
-          file += csv(s) + "," + number + "," + lines[l].name + "," +
-                  fields_line(body.name(),
-                              location.ply,
-                              location.position,
-                              body.sample(location, u.block(lines[l].body))) +
-                  "\n";
-      }
+      record_line(step, l, u);
     for (const Cut &cut : cuts)
       {
         const Body        &body = *structure.bodies()[cut.body];
@@ -168,6 +173,47 @@ namespace lamella
                                 cells[c].samples[k]) +
                     "\n";
       }
+  }
+
+
+
+  void
+  Recorder::record_line(const unsigned int step,
+                        const unsigned int l,
+                        const BlockVector &u)
+  {
+    const Line        &line = lines[l];
+    const Body        &body = *structure.bodies()[line.body];
+    std::string       &file = files["lines/" + line.name + ".csv"];
+    const Tensor<1, 3> d = (line.to - line.from) / line.from.distance(line.to);
+
+    InterfaceJump jump{line.name, 0, 0.};
+    double        largest = 0., last_s = -1.;
+    Tensor<1, 3>  last;
+    unsigned int  last_ply = 0;
+    for (const auto &[s, location] : line_samples[l])
+      {
+        const FieldSample sample = body.sample(location, u.block(line.body));
+        file +=
+          csv(s) + "," + std::to_string(step) + "," + line.name + "," +
+          fields_line(body.name(), location.ply, location.position, sample) +
+          "\n";
+
+        const Tensor<1, 3> traction = traction_on(sample.stress, d);
+        largest                     = std::max(largest, traction.norm());
+        if (s == last_s && location.ply != last_ply)
+          {
+            ++jump.interfaces;
+            jump.relative = std::max(jump.relative, (traction - last).norm());
+          }
+        last_s   = s;
+        last     = traction;
+        last_ply = location.ply;
+      }
+    if (largest > 0.)
+      jump.relative /= largest;
+    if (jump.interfaces > 0)
+      jumps.push_back(jump);
   }
 
 

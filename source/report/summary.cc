@@ -95,6 +95,7 @@ namespace lamella
     json["condition_estimate"]  = summary.condition_estimate;
     json["free_corrections"]    = summary.free_corrections;
     json["contact_corrections"] = summary.contact_corrections;
+    json["interface_jumps"]     = summary.interface_jumps;
     json["converged"]           = summary.converged;
     json["warnings"]            = summary.warnings;
 

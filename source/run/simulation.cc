@@ -151,6 +151,8 @@ namespace lamella
     if (scene.write_vtu)
       vtu_files.emplace_back(
         step, write_vtu(output_directory, step, factor, *structure, state.u));
+    for (const Recorder::InterfaceJump &jump : recorder->interface_jumps())
+      summary.interface_jumps[jump.line] = jump.relative;
     summary.checks = checks;
     summary.iterations.push_back(state.iterations);
     summary.free_corrections    = state.free_corrections;

@@ -224,6 +224,54 @@ BOOST_AUTO_TEST_CASE(a_body_that_can_move_is_refused)
 
 
 
+BOOST_AUTO_TEST_CASE(a_line_is_prescribed_exactly)
+{
+  // Along, across and askew, within cells and over their corners: u_z is what
+  // was prescribed at every point of the line, not only where rows were taken.
+  const std::vector<std::pair<Point<3>, Point<3>>> lines{
+    {{0., 1.5, 0.3}, {0.4, 1.5, 0.3}},
+    {{0.1, 1.1, 0.3}, {0.3, 2.9, 0.3}},
+    {{0., 1.1, 0.}, {0.4, 1.9, 0.3}}};
+  for (const auto &[a, b] : lines)
+    {
+      Bodies bodies;
+      bodies.push_back(std::make_unique<Beam>(
+        "bar",
+        make_section(rectangle(0.4, 0.3, {20., -50.}, 2),
+                     {165., 9., 8., 5.6, 5.2, 2.8, .34, .3, .45},
+                     2),
+        make_axis(3., 3),
+        Placement()));
+      const Support clamp{"clamp",
+                          {{0, Region::Kind::surface, "start", {}}},
+                          {{0., 0., 0.}}},
+        press{"press",
+              {{0, Region::Kind::line, "", {a, b}}},
+              {{std::nullopt, std::nullopt, -1.}}};
+      Structure structure(std::move(bodies), {clamp, press}, {});
+      structure.assemble();
+      structure.factorise();
+      const std::vector<GapRow> none;
+      CondensedStrategy         strategy(structure, none);
+      const State state = Newton(structure, none, strategy).solve_free(1.);
+      double      worst = 0.;
+      for (unsigned int i = 0; i <= 100; ++i)
+        {
+          const Body    &body = *structure.bodies()[0];
+          const Location where =
+            body.locate({Point<3>(a + i / 100. * (b - a))})[0][0];
+          worst =
+            std::max(worst,
+                     std::abs(
+                       body.sample(where, state.u.block(0)).displacement[2] +
+                       1.));
+        }
+      BOOST_TEST(worst < 1e-10);
+    }
+}
+
+
+
 BOOST_AUTO_TEST_CASE(a_turned_scene_gives_turned_results)
 {
   // A cantilever under a tip force, along y and along a skew direction: the

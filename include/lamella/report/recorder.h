@@ -45,6 +45,24 @@ namespace lamella
     double
     probe_value(const unsigned int probe, const std::string &quantity) const;
 
+    /// What a line through ply interfaces meets there.
+    struct InterfaceJump
+    {
+      std::string  line;
+      unsigned int interfaces = 0;
+      /// The largest jump of the traction sigma . d, d the line's direction,
+      /// over the largest traction on the line. Equilibrium makes it zero where
+      /// the line is normal to the plies; what is left is the section's mesh.
+      double relative = 0.;
+    };
+
+    /// Of the last load step, for each line that crosses an interface.
+    const std::vector<InterfaceJump> &
+    interface_jumps() const
+    {
+      return jumps;
+    }
+
   private:
     struct LineSample
     {
@@ -56,6 +74,10 @@ namespace lamella
     locate_line(const Line &line);
     void
     record_points(const unsigned int step, const BlockVector &u);
+    void
+    record_line(const unsigned int step,
+                const unsigned int l,
+                const BlockVector &u);
     void
     record_contacts(const unsigned int step, const State &state);
     void
@@ -75,6 +97,7 @@ namespace lamella
     std::vector<std::vector<Location>>   probe_locations;
     std::vector<std::vector<LineSample>> line_samples;
     std::vector<FieldSample>             last_probe_samples;
+    std::vector<InterfaceJump>           jumps;
 
     /// Name of a file in the output folder -> its text so far.
     std::map<std::string, std::string> files;

@@ -26,9 +26,11 @@ namespace lamella
     Checks                    checks;
     double                    condition_estimate = 0.;
     /// Of the last step; empty if nothing was solved.
-    std::vector<double>      free_corrections, contact_corrections;
-    bool                     converged = false;
-    std::vector<std::string> warnings;
+    std::vector<double> free_corrections, contact_corrections;
+    /// Line -> largest relative jump of the traction at ply interfaces.
+    std::map<std::string, double> interface_jumps;
+    bool                          converged = false;
+    std::vector<std::string>      warnings;
     /// Phase -> wall seconds.
     std::map<std::string, double> seconds;
   };
