@@ -34,11 +34,12 @@ namespace
   void
   skip_network_search()
   {
-    if (std::getenv("OMPI_COMM_WORLD_SIZE") == nullptr)
-      {
-        setenv("OMPI_MCA_btl", "self", 0);
-        setenv("OMPI_MCA_pml", "ob1", 0);
-      }
+    for (const char *launched :
+         {"OMPI_COMM_WORLD_SIZE", "PMIX_RANK", "PMI_RANK", "SLURM_PROCID"})
+      if (std::getenv(launched) != nullptr)
+        return;
+    setenv("OMPI_MCA_btl", "self", 0);
+    setenv("OMPI_MCA_pml", "ob1", 0);
   }
 
 

@@ -114,9 +114,13 @@ namespace lamella
           solve_step(step, scene.solve.load_factors[step - 1]);
         summary.converged = true;
       }
-    catch (const NumericsError &)
+    catch (const NumericsError &error)
       {
         write_results(directory);
+        if (summary.iterations.empty() &&
+            std::filesystem::exists(directory + "/summary.json"))
+          throw NumericsError(std::string(error.what()) + " (The results in " +
+                              directory + " are of an earlier run.)");
         throw;
       }
     write_results(directory);
