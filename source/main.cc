@@ -11,6 +11,7 @@
 
 #include <cstdlib>
 #include <iostream>
+#include <memory>
 
 namespace
 {
@@ -44,6 +45,22 @@ namespace
 
 
 
+  /// Faults that show when bodies are built get the line of the text, too.
+  std::unique_ptr<Simulation>
+  build(const Scene &scene, const SceneText &text)
+  {
+    try
+      {
+        return std::make_unique<Simulation>(scene, std::cout);
+      }
+    catch (const InputError &error)
+      {
+        throw InputError(text.place_of(error.what()) + error.what());
+      }
+  }
+
+
+
   void
   run(const CommandLine &command)
   {
@@ -59,18 +76,18 @@ namespace
       }
 
     limit_threads(command.threads);
-    const Scene scene =
-      read_scene(SceneText::read(command.scene, command.overrides));
+    const SceneText text  = SceneText::read(command.scene, command.overrides);
+    const Scene     scene = read_scene(text);
     if (command.print_parameters)
       {
         std::cout << scene.resolved;
         return;
       }
-    Simulation simulation(scene, std::cout);
+    const auto simulation = build(scene, text);
     if (command.validate)
-      simulation.print_validation();
+      simulation->print_validation();
     else
-      simulation.run(command.output);
+      simulation->run(command.output);
   }
 } // namespace
 
