@@ -25,11 +25,14 @@ OF_ONE_MACHINE = re.compile(r"(?<![\w.$}~/-])/(?:" + "|".join(FOLDERS) + r")/[\w
 
 def project_files(root):
     """Tracked files and new ones; without git, all but hidden and built ones."""
-    listed = subprocess.run(
-        ["git", "ls-files", "-z", "--cached", "--others", "--exclude-standard"],
-        cwd=root, capture_output=True, text=True)
-    if listed.returncode == 0:
-        names = filter(None, listed.stdout.split("\0"))
+    try:
+        listed = subprocess.run(
+            ["git", "ls-files", "-z", "--cached", "--others", "--exclude-standard"],
+            cwd=root, capture_output=True, text=True, check=True).stdout
+    except (OSError, subprocess.CalledProcessError):
+        listed = None
+    if listed is not None:
+        names = filter(None, listed.split("\0"))
     else:
         names = (str(path.relative_to(root)) for path in root.rglob("*"))
         names = (name for name in names
