@@ -111,7 +111,28 @@ namespace lamella
         point.N.push_back(std::abs(N) < 1e-14 ? 0. : N);
         point.dN.push_back(fe.shape_grad(i, Point<1>(eta))[0] / (end - begin));
       }
+    point.N_shear =
+      description.assumed_shear ? projected_shape_functions(eta) : point.N;
     return point;
+  }
+
+
+
+  std::vector<double>
+  Axis::projected_shape_functions(const double eta) const
+  {
+    const std::vector<Point<1>> tying = QGauss<1>(fe.degree).get_points();
+    std::vector<double>         values(fe.n_dofs_per_cell(), 0.);
+    for (unsigned int q = 0; q < tying.size(); ++q)
+      {
+        double L = 1.;
+        for (unsigned int r = 0; r < tying.size(); ++r)
+          if (r != q)
+            L *= (eta - tying[r][0]) / (tying[q][0] - tying[r][0]);
+        for (unsigned int i = 0; i < values.size(); ++i)
+          values[i] += L * fe.shape_value(i, tying[q]);
+      }
+    return values;
   }
 
 
@@ -138,13 +159,19 @@ namespace lamella
         const auto &nodes = cell_nodes[points[k].cell];
         for (unsigned int i = 0; i < nodes.size(); ++i)
           for (unsigned int j = 0; j < nodes.size(); ++j)
-            for (unsigned int p = 0; p < 2; ++p)
-              for (unsigned int q = 0; q < 2; ++q)
-                matrices[2 * p + q].add(nodes[i],
-                                        nodes[j],
-                                        weights[k] *
-                                          (p ? points[k].dN : points[k].N)[i] *
-                                          (q ? points[k].dN : points[k].N)[j]);
+            {
+              for (unsigned int p = 0; p < 2; ++p)
+                for (unsigned int q = 0; q < 2; ++q)
+                  matrices[2 * p + q].add(
+                    nodes[i],
+                    nodes[j],
+                    weights[k] * (p ? points[k].dN : points[k].N)[i] *
+                      (q ? points[k].dN : points[k].N)[j]);
+              matrices[4].add(nodes[i],
+                              nodes[j],
+                              weights[k] * points[k].N_shear[i] *
+                                points[k].N_shear[j]);
+            }
       }
   }
 

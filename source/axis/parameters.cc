@@ -33,6 +33,13 @@ namespace lamella
                       Anything(),
                       "Gauss-Lobatto or equidistant nodes of a B4: the same "
                       "displacements, other places of node-to-node contact.");
+    prm.declare_entry("Shear strains",
+                      "auto",
+                      Anything(),
+                      "assumed: transverse shear strains are interpolated one "
+                      "degree lower along the axis (MITC), against shear "
+                      "locking; full: as the displacements give them; auto: "
+                      "assumed for B2 and B3, full for B4.");
   }
 
 
@@ -43,7 +50,8 @@ namespace lamella
     return {prm.get("Axis element"),
             prm.get("Axis elements"),
             prm.get("Axis breaks"),
-            prm.get("Axis nodes")};
+            prm.get("Axis nodes"),
+            prm.get("Shear strains")};
   }
 
 
@@ -61,6 +69,12 @@ namespace lamella
       throw InputError(what + "/Axis nodes = " + nodes +
                        ": must be Gauss-Lobatto or equidistant.");
     mesh.equidistant_nodes = nodes == "equidistant";
+    if (shear_strains != "auto" && shear_strains != "assumed" &&
+        shear_strains != "full")
+      throw InputError(what + "/Shear strains = " + shear_strains +
+                       ": must be auto, assumed or full.");
+    mesh.assumed_shear = shear_strains == "assumed" ||
+                         (shear_strains == "auto" && mesh.degree < 3);
 
     mesh.breaks     = to_numbers(breaks, what + "/Axis breaks");
     double previous = 0.;

@@ -74,6 +74,15 @@ namespace lamella
 
 
 
+  bool
+  to_bool(const std::string &text, const std::string &what)
+  {
+    if (text != "true" && text != "false")
+      throw InputError(what + " = " + text + ": must be true or false.");
+    return text == "true";
+  }
+
+
   dealii::Point<3>
   to_point(const std::string &text, const std::string &what)
   {

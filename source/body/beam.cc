@@ -42,14 +42,63 @@ namespace lamella
     , beam_axis(std::move(axis))
     , placement(placement)
     , dof_map(fields_of_node, beam_section->n_fields())
-  {}
+  {
+    if (beam_section->theory().kind == Theory::Kind::EBBT)
+      constrain_to_kirchhoff();
+    kirchhoff.close();
+  }
+
+
+
+  void
+  Beam::constrain_to_kirchhoff()
+  {
+    Assert(beam_axis->degree() == 3, ExcMessage("EBBT needs B4 elements."));
+    const double h = beam_section->element().reference_length();
+    // Deflections with the slope of the section that follows each.
+    const std::array<std::array<unsigned int, 2>, 2> planes{
+      {{{RigidField::translation_x, RigidField::slope_x}},
+       {{RigidField::translation_z, RigidField::slope_z}}}};
+    for (unsigned int cell = 0; cell < beam_axis->n_cells(); ++cell)
+      {
+        const double L =
+          beam_axis->cell_end(cell) - beam_axis->cell_begin(cell);
+        std::vector<unsigned int> nodes = beam_axis->nodes_of_cell(cell);
+        std::sort(nodes.begin(), nodes.end());
+        for (const auto &[w, a] : planes)
+          for (const unsigned int inside : {nodes[1], nodes[2]})
+            {
+              const double t =
+                (beam_axis->nodes()[inside] - beam_axis->cell_begin(cell)) / L;
+              const double H2 = t * t * (3. - 2. * t), H2_t = 6. * t * (1. - t);
+              const double H1   = t * (1. - t) * (1. - t);
+              const double H3   = -t * t * (1. - t);
+              const double H1_t = (1. - t) * (1. - 3. * t),
+                           H3_t = t * (3. * t - 2.);
+              const std::array<DofIndex, 4> ends{{dof_map.first(nodes[0]) + w,
+                                                  dof_map.first(nodes[3]) + w,
+                                                  dof_map.first(nodes[0]) + a,
+                                                  dof_map.first(nodes[3]) + a}};
+              const auto                    tie = [&](const DofIndex               dof,
+                                   const std::array<double, 4> &weights) {
+                kirchhoff.add_line(dof);
+                for (unsigned int k = 0; k < 4; ++k)
+                  kirchhoff.add_entry(dof, ends[k], weights[k]);
+              };
+              tie(dof_map.first(inside) + w,
+                  {{1. - H2, H2, -L / h * H1, -L / h * H3}});
+              tie(dof_map.first(inside) + a,
+                  {{h / L * H2_t, -h / L * H2_t, H1_t, H3_t}});
+            }
+      }
+  }
 
 
 
   std::string
   Beam::theory() const
   {
-    return beam_section->element().name() + ", " +
+    return beam_section->theory().name() + ", " +
            std::to_string(beam_axis->n_cells()) + " B" +
            std::to_string(beam_axis->degree() + 1);
   }
@@ -110,7 +159,8 @@ namespace lamella
         for (unsigned int node = 0; node < dof_map.n_nodes(); ++node)
           {
             const auto set = [&](const unsigned int alpha, const double value) {
-              if (dof_map.place(node, alpha) >= 0)
+              if (alpha < beam_section->n_fields() &&
+                  dof_map.place(node, alpha) >= 0)
                 motions[m][dof_map.first(node) + dof_map.place(node, alpha)] =
                   value;
             };
@@ -129,32 +179,45 @@ namespace lamella
 
 
 
+  std::vector<RigidMotion>
+  Beam::missing_motions() const
+  {
+    if (!beam_section->theory().is_classical())
+      return {};
+    // The turn about the axis.
+    const Tensor<1, 3> axis = placement.axes[1];
+    return {{{0., 0., 0., axis[0], axis[1], axis[2]}}};
+  }
+
+
+
   namespace
   {
-    /// A row of a factor: its columns, ascending, and the four entries (p, q)
-    /// of each. The four matrices of a factor share one pattern.
+    /// A row of a factor: its columns, ascending, and the entries (p, q) of
+    /// each, the one of transverse shear last. The matrices of a factor share
+    /// one pattern.
     struct FactorRow
     {
       std::vector<unsigned int>          columns;
-      std::vector<std::array<double, 4>> entries;
+      std::vector<std::array<double, 5>> entries;
     };
 
 
 
-    template <typename Matrices>
+    template <typename Factor>
     std::vector<FactorRow>
-    factor_rows(const Matrices &matrices, const unsigned int n)
+    factor_rows(const Factor &matrix_number, const unsigned int n)
     {
       std::vector<FactorRow> rows(n);
       for (unsigned int r = 0; r < n; ++r)
         {
           // deal.II stores the diagonal first; here columns ascend.
-          std::map<unsigned int, std::array<double, 4>> sorted;
-          for (unsigned int pq = 0; pq < 4; ++pq)
-            for (auto entry = matrices(pq / 2, pq % 2).begin(r);
-                 entry != matrices(pq / 2, pq % 2).end(r);
+          std::map<unsigned int, std::array<double, 5>> sorted;
+          for (unsigned int m = 0; m < 5; ++m)
+            for (auto entry = matrix_number(m).begin(r);
+                 entry != matrix_number(m).end(r);
                  ++entry)
-              sorted[entry->column()][pq] = entry->value();
+              sorted[entry->column()][m] = entry->value();
           for (const auto &[column, entries] : sorted)
             {
               rows[r].columns.push_back(column);
@@ -173,10 +236,14 @@ namespace lamella
                            Matrix            &matrix) const
   {
     const auto axis_rows = factor_rows(
-      [this](auto p, auto q) -> auto & { return beam_axis->A(p, q); },
+      [this](const unsigned int m) -> auto & {
+        return m < 4 ? beam_axis->A(m / 2, m % 2) : beam_axis->A_shear();
+      },
       beam_axis->n_nodes());
     const auto section_rows = factor_rows(
-      [this](auto p, auto q) -> auto & { return beam_section->S(p, q); },
+      [this](const unsigned int m) -> auto & {
+        return m < 4 ? beam_section->S(m / 2, m % 2) : beam_section->S_shear();
+      },
       beam_section->n_fields());
 
     // Calls use(row, columns, values) for each row of the Kronecker products.
@@ -192,17 +259,17 @@ namespace lamella
             for (unsigned int m = 0; m < axis_rows[i].columns.size(); ++m)
               {
                 const unsigned int           j = axis_rows[i].columns[m];
-                const std::array<double, 4> &A = axis_rows[i].entries[m];
+                const std::array<double, 5> &A = axis_rows[i].entries[m];
                 for (unsigned int b = 0; b < section_row.columns.size(); ++b)
                   {
                     const int place = dof_map.place(j, section_row.columns[b]);
                     if (place < 0)
                       continue;
                     columns.push_back(dof_map.first(j) + place);
-                    const std::array<double, 4> &S = section_row.entries[b];
+                    const std::array<double, 5> &S = section_row.entries[b];
                     if (with_values)
                       values.push_back(A[0] * S[0] + A[1] * S[1] + A[2] * S[2] +
-                                       A[3] * S[3]);
+                                       A[3] * S[3] + (A[4] - A[0]) * S[4]);
                   }
               }
             use(dof_map.first(i) + k, columns, values);
@@ -228,8 +295,7 @@ namespace lamella
   Beam::axis_state(const AxisPoint &point, const Vector &u) const
   {
     const auto &nodes = beam_axis->nodes_of_cell(point.cell);
-    AxisState   state{std::vector<double>(beam_section->n_fields(), 0.),
-                    std::vector<double>(beam_section->n_fields(), 0.)};
+    AxisState   state(beam_section->n_fields());
     // Derivatives are taken of the differences to the first node: a rigid
     // translation then has none, to the last bit.
     std::vector<double> first(beam_section->n_fields(), 0.);
@@ -247,6 +313,7 @@ namespace lamella
           {
             const double value = u[dof_map.first(nodes[i]) + k];
             state.value[fields[k]] += point.N[i] * value;
+            state.shear_value[fields[k]] += point.N_shear[i] * value;
             state.derivative[fields[k]] += point.dN[i] * value;
           }
       }
@@ -264,10 +331,13 @@ namespace lamella
         const unsigned int alpha = (*point.fields)[a];
         result.displacement += state.value[alpha] * point.value[a];
         result.slope += state.derivative[alpha] * point.value[a];
-        result.strain += state.value[alpha] * point.in_plane[a];
         result.twist += state.value[alpha] * point.twist[a];
+        for (unsigned int c = 0; c < 6; ++c)
+          result.strain[c] +=
+            (is_transverse_shear(c) ? state.shear_value : state.value)[alpha] *
+              point.in_plane[a][c] +
+            state.derivative[alpha] * point.along[a][c];
       }
-    result.strain += axial_strain(result.slope);
     return result;
   }
 
@@ -282,21 +352,23 @@ namespace lamella
       {
         const AxisPoint &axis_point = beam_axis->integration_points()[k];
         const AxisState  state      = axis_state(axis_point, u);
-        AxisState        work{std::vector<double>(state.value.size(), 0.),
-                       std::vector<double>(state.value.size(), 0.)};
+        AxisState        work(beam_section->n_fields());
         for (unsigned int s = 0; s < section_points.size(); ++s)
           {
             const SectionPoint &point = section_points[s];
             const Voigt         stress =
               section_weights[s] * (beam_section->elasticity(point.cell) *
                                     point_state(point, state).strain);
-            // The transpose of axial_strain().
-            const Point<3> traction(stress[3], stress[1], stress[5]);
             for (unsigned int a = 0; a < point.fields->size(); ++a)
               {
-                work.value[(*point.fields)[a]] += point.in_plane[a] * stress;
-                work.derivative[(*point.fields)[a]] +=
-                  point.value[a] * traction;
+                const unsigned int alpha = (*point.fields)[a];
+                for (unsigned int c = 0; c < 6; ++c)
+                  {
+                    (is_transverse_shear(c) ? work.shear_value :
+                                              work.value)[alpha] +=
+                      point.in_plane[a][c] * stress[c];
+                    work.derivative[alpha] += point.along[a][c] * stress[c];
+                  }
               }
           }
         const double weight = beam_axis->integration_weights()[k];
@@ -307,6 +379,7 @@ namespace lamella
               const unsigned int alpha = dof_map.fields(nodes[i])[m];
               f[dof_map.first(nodes[i]) + m] +=
                 weight * (axis_point.N[i] * work.value[alpha] +
+                          axis_point.N_shear[i] * work.shear_value[alpha] +
                           axis_point.dN[i] * work.derivative[alpha]);
             }
       }

@@ -107,9 +107,12 @@ namespace lamella
                     }
                   else
                     {
-                      const Voigt strain =
-                        axis_point.N[i] * point.in_plane[a] +
-                        axis_point.dN[i] * axial_strain(point.value[a]);
+                      Voigt strain = axis_point.dN[i] * point.along[a];
+                      for (unsigned int c = 0; c < 6; ++c)
+                        strain[c] +=
+                          (is_transverse_shear(c) ? axis_point.N_shear :
+                                                    axis_point.N)[i] *
+                          point.in_plane[a][c];
                       const Voigt v = to_frame * strain;
                       for (unsigned int c = 0; c < 6; ++c)
                         rows[c].add(dof, share * v[c]);

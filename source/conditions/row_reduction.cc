@@ -24,26 +24,43 @@ namespace lamella
     // line), and rounding grows by their inverse.
     constexpr double contradiction = 1e-6;
 
-    /// The rows of @p body, number @p index, in groups that share DoFs.
-    std::vector<std::vector<unsigned int>>
-    groups_of_rows(const Body                       &body,
+    /// The functionals of those of @p rows that belong to @p body, number
+    /// @p index, in the DoFs that its theory leaves independent; others empty.
+    std::vector<Row>
+    functionals_of(const Body                       &body,
                    const unsigned int                index,
                    const std::vector<PrescribedRow> &rows)
+    {
+      std::vector<Row> functionals(rows.size());
+      for (unsigned int r = 0; r < rows.size(); ++r)
+        if (rows[r].row.body == index)
+          functionals[r] =
+            body.kinematic_constraints().n_constraints() == 0 ?
+              rows[r].row.row :
+              rows[r].row.row.reduced(body.kinematic_constraints());
+      return functionals;
+    }
+
+
+
+    /// Those @p functionals of @p body that have entries, in groups that share
+    /// DoFs.
+    std::vector<std::vector<unsigned int>>
+    groups_of_rows(const Body &body, const std::vector<Row> &functionals)
     {
       std::vector<DofIndex>     parent(body.n_dofs());
       std::vector<unsigned int> rank(body.n_dofs(), 0);
       std::iota(parent.begin(), parent.end(), 0);
       boost::disjoint_sets<unsigned int *, DofIndex *> sets(rank.data(),
                                                             parent.data());
-      for (const PrescribedRow &row : rows)
-        if (row.row.body == index)
-          for (const auto &[dof, weight] : row.row.row.entries())
-            sets.union_set(row.row.row.entries().front().first, dof);
+      for (const Row &row : functionals)
+        for (const auto &[dof, weight] : row.entries())
+          sets.union_set(row.entries().front().first, dof);
 
       std::map<DofIndex, std::vector<unsigned int>> by_root;
-      for (unsigned int r = 0; r < rows.size(); ++r)
-        if (rows[r].row.body == index && !rows[r].row.row.entries().empty())
-          by_root[sets.find_set(rows[r].row.row.entries().front().first)]
+      for (unsigned int r = 0; r < functionals.size(); ++r)
+        if (!functionals[r].entries().empty())
+          by_root[sets.find_set(functionals[r].entries().front().first)]
             .push_back(r);
       std::vector<std::vector<unsigned int>> groups;
       for (auto &[root, group] : by_root)
@@ -89,11 +106,16 @@ namespace lamella
                              const unsigned int                index,
                              const std::vector<PrescribedRow> &rows,
                              const std::vector<std::string>   &support_names)
-    : particular_solution(body.n_dofs())
+    : kinematic(body.kinematic_constraints())
+    , particular_solution(body.n_dofs())
   {
-    for (const auto &group : groups_of_rows(body, index, rows))
-      reduce(body, group, rows, support_names);
+    const std::vector<Row> functionals = functionals_of(body, index, rows);
+    for (const auto &group : groups_of_rows(body, functionals))
+      reduce(body, group, functionals, rows, support_names);
+    // Closing resolves DoFs that the theory ties to eliminated ones.
+    homogeneous.merge(kinematic);
     homogeneous.close();
+    kinematic.distribute(particular_solution);
   }
 
 
@@ -149,6 +171,7 @@ namespace lamella
   void
   RowReduction::reduce(const Body                       &body,
                        const std::vector<unsigned int>  &group,
+                       const std::vector<Row>           &functionals,
                        const std::vector<PrescribedRow> &rows,
                        const std::vector<std::string>   &support_names)
   {
@@ -158,7 +181,7 @@ namespace lamella
       {
         equations.push_back({r, {}, rows[r].value});
         largest_value = std::max(largest_value, std::abs(rows[r].value));
-        for (const auto &[dof, weight] : rows[r].row.row.entries())
+        for (const auto &[dof, weight] : functionals[r].entries())
           equations.back().entries.emplace(dof, weight);
       }
 
@@ -194,7 +217,7 @@ namespace lamella
       }
 
     keep(equations, largest_value, body, rows, support_names);
-    factorise(eliminated, rows);
+    factorise(eliminated, functionals);
     groups.push_back(std::move(eliminated));
   }
 
@@ -232,8 +255,8 @@ namespace lamella
 
 
   void
-  RowReduction::factorise(Group                            &eliminated,
-                          const std::vector<PrescribedRow> &rows)
+  RowReduction::factorise(Group                  &eliminated,
+                          const std::vector<Row> &functionals)
   {
     const unsigned int n  = eliminated.rows.size();
     eliminated.transposed = std::make_unique<LAPACKFullMatrix<double>>(n, n);
@@ -242,7 +265,7 @@ namespace lamella
       column[eliminated.pivots[k]] = k;
     for (unsigned int k = 0; k < n; ++k)
       for (const auto &[dof, weight] :
-           rows[eliminated.rows[k]].row.row.entries())
+           functionals[eliminated.rows[k]].entries())
         if (column.count(dof) > 0)
           (*eliminated.transposed)(column[dof], k) = weight;
     eliminated.transposed->compute_lu_factorization();
@@ -253,12 +276,15 @@ namespace lamella
   std::vector<std::pair<unsigned int, double>>
   RowReduction::multipliers(const Vector &residual) const
   {
+    // Work on the DoFs that the theory leaves independent.
+    Vector independent(residual);
+    kinematic.condense(independent);
     std::vector<std::pair<unsigned int, double>> forces;
     for (const Group &group : groups)
       {
         Vector mu(group.pivots.size());
         for (unsigned int k = 0; k < mu.size(); ++k)
-          mu[k] = residual[group.pivots[k]];
+          mu[k] = independent[group.pivots[k]];
         group.transposed->solve(mu);
         for (unsigned int k = 0; k < mu.size(); ++k)
           forces.emplace_back(group.rows[k], mu[k]);

@@ -118,6 +118,8 @@ namespace lamella
             values.back()[m] =
               prescribed.row.row(motions[m]) / (m < 3 ? 1. : body.size());
         }
+    for (const RigidMotion &motion : body.missing_motions())
+      values.push_back(motion);
     LAPACKFullMatrix<double> held(values.size(), 6);
     for (unsigned int r = 0; r < values.size(); ++r)
       for (unsigned int m = 0; m < 6; ++m)

@@ -8,7 +8,6 @@
 #include <lamella/contact/parameters.h>
 #include <lamella/material/parameters.h>
 #include <lamella/scene/scene.h>
-#include <lamella/section/lagrange_element.h>
 #include <lamella/section/parameters.h>
 
 #include <algorithm>
@@ -58,8 +57,9 @@ namespace lamella
         "Theory",
         "LE-2",
         Anything(),
-        "Of all bodies: LE-N, the layer-wise Lagrange expansion "
-        "of degree N; LE-1, 2, 3 are L4, L9, L16.");
+        "Of all bodies: EBBT, TBT (classical), TE-N (Taylor expansion of "
+        "degree N over the whole section, N to 20), LE-N (layer-wise Lagrange "
+        "expansion of degree N; LE-1, 2, 3 are L4, L9, L16).");
       SolveParameters::declare(prm);
       prm.declare_entry(
         "Write VTU",
@@ -96,10 +96,7 @@ namespace lamella
                         "Direction that the section's z leans towards.");
       prm.declare_entry("Length", "", Anything(), "Of the axis [length].");
       prm.enter_subsection("Kinematics");
-      prm.declare_entry("Theory",
-                        "",
-                        Anything(),
-                        "Overrides the scene's Theory for this body.");
+      TheoryParameters::declare(prm);
       AxisParameters::declare(prm);
       prm.leave_subsection();
     }
@@ -189,24 +186,6 @@ namespace lamella
 
 
 
-    /// N of LE-N. Throws InputError, beginning with @p what.
-    unsigned int
-    parse_theory(const std::string &theory, const std::string &what)
-    {
-      static const std::regex layer_wise("LE-([1-8])");
-      std::smatch             match;
-      if (std::regex_match(theory, match, layer_wise))
-        return std::stoi(match[1]);
-      static const std::regex planned("EBBT|TBT|TE-[0-9]+|solid-[0-9]+");
-      throw InputError(what + " = " + theory + ": " +
-                       (std::regex_match(theory, planned) ?
-                          "this theory is not in this version. " :
-                          "no such theory. ") +
-                       "Use LE-N with N from 1 to 8 (LE-2 is L9).");
-    }
-
-
-
     BodyDescription
     parse_body(ParameterHandler               &prm,
                const std::string              &name,
@@ -246,23 +225,17 @@ namespace lamella
         }
 
       prm.enter_subsection("Kinematics");
-      const std::string theory = prm.get("Theory");
-      body.degree              = theory.empty() ?
-                                   parse_theory(scene_theory, "Theory") :
-                                   parse_theory(theory, what + "/Kinematics/Theory");
+      body.theory = TheoryParameters::parse(prm).resolve(scene_theory,
+                                                         what + "/Kinematics");
       body.axis = AxisParameters::parse(prm).mesh(value, what + "/Kinematics");
+      if (body.theory.kind == Theory::Kind::EBBT && body.axis.degree != 3)
+        throw InputError(what + "/Kinematics/Axis element = B" +
+                         std::to_string(body.axis.degree + 1) +
+                         ": EBBT needs B4, whose cubic deflections Kirchhoff's "
+                         "constraint makes smooth from element to element. Use "
+                         "B4, or TBT.");
       prm.leave_subsection();
       return body;
-    }
-
-
-
-    bool
-    parse_bool(const std::string &text, const std::string &what)
-    {
-      if (text != "true" && text != "false")
-        throw InputError(what + " = " + text + ": must be true or false.");
-      return text == "true";
     }
 
 
@@ -295,14 +268,14 @@ namespace lamella
       std::vector<std::string> warnings;
       for (const BodyDescription &body : bodies)
         {
-          if (body.axis.degree < 3)
+          if (body.axis.degree < 3 && !body.axis.assumed_shear)
             warnings.push_back(
               "body " + body.name + ": B" +
               std::to_string(body.axis.degree + 1) +
-              " elements are integrated fully and too stiff in "
-              "bending where they are longer than the section "
-              "is high (shear locking); use B4");
-          if (body.degree == 1)
+              " elements with full Shear strains are too stiff in bending "
+              "where they are longer than the section is high (shear "
+              "locking); use B4, or Shear strains = auto");
+          if (body.theory.kind == Theory::Kind::LE && body.theory.order == 1)
             warnings.push_back("body " + body.name +
                                ": LE-1 (L4) cells cannot contract linearly "
                                "through their height and are too stiff in "
@@ -332,7 +305,7 @@ namespace lamella
       scene.title              = prm.get("Title");
       scene.units              = Units::parse(prm.get("Units"));
       scene.solve              = SolveParameters::parse(prm);
-      scene.write_vtu          = parse_bool(prm.get("Write VTU"), "Write VTU");
+      scene.write_vtu          = to_bool(prm.get("Write VTU"), "Write VTU");
       const std::string theory = prm.get("Theory");
       const auto       &bodies = names.at("Bodies");
 
@@ -438,18 +411,17 @@ namespace lamella
   Bodies
   build_bodies(const Scene &scene)
   {
-    std::map<std::pair<std::string, unsigned int>,
-             std::shared_ptr<const Section>>
+    std::map<std::pair<std::string, Theory>, std::shared_ptr<const Section>>
            sections;
     Bodies bodies;
     for (const BodyDescription &description : scene.bodies)
       {
-        auto &section = sections[{description.section, description.degree}];
+        auto &section = sections[{description.section, description.theory}];
         if (section == nullptr)
-          section = std::make_shared<Section>(std::make_unique<LagrangeElement>(
-            make_section_mesh(scene.sections.at(description.section),
-                              scene.materials),
-            description.degree));
+          section = make_section(make_section_mesh(scene.sections.at(
+                                                     description.section),
+                                                   scene.materials),
+                                 description.theory);
         bodies.push_back(
           std::make_unique<Beam>(description.name,
                                  section,

@@ -23,9 +23,34 @@ namespace lamella
       }
     origin = Point<2>(moment / area);
 
-    const auto box = GridTools::compute_bounding_box(this->mesh->mesh);
-    length         = 0.5 * box.get_boundary_points().first.distance(
-                     box.get_boundary_points().second);
+    const auto corners = bounding_box().get_boundary_points();
+    length             = 0.5 * corners.first.distance(corners.second);
+  }
+
+
+
+  BoundingBox<2>
+  CrossSectionElement::bounding_box() const
+  {
+    return GridTools::compute_bounding_box(mesh->mesh);
+  }
+
+
+
+  FunctionValues
+  CrossSectionElement::linear_functions(const Point<2>     &position,
+                                        const Tensor<2, 2> &jacobian) const
+  {
+    FunctionValues result;
+    result.position  = position;
+    result.jacobian  = jacobian;
+    result.values    = {1.,
+                        (position[0] - origin[0]) / length,
+                        (position[1] - origin[1]) / length};
+    result.gradients = {Tensor<1, 2>(),
+                        Point<2>(1. / length, 0.),
+                        Point<2>(0., 1. / length)};
+    return result;
   }
 
 

@@ -4,11 +4,7 @@
 
 #include <deal.II/base/quadrature_lib.h>
 
-#include <deal.II/dofs/dof_tools.h>
-
-#include <deal.II/fe/mapping_q.h>
-
-#include <numeric>
+#include <map>
 
 namespace lamella
 {
@@ -16,33 +12,16 @@ namespace lamella
 
   LagrangeElement::LagrangeElement(std::shared_ptr<const SectionMesh> mesh_,
                                    const unsigned int                 degree)
-    : CrossSectionElement(std::move(mesh_))
-    , fe(degree)
-    , dof_handler(mesh->mesh)
-    , nodes()
+    : CrossSectionElement(mesh_)
+    , geometry(mesh_, degree)
+    , cells(geometry.n_cells())
   {
-    dof_handler.distribute_dofs(fe);
-    nodes.resize(dof_handler.n_dofs());
-    DoFTools::map_dofs_to_support_points(MappingQ<2>(degree),
-                                         dof_handler,
-                                         nodes);
-    for (const auto &cell : dof_handler.active_cell_iterators())
-      {
-        cells.emplace_back();
-        cells.back().nodes.resize(fe.n_dofs_per_cell());
-        cell->get_dof_indices(cells.back().nodes);
-      }
-    number_functions();
-  }
-
-
-
-  std::string
-  LagrangeElement::name() const
-  {
-    const unsigned int nodes_per_cell = (fe.degree + 1) * (fe.degree + 1);
-    return "LE-" + std::to_string(fe.degree) + " (L" +
-           std::to_string(nodes_per_cell) + ")";
+    const Grid grid = find_grid();
+    if (grid.n_columns > 0)
+      number_column_functions(grid);
+    else
+      number_nodal_functions();
+    collect_numbers();
   }
 
 
@@ -50,7 +29,8 @@ namespace lamella
   std::array<unsigned int, 3>
   LagrangeElement::replaced_nodes() const
   {
-    const auto farthest = [this](const auto &measure) {
+    const auto &nodes    = geometry.nodes();
+    const auto  farthest = [&nodes](const auto &measure) {
       unsigned int best = 0;
       for (unsigned int i = 1; i < nodes.size(); ++i)
         if (measure(nodes[i]) > measure(nodes[best]))
@@ -60,9 +40,9 @@ namespace lamella
     const unsigned int a =
       farthest([this](const Point<2> &p) { return p.distance_square(origin); });
     const unsigned int b = farthest(
-      [this, a](const Point<2> &p) { return p.distance_square(nodes[a]); });
+      [&nodes, a](const Point<2> &p) { return p.distance_square(nodes[a]); });
     const Tensor<1, 2> line = nodes[b] - nodes[a];
-    const unsigned int c    = farthest([this, a, &line](const Point<2> &p) {
+    const unsigned int c    = farthest([&nodes, a, &line](const Point<2> &p) {
       const Tensor<1, 2> d = p - nodes[a];
       return std::abs(line[0] * d[1] - line[1] * d[0]);
     });
@@ -72,46 +52,154 @@ namespace lamella
 
 
   void
-  LagrangeElement::number_functions()
+  LagrangeElement::number_nodal_functions()
   {
-    std::vector<unsigned int> function_of_node(nodes.size());
+    const unsigned int        n = geometry.nodes().size();
+    std::vector<unsigned int> function_of_node(n);
     const auto                replaced = replaced_nodes();
-    for (unsigned int node = 0, next = 3; node < nodes.size(); ++node)
+    levels.assign(n, 1);
+    std::fill(levels.begin(), levels.begin() + 3, 0);
+    for (unsigned int node = 0, next = 3; node < n; ++node)
       {
         const bool gives_way =
           std::find(replaced.begin(), replaced.end(), node) != replaced.end();
         function_of_node[node] = gives_way ? 0 : next++;
       }
-
-    for (Cell &cell : cells)
+    for (unsigned int c = 0; c < cells.size(); ++c)
       {
-        for (unsigned int i = 0; i < cell.nodes.size(); ++i)
-          if (function_of_node[cell.nodes[i]] > 0)
-            cell.warping.push_back(i);
-        std::sort(cell.warping.begin(),
-                  cell.warping.end(),
-                  [&cell](const unsigned int i, const unsigned int j) {
-                    return cell.nodes[i] < cell.nodes[j];
-                  });
-        cell.functions = {0, 1, 2};
-        for (const unsigned int i : cell.warping)
-          cell.functions.push_back(function_of_node[cell.nodes[i]]);
+        const auto &nodes = geometry.nodes_of_cell(c);
+        for (unsigned int i = 0; i < nodes.size(); ++i)
+          if (function_of_node[nodes[i]] > 0)
+            cells[c].functions.push_back(
+              {function_of_node[nodes[i]], LocalFunction::Kind::nodal, {i}});
+      }
+  }
+
+
+
+  namespace
+  {
+    /// The distinct values of coordinate @p d of @p nodes, ascending, and the
+    /// place of each node among them.
+    std::pair<std::vector<double>, std::vector<unsigned int>>
+    distinct_coordinates(const std::vector<Point<2>> &nodes,
+                         const unsigned int           d)
+    {
+      std::vector<double> all;
+      for (const Point<2> &node : nodes)
+        all.push_back(node[d]);
+      std::sort(all.begin(), all.end());
+      const double        tolerance = 1e-9 * (all.back() - all.front());
+      std::vector<double> values;
+      for (const double value : all)
+        if (values.empty() || value - values.back() > tolerance)
+          values.push_back(value);
+      std::vector<unsigned int> places;
+      for (const Point<2> &node : nodes)
+        places.push_back(
+          std::lower_bound(values.begin(), values.end(), node[d] - tolerance) -
+          values.begin());
+      return {values, places};
+    }
+  } // namespace
+
+
+
+  LagrangeElement::Grid
+  LagrangeElement::find_grid() const
+  {
+    const auto [xs, column_of] = distinct_coordinates(geometry.nodes(), 0);
+    const auto [zs, place_of]  = distinct_coordinates(geometry.nodes(), 1);
+    const double width         = xs.back() - xs.front(),
+                 height        = zs.back() - zs.front();
+    if (xs.size() * zs.size() != geometry.nodes().size() ||
+        std::max(width, height) < column_aspect * std::min(width, height))
+      return {};
+    if (width > height)
+      return {column_of,
+              place_of,
+              static_cast<unsigned int>(xs.size()),
+              static_cast<unsigned int>(zs.size())};
+    return {place_of,
+            column_of,
+            static_cast<unsigned int>(zs.size()),
+            static_cast<unsigned int>(xs.size())};
+  }
+
+
+
+  void
+  LagrangeElement::number_column_functions(const Grid &grid)
+  {
+    const auto box = bounding_box().get_boundary_points();
+    long_side =
+      box.second[0] - box.first[0] > box.second[1] - box.first[1] ? 0 : 1;
+    column_length =
+      0.5 * (box.second[1 - long_side] - box.first[1 - long_side]);
+
+    // 1, x, z stand for both functions of the first column and one of the last.
+    std::vector<unsigned int> constant(grid.n_columns, 0),
+      slope(grid.n_columns, 0);
+    levels.assign(3, 0);
+    for (unsigned int i = 0; i < grid.n_columns; ++i)
+      {
+        if (i > 0 && i + 1 < grid.n_columns)
+          {
+            constant[i] = levels.size();
+            levels.push_back(1);
+          }
+        if (i > 0)
+          {
+            slope[i] = levels.size();
+            levels.push_back(1);
+          }
+      }
+    std::vector<unsigned int> of_node(grid.column.size(), 0);
+    for (unsigned int node = 0; node < of_node.size(); ++node)
+      if (grid.place[node] > 0 && grid.place[node] + 1 < grid.n_places)
+        {
+          of_node[node] = levels.size();
+          levels.push_back(2);
+        }
+
+    for (unsigned int c = 0; c < cells.size(); ++c)
+      {
+        const auto &nodes = geometry.nodes_of_cell(c);
+        std::map<unsigned int, std::vector<unsigned int>> columns;
+        for (unsigned int i = 0; i < nodes.size(); ++i)
+          {
+            columns[grid.column[nodes[i]]].push_back(i);
+            if (of_node[nodes[i]] > 0)
+              cells[c].functions.push_back(
+                {of_node[nodes[i]], LocalFunction::Kind::nodal, {i}});
+          }
+        for (const auto &[column, members] : columns)
+          {
+            if (constant[column] > 0)
+              cells[c].functions.push_back(
+                {constant[column], LocalFunction::Kind::column, members});
+            if (slope[column] > 0)
+              cells[c].functions.push_back(
+                {slope[column], LocalFunction::Kind::column_slope, members});
+          }
       }
   }
 
 
 
   void
-  LagrangeElement::map_geometry(const unsigned int cell,
-                                const Point<2>    &unit,
-                                FunctionValues    &result) const
+  LagrangeElement::collect_numbers()
   {
-    for (unsigned int i = 0; i < fe.n_dofs_per_cell(); ++i)
+    for (Cell &cell : cells)
       {
-        const Point<2>    &node     = nodes[cells[cell].nodes[i]];
-        const Tensor<1, 2> gradient = fe.shape_grad(i, unit);
-        result.position += fe.shape_value(i, unit) * node;
-        result.jacobian += outer_product(Tensor<1, 2>(node), gradient);
+        std::sort(cell.functions.begin(),
+                  cell.functions.end(),
+                  [](const LocalFunction &a, const LocalFunction &b) {
+                    return a.number < b.number;
+                  });
+        cell.numbers = {0, 1, 2};
+        for (const LocalFunction &function : cell.functions)
+          cell.numbers.push_back(function.number);
       }
   }
 
@@ -120,22 +208,34 @@ namespace lamella
   FunctionValues
   LagrangeElement::evaluate(const unsigned int cell, const Point<2> &unit) const
   {
-    FunctionValues result;
-    map_geometry(cell, unit, result);
-    const Tensor<2, 2> to_real = transpose(invert(result.jacobian));
+    const auto [position, jacobian] = geometry.map(cell, unit);
+    FunctionValues     result       = linear_functions(position, jacobian);
+    const Tensor<2, 2> to_real      = transpose(invert(jacobian));
+    const unsigned int across       = 1 - long_side;
+    const double       t = (position[across] - origin[across]) / column_length;
 
-    result.values    = {1.,
-                        (result.position[0] - origin[0]) / length,
-                        (result.position[1] - origin[1]) / length};
-    result.gradients = {Tensor<1, 2>(),
-                        Point<2>(1. / length, 0.),
-                        Point<2>(0., 1. / length)};
-    for (const unsigned int i : cells[cell].warping)
+    for (const LocalFunction &function : cells[cell].functions)
       {
+        double       value = 0.;
+        Tensor<1, 2> gradient;
+        for (const unsigned int i : function.nodes)
+          {
+            value += geometry.fe().shape_value(i, unit);
+            gradient += to_real * geometry.fe().shape_grad(i, unit);
+          }
         // At a node the others vanish exactly, and rows there stay short.
-        const double value = fe.shape_value(i, unit);
-        result.values.push_back(std::abs(value) < 1e-14 ? 0. : value);
-        result.gradients.push_back(to_real * fe.shape_grad(i, unit));
+        if (std::abs(value) < 1e-14)
+          value = 0.;
+        if (function.kind != LocalFunction::Kind::nodal)
+          gradient[across] = 0.;
+        if (function.kind == LocalFunction::Kind::column_slope)
+          {
+            gradient *= t;
+            gradient[across] = value / column_length;
+            value *= t;
+          }
+        result.values.push_back(value);
+        result.gradients.push_back(gradient);
       }
     return result;
   }
@@ -145,25 +245,26 @@ namespace lamella
   std::vector<EdgePoint>
   LagrangeElement::edge_points(const std::string &boundary) const
   {
-    const QGauss<1> quadrature(fe.degree + 1);
-    std::map<dealii::types::global_dof_index, EdgePoint> found;
+    const FE_Q<2>                    &fe = geometry.fe();
+    const QGauss<1>                   quadrature(fe.degree + 1);
+    std::map<unsigned int, EdgePoint> found;
     for (const auto &[c, f] : boundary_faces(boundary))
       for (unsigned int i = 0; i < fe.n_dofs_per_cell(); ++i)
         {
           const Point<2> unit = fe.unit_support_point(i);
           if (std::abs(unit[f / 2] - f % 2) > 1e-12)
             continue;
-          EdgePoint &point = found[cells[c].nodes[i]];
-          point.position   = nodes[cells[c].nodes[i]];
-          point.cell       = c;
-          point.unit       = unit;
-          point.depth      = depth(c, f);
+          const unsigned int node  = geometry.nodes_of_cell(c)[i];
+          EdgePoint         &point = found[node];
+          point.position           = geometry.nodes()[node];
+          point.cell               = c;
+          point.unit               = unit;
+          point.depth              = depth(c, f);
           for (unsigned int q = 0; q < quadrature.size(); ++q)
             {
-              const Point<2> x = face_point(f, quadrature.point(q)[0]);
-              FunctionValues geometry;
-              map_geometry(c, x, geometry);
-              const Tensor<1, 2> n = scaled_face_normal(f, geometry.jacobian);
+              const Point<2>     x = face_point(f, quadrature.point(q)[0]);
+              const Tensor<1, 2> n =
+                scaled_face_normal(f, geometry.map(c, x).jacobian);
               const double share = fe.shape_value(i, x) * quadrature.weight(q);
               point.normal += share * n;
               point.weight += share * n.norm();
@@ -184,23 +285,21 @@ namespace lamella
   std::vector<EdgePoint>
   LagrangeElement::section_points() const
   {
+    const FE_Q<2>         &fe = geometry.fe();
     const QGauss<2>        quadrature(fe.degree + 1);
-    std::vector<EdgePoint> points(nodes.size());
+    std::vector<EdgePoint> points(geometry.nodes().size());
     for (unsigned int c = 0; c < cells.size(); ++c)
       for (unsigned int i = 0; i < fe.n_dofs_per_cell(); ++i)
         {
-          EdgePoint &point = points[cells[c].nodes[i]];
-          point.position   = nodes[cells[c].nodes[i]];
-          point.cell       = c;
-          point.unit       = fe.unit_support_point(i);
+          const unsigned int node  = geometry.nodes_of_cell(c)[i];
+          EdgePoint         &point = points[node];
+          point.position           = geometry.nodes()[node];
+          point.cell               = c;
+          point.unit               = fe.unit_support_point(i);
           for (unsigned int q = 0; q < quadrature.size(); ++q)
-            {
-              FunctionValues geometry;
-              map_geometry(c, quadrature.point(q), geometry);
-              point.weight += fe.shape_value(i, quadrature.point(q)) *
-                              quadrature.weight(q) *
-                              determinant(geometry.jacobian);
-            }
+            point.weight +=
+              fe.shape_value(i, quadrature.point(q)) * quadrature.weight(q) *
+              determinant(geometry.map(c, quadrature.point(q)).jacobian);
         }
     return points;
   }

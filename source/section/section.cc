@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <lamella/section/lagrange_element.h>
 #include <lamella/section/section.h>
+#include <lamella/section/taylor_element.h>
 
 #include <deal.II/base/geometry_info.h>
 #include <deal.II/base/quadrature_lib.h>
 
 #include <deal.II/lac/dynamic_sparsity_pattern.h>
+#include <deal.II/lac/lapack_full_matrix.h>
 
 #include <numeric>
 
@@ -25,11 +28,31 @@ namespace lamella
 
 
 
-  Section::Section(std::unique_ptr<const CrossSectionElement> element)
-    : expansion(std::move(element))
+  namespace
   {
+    /// D C D with sqrt(k) in the places of the transverse shear strains.
+    ElasticTensor
+    with_shear_factor(ElasticTensor C, const double k)
+    {
+      for (unsigned int i = 0; i < 6; ++i)
+        for (unsigned int j = 0; j < 6; ++j)
+          C[i][j] *= std::sqrt((is_transverse_shear(i) ? k : 1.) *
+                               (is_transverse_shear(j) ? k : 1.));
+      return C;
+    }
+  } // namespace
+
+
+
+  Section::Section(std::unique_ptr<const CrossSectionElement> element,
+                   const Theory                              &theory)
+    : expansion(std::move(element))
+    , section_theory(theory)
+  {
+    const double k =
+      theory.kind == Theory::Kind::TBT ? theory.shear_factor : 1.;
     for (const Ply &ply : plies())
-      elasticities.push_back(ply.stiffness());
+      elasticities.push_back(with_shear_factor(ply.stiffness(), k));
     for (const auto &cell :
          expansion->section_mesh().mesh.active_cell_iterators())
       ply_of_cell.push_back(cell->material_id());
@@ -37,7 +60,14 @@ namespace lamella
     make_fields();
     make_points();
     make_matrices();
+    make_boxes();
+  }
 
+
+
+  void
+  Section::make_boxes()
+  {
     std::vector<std::pair<BoundingBox<2>, unsigned int>> cell_boxes;
     for (const auto &cell :
          expansion->section_mesh().mesh.active_cell_iterators())
@@ -59,19 +89,22 @@ namespace lamella
     const auto linear = [](std::vector<SectionField::Term> terms) {
       return SectionField{std::move(terms), 0};
     };
-    fields                      = {linear({{0, 0, 1.}}),
-                                   linear({{0, 1, 1.}}),
-                                   linear({{0, 2, 1.}}),
-                                   linear({{1, 1, 1.}}),
-                                   linear({{2, 1, 1.}}),
-                                   linear({{2, 0, 1.}, {1, 2, -1.}}),
-                                   linear({{1, 0, 1.}}),
-                                   linear({{2, 2, 1.}}),
-                                   linear({{2, 0, 1.}, {1, 2, 1.}})};
+    fields = {linear({{0, 0, 1.}}),
+              linear({{0, 1, 1.}}),
+              linear({{0, 2, 1.}}),
+              linear({{1, 1, 1.}}),
+              linear({{2, 1, 1.}})};
+    if (!section_theory.is_classical())
+      {
+        fields.push_back(linear({{2, 0, 1.}, {1, 2, -1.}}));
+        fields.push_back(linear({{1, 0, 1.}}));
+        fields.push_back(linear({{2, 2, 1.}}));
+        fields.push_back(linear({{2, 0, 1.}, {1, 2, 1.}}));
+      }
     const unsigned int n_linear = fields.size();
     for (unsigned int tau = 3; tau < expansion->n_functions(); ++tau)
       for (unsigned int c = 0; c < 3; ++c)
-        fields.push_back({{{tau, c, 1.}}, 1});
+        fields.push_back({{{tau, c, 1.}}, expansion->level(tau)});
 
     cell_fields.resize(ply_of_cell.size());
     for (unsigned int cell = 0; cell < cell_fields.size(); ++cell)
@@ -88,7 +121,7 @@ namespace lamella
 
 
   SectionPoint
-  Section::evaluate(const unsigned int cell, const Point<2> &unit) const
+  Section::evaluate_fields(const unsigned int cell, const Point<2> &unit) const
   {
     const FunctionValues             f = expansion->evaluate(cell, unit);
     const std::vector<unsigned int> &functions =
@@ -121,8 +154,29 @@ namespace lamella
         strain[5] = d_dz[1];
         point.value.push_back(value);
         point.in_plane.push_back(strain);
+        point.along.push_back(axial_strain(value));
         point.twist.push_back(0.5 * (d_dz[0] - d_dx[2]));
       }
+    if (section_theory.kind == Theory::Kind::EBBT)
+      for (unsigned int a = 0; a < point.fields->size(); ++a)
+        for (const unsigned int shear : {3, 5})
+          {
+            // Kirchhoff's constraint makes their sum vanish; dropping both
+            // keeps the digits that the difference would lose.
+            point.in_plane[a][shear] = 0.;
+            point.along[a][shear]    = 0.;
+          }
+    return point;
+  }
+
+
+
+  SectionPoint
+  Section::evaluate(const unsigned int cell, const Point<2> &unit) const
+  {
+    SectionPoint point = evaluate_fields(cell, unit);
+    if (completion != nullptr)
+      completion->complete(point);
     return point;
   }
 
@@ -131,13 +185,29 @@ namespace lamella
   void
   Section::make_points()
   {
-    const QGauss<2> quadrature(expansion->degree() + 1);
+    const QGauss<2> quadrature(expansion->n_gauss_points());
     for (unsigned int cell = 0; cell < n_cells(); ++cell)
       for (unsigned int q = 0; q < quadrature.size(); ++q)
         {
-          points.push_back(evaluate(cell, quadrature.point(q)));
+          points.push_back(evaluate_fields(cell, quadrature.point(q)));
           weights.push_back(quadrature.weight(q) * points.back().jacobian);
         }
+
+    if (!section_theory.poisson_correction)
+      return;
+    if (section_theory.is_classical())
+      completion = std::make_unique<FreeContraction>(elasticities, ply_of_cell);
+    else if (section_theory.kind == Theory::Kind::TE &&
+             section_theory.order == 1)
+      completion = std::make_unique<ContractionModes>(expansion->shared_mesh(),
+                                                      points,
+                                                      weights,
+                                                      elasticities,
+                                                      ply_of_cell,
+                                                      n_fields());
+    if (completion != nullptr)
+      for (SectionPoint &point : points)
+        completion->complete(point);
   }
 
 
@@ -153,35 +223,76 @@ namespace lamella
     for (Matrix &matrix : matrices)
       matrix.reinit(sparsity);
 
-    std::vector<std::array<Voigt, 2>> strain, stress;
-    for (unsigned int k = 0; k < points.size(); ++k)
+    // Cell by cell as products of dense matrices: the strains at all points of
+    // a cell, normal ones (and xz) of in_plane, transverse shear ones of
+    // in_plane, and along.
+    const unsigned int n_points = points.size() / n_cells();
+    for (unsigned int cell = 0; cell < n_cells(); ++cell)
       {
-        const SectionPoint  &point = points[k];
-        const ElasticTensor &C     = elasticity(point.cell);
-        const unsigned int   n     = point.fields->size();
-        strain.resize(n);
-        stress.resize(n);
-        for (unsigned int a = 0; a < n; ++a)
+        const unsigned int                      n = cell_fields[cell].size();
+        std::array<LAPACKFullMatrix<double>, 3> strain, stress;
+        for (unsigned int p = 0; p < 3; ++p)
           {
-            strain[a] = {{point.in_plane[a], axial_strain(point.value[a])}};
-            for (unsigned int p = 0; p < 2; ++p)
-              stress[a][p] = weights[k] * (C * strain[a][p]);
+            strain[p].reinit(6 * n_points, n);
+            stress[p].reinit(6 * n_points, n);
           }
-        std::vector<double> entries(n);
-        for (unsigned int p = 0; p < 2; ++p)
-          for (unsigned int q = 0; q < 2; ++q)
+        for (unsigned int k = 0; k < n_points; ++k)
+          {
+            const unsigned int  number = cell * n_points + k;
+            const SectionPoint &point  = points[number];
             for (unsigned int a = 0; a < n; ++a)
               {
-                for (unsigned int b = 0; b < n; ++b)
-                  entries[b] = strain[a][p] * stress[b][q];
-                matrices[2 * p + q].add((*point.fields)[a],
-                                        n,
-                                        point.fields->data(),
-                                        entries.data(),
-                                        false,
-                                        true);
+                std::array<Voigt, 3> e;
+                for (unsigned int c = 0; c < 6; ++c)
+                  e[is_transverse_shear(c) ? 1 : 0][c] = point.in_plane[a][c];
+                e[2] = point.along[a];
+                for (unsigned int p = 0; p < 3; ++p)
+                  {
+                    const Voigt s = weights[number] * (elasticity(cell) * e[p]);
+                    for (unsigned int c = 0; c < 6; ++c)
+                      {
+                        strain[p](6 * k + c, a) = e[p][c];
+                        stress[p](6 * k + c, a) = s[c];
+                      }
+                  }
               }
+          }
+        add_cell_matrices(cell, strain, stress);
       }
+  }
+
+
+
+  void
+  Section::add_cell_matrices(
+    const unsigned int                             cell,
+    const std::array<LAPACKFullMatrix<double>, 3> &strain,
+    const std::array<LAPACKFullMatrix<double>, 3> &stress)
+  {
+    const auto              &numbers = cell_fields[cell];
+    const unsigned int       n       = numbers.size();
+    LAPACKFullMatrix<double> product(n, n);
+    std::vector<double>      row(n);
+    // Which of the matrices the product of parts p and q belongs to.
+    constexpr unsigned int S_00 = 0, S_01 = 1, S_10 = 2, S_11 = 3, shear = 4;
+    constexpr std::array<std::array<unsigned int, 3>, 3> part_of{
+      {{{S_00, shear, S_01}}, {{shear, shear, S_01}}, {{S_10, S_10, S_11}}}};
+    for (unsigned int p = 0; p < 3; ++p)
+      for (unsigned int q = 0; q < 3; ++q)
+        {
+          strain[p].Tmmult(product, stress[q]);
+          for (unsigned int a = 0; a < n; ++a)
+            {
+              for (unsigned int b = 0; b < n; ++b)
+                row[b] = product(a, b);
+              for (const unsigned int m :
+                   part_of[p][q] == shear ?
+                     std::vector<unsigned int>{S_00, shear} :
+                     std::vector<unsigned int>{part_of[p][q]})
+                matrices[m].add(
+                  numbers[a], n, numbers.data(), row.data(), false, true);
+            }
+        }
   }
 
 
@@ -232,5 +343,19 @@ namespace lamella
   Section::area() const
   {
     return std::accumulate(weights.begin(), weights.end(), 0.);
+  }
+
+
+
+  std::shared_ptr<const Section>
+  make_section(std::shared_ptr<const SectionMesh> mesh, const Theory &theory)
+  {
+    std::unique_ptr<const CrossSectionElement> element;
+    if (theory.kind == Theory::Kind::LE)
+      element =
+        std::make_unique<LagrangeElement>(std::move(mesh), theory.order);
+    else
+      element = std::make_unique<TaylorElement>(std::move(mesh), theory.order);
+    return std::make_shared<Section>(std::move(element), theory);
   }
 } // namespace lamella

@@ -32,12 +32,21 @@ namespace lamella
             cells_across};
   }
 
+  /// LE-@p degree.
+  inline Theory
+  layer_wise(const unsigned int degree)
+  {
+    Theory theory;
+    theory.kind  = Theory::Kind::LE;
+    theory.order = degree;
+    return theory;
+  }
+
   inline std::shared_ptr<const Section>
   make_section(std::shared_ptr<const SectionMesh> mesh,
                const unsigned int                 degree)
   {
-    return std::make_shared<Section>(
-      std::make_unique<LagrangeElement>(std::move(mesh), degree));
+    return make_section(std::move(mesh), layer_wise(degree));
   }
 
   inline std::shared_ptr<const Section>

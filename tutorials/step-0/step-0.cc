@@ -20,7 +20,6 @@
 #include <lamella/contact/enforcement.h>
 #include <lamella/contact/gap_rows.h>
 #include <lamella/material/library.h>
-#include <lamella/section/lagrange_element.h>
 #include <lamella/section/laminate.h>
 
 #include <fstream>
@@ -72,10 +71,9 @@ private:
 // the section mesh and, separately, the mesh of the axis: eight cubic elements.
 StoppedCantilever::StoppedCantilever()
 {
-  const auto section = std::make_shared<Section>(
-    std::make_unique<LagrangeElement>(make_section_mesh(laminate, materials),
-                                      /*degree=*/2));
-  AxisMesh axis;
+  const auto section = make_section(make_section_mesh(laminate, materials),
+                                    Theory::parse("LE-2", "Theory"));
+  AxisMesh   axis;
   axis.length   = length;
   axis.elements = {8};
   bodies.push_back(std::make_unique<Beam>(

@@ -28,6 +28,9 @@ namespace lamella
     /// Nodes at equal distances, as in the CUF literature's B4, instead of at
     /// the Gauss-Lobatto points of FE_Q: the same space, other contact pairs.
     bool equidistant_nodes = false;
+    /// Whether transverse shear strains are assumed one degree lower (MITC).
+    /// B2 and B3 lock in shear without it; B4 does not need it.
+    bool assumed_shear = false;
   };
 
   /// The shape functions that do not vanish on an axis element, at a point.
@@ -36,12 +39,24 @@ namespace lamella
     unsigned int        cell = 0;
     double              y    = 0.;
     std::vector<double> N, dN;
+    /// What stands for N in the transverse shear strains: N itself, or its
+    /// projection on the polynomials of one degree less.
+    std::vector<double> N_shear;
   };
 
   /**
    * The axis of a beam: FE_Q<1>(1..3) on a mesh of [0, length], nodes numbered
    * along y, and the four matrices of Eq. 12 over the axis,
    *   A_NN = int N_i N_j,  A_NdN = int N_i N_j',  A_dNdN = int N_i' N_j'.
+   *
+   * In a transverse shear strain N w' + N' ... the slope of the deflection is
+   * of one degree less than the rotation that it must cancel in a slender beam:
+   * B2 and B3 then lock. With assumed shear strains the rotation's part is
+   * interpolated in the degree() Gauss points of an element (Dvorkin and
+   * Bathe's mixed interpolation of tensorial components, MITC, for a beam),
+   * which is its projection N^ on the polynomials of one degree less. Since N'
+   * is one of those, int N^ N' = int N N' and int N^ N = int N^ N^: one more
+   * small matrix, A_shear = int N^_i N^_j, is all that it takes.
    */
   class Axis
   {
@@ -137,11 +152,22 @@ namespace lamella
       return matrices[2 * p + q];
     }
 
+    /// int N^_i N^_j: A(0, 0) unless shear strains are assumed.
+    const Matrix &
+    A_shear() const
+    {
+      return matrices[4];
+    }
+
   private:
     void
     number_nodes();
     void
     make_matrices();
+
+    /// Values of N^_i at @p eta of [0, 1].
+    std::vector<double>
+    projected_shape_functions(const double eta) const;
 
     AxisMesh                 description;
     dealii::Triangulation<1> mesh;
@@ -156,7 +182,7 @@ namespace lamella
     std::vector<double>    weights;
 
     dealii::SparsityPattern sparsity;
-    std::array<Matrix, 4>   matrices;
+    std::array<Matrix, 5>   matrices;
   };
 } // namespace lamella
 

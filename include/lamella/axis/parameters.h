@@ -14,7 +14,7 @@ namespace lamella
   /// What a body's `subsection Kinematics` says of the axis.
   struct AxisParameters
   {
-    std::string element, elements, breaks, nodes;
+    std::string element, elements, breaks, nodes, shear_strains = "auto";
 
     static void
     declare(dealii::ParameterHandler &prm);

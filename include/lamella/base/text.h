@@ -35,6 +35,10 @@ namespace lamella
   std::vector<double>
   to_numbers(const std::string &text, const std::string &what);
 
+  /// Of `true` and `false`. Throws InputError for anything else.
+  bool
+  to_bool(const std::string &text, const std::string &what);
+
   /// Three numbers between commas. Throws InputError if there are not three.
   dealii::Point<3>
   to_point(const std::string &text, const std::string &what);

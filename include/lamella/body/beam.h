@@ -15,7 +15,9 @@ namespace lamella
    * A beam in the Carrera Unified Formulation: a section times an axis,
    *   u(x, y, z) = sum N_i(y) Phi_alpha(x, z) u_(i,alpha)     (Eqs. 1 and 7),
    * with the stiffness of Eq. 12 as a sum of Kronecker products,
-   *   K = A_NN (x) S_00 + A_NdN (x) S_01 + A_dNN (x) S_10 + A_dNdN (x) S_11.
+   *   K = A_NN (x) S_00 + A_NdN (x) S_01 + A_dNN (x) S_10 + A_dNdN (x) S_11
+   * (and, where transverse shear strains are assumed, (A_shear - A_NN) (x)
+   * S_shear). EBBT is TBT with Kirchhoff's constraint on each element.
    *
    * An element of the beam, a "cell" in Location, is the product of an axis
    * element and a section cell, numbered
@@ -47,8 +49,15 @@ namespace lamella
     }
     unsigned int
     dof_level(const DofIndex dof) const override;
+    const Constraints &
+    kinematic_constraints() const override
+    {
+      return kirchhoff;
+    }
     std::vector<Vector>
     rigid_motions() const override;
+    std::vector<RigidMotion>
+    missing_motions() const override;
     dealii::Point<3>
     centre() const override;
     double
@@ -117,11 +126,28 @@ namespace lamella
                        Matrix                  &matrix) const override;
 
   private:
+    /**
+     * Makes w' and the rotation cancel on every element. With B4 the cubic w of
+     * an element is then fixed by w and the rotation at its two ends (Hermite's
+     * polynomials), and so are both at the two nodes inside:
+     *   w = H_0 w_0 + H_2 w_1 - L/h (H_1 a_0 + H_3 a_1),   a = -h w',
+     * where u_y = a (z - z_c) / h.
+     */
+    void
+    constrain_to_kirchhoff();
+
     /// The fields' coefficients and their derivatives along y at a point of the
-    /// axis: for each alpha, sum_i N_i u_(i,alpha) and sum_i N_i' u_(i,alpha).
+    /// axis: for each alpha sum_i N_i u_(i,alpha), the same with what stands
+    /// for N_i in transverse shear, and sum_i N_i' u_(i,alpha).
     struct AxisState
     {
-      std::vector<double> value, derivative;
+      std::vector<double> value, shear_value, derivative;
+
+      explicit AxisState(const unsigned int n_fields)
+        : value(n_fields, 0.)
+        , shear_value(n_fields, 0.)
+        , derivative(n_fields, 0.)
+      {}
     };
 
     AxisState
@@ -170,6 +196,7 @@ namespace lamella
     std::shared_ptr<const Axis>    beam_axis;
     Placement                      placement;
     BeamDofMap                     dof_map;
+    Constraints                    kirchhoff;
   };
 } // namespace lamella
 

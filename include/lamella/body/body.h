@@ -10,6 +10,7 @@
 #include <deal.II/base/bounding_box.h>
 #include <deal.II/base/point.h>
 
+#include <array>
 #include <memory>
 #include <string>
 #include <vector>
@@ -88,6 +89,9 @@ namespace lamella
     double max_rotation = 0.;
   };
 
+  /// Three translations along the scene's axes and three rotations about them.
+  using RigidMotion = std::array<double, 6>;
+
   /**
    * A linear elastic body: DoFs, a stiffness, rows at its points, points on its
    * surfaces. Supports, loads, contact and reports see nothing else of it, so
@@ -118,11 +122,24 @@ namespace lamella
     virtual unsigned int
     dof_level(const DofIndex dof) const = 0;
 
+    /// What the theory itself ties together, whatever the supports:
+    /// displacements of the body satisfy these homogeneous constraints.
+    virtual const Constraints &
+    kinematic_constraints() const = 0;
+
     /// The six rigid motions as displacement vectors: three unit translations
     /// along the scene's axes, three unit rotations about them through
     /// centre().
     virtual std::vector<Vector>
     rigid_motions() const = 0;
+
+    /// Those rigid motions that the theory's displacements do not contain (EBBT
+    /// and TBT cannot turn about their axis): nothing needs to hold them.
+    virtual std::vector<RigidMotion>
+    missing_motions() const
+    {
+      return {};
+    }
 
     virtual dealii::Point<3>
     centre() const = 0;

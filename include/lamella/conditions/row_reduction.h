@@ -15,7 +15,8 @@ namespace lamella
 {
   /**
    * The prescribed rows R u = d of one body, reduced to
-   * u = G v + u_p with the unconstrained DoFs v: as many DoFs are eliminated as
+   * u = G v + u_p with the unconstrained DoFs v, together with the body's own
+   * kinematic constraints, which come first: as many DoFs are eliminated as
    * rows are independent (Gauss-Jordan elimination of the rows of each group
    * that shares DoFs, with rank detection). Coarse DoFs go first, so that what
    * stays is still hierarchical; among rows with a pivot within a factor of ten
@@ -70,10 +71,12 @@ namespace lamella
 
     struct Equation;
 
-    /// Eliminates one group of rows (numbers in the constructor's list).
+    /// Eliminates one group of rows (numbers in the constructor's list), given
+    /// as @p functionals of the DoFs that the theory leaves independent.
     void
     reduce(const Body                       &body,
            const std::vector<unsigned int>  &group,
+           const std::vector<Row>           &functionals,
            const std::vector<PrescribedRow> &rows,
            const std::vector<std::string>   &support_names);
 
@@ -88,8 +91,9 @@ namespace lamella
 
     /// Factorises the independent rows of @p eliminated, for multipliers().
     static void
-    factorise(Group &eliminated, const std::vector<PrescribedRow> &rows);
+    factorise(Group &eliminated, const std::vector<Row> &functionals);
 
+    const Constraints &kinematic;
     Constraints        homogeneous;
     Vector             particular_solution;
     std::vector<Group> groups;

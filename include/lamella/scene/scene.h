@@ -12,6 +12,7 @@
 #include <lamella/report/requests.h>
 #include <lamella/scene/scene_text.h>
 #include <lamella/section/laminate.h>
+#include <lamella/section/theory.h>
 #include <lamella/solve/parameters.h>
 
 #include <map>
@@ -24,10 +25,9 @@ namespace lamella
   struct BodyDescription
   {
     std::string name, section;
-    /// Degree of the Lagrange expansion LE-N.
-    unsigned int degree = 2;
-    Placement    placement;
-    AxisMesh     axis;
+    Theory      theory;
+    Placement   placement;
+    AxisMesh    axis;
   };
 
   /// References of a resultant, see ResultantReferences.

@@ -5,6 +5,7 @@
 
 #include <lamella/section/section_mesh.h>
 
+#include <deal.II/base/bounding_box.h>
 #include <deal.II/base/point.h>
 
 #include <memory>
@@ -56,16 +57,28 @@ namespace lamella
   public:
     virtual ~CrossSectionElement() = default;
 
-    /// As a user writes it: LE-2 (L9).
-    virtual std::string
-    name() const = 0;
-
-    /// The polynomial degree that integrals over the section must cope with.
+    /// The polynomial degree of the functions on a cell.
     virtual unsigned int
     degree() const = 0;
 
+    /// Gauss points a direction and cell that integrate products of two
+    /// functions exactly (on straight cells).
+    virtual unsigned int
+    n_gauss_points() const
+    {
+      return degree() + 1;
+    }
+
     virtual unsigned int
     n_functions() const = 0;
+
+    /// 0 for 1, x, z, higher for finer functions: coarse DoFs are eliminated
+    /// first, so that what stays is still hierarchical.
+    virtual unsigned int
+    level(const unsigned int tau) const
+    {
+      return tau < 3 ? 0 : 1;
+    }
 
     /// The functions that do not vanish on @p cell, ascending.
     virtual const std::vector<unsigned int> &
@@ -97,6 +110,12 @@ namespace lamella
       return *mesh;
     }
 
+    std::shared_ptr<const SectionMesh>
+    shared_mesh() const
+    {
+      return mesh;
+    }
+
     /// The point (x_c, z_c) and the length h of the linear functions.
     dealii::Point<2>
     centre() const
@@ -110,7 +129,16 @@ namespace lamella
       return length;
     }
 
+    /// Of the section; curved edges may leave it a little.
+    dealii::BoundingBox<2>
+    bounding_box() const;
+
   protected:
+    /// Values of the first three functions, geometry as given.
+    FunctionValues
+    linear_functions(const dealii::Point<2>     &position,
+                     const dealii::Tensor<2, 2> &jacobian) const;
+
     /// The sides of cells, as pairs of cell and face, of the boundary @p name.
     std::vector<std::pair<unsigned int, unsigned int>>
     boundary_faces(const std::string &name) const;

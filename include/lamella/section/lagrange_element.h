@@ -4,49 +4,60 @@
 #define lamella_section_lagrange_element_h
 
 #include <lamella/section/cross_section_element.h>
-
-#include <deal.II/dofs/dof_handler.h>
-
-#include <deal.II/fe/fe_q.h>
+#include <lamella/section/section_geometry.h>
 
 namespace lamella
 {
   /**
    * The Lagrange expansion LE-p (Eq. 3): deal.II's FE_Q<2>(p) on the section
    * mesh, so L4, L9 and L16 for p = 1, 2, 3 (the nodes of p >= 3 are the
-   * Gauss-Lobatto points; the space is that of equidistant nodes).
+   * Gauss-Lobatto points; the space is that of equidistant nodes). The geometry
+   * is interpolated in the same nodes (isoparametric), so x and z are in the
+   * span of the nodal functions, and each basis below spans exactly LE.
    *
-   * The nodal functions of three nodes not on a line give way to 1,
-   * (x - x_c)/h, (z - z_c)/h; the other nodal functions stay as warping. The
-   * geometry is interpolated in the same nodes (isoparametric), so x and z are
-   * in the span of the nodal functions and the space is exactly that of LE.
+   * In general the nodal functions of three nodes not on a line give way to 1,
+   * (x - x_c)/h, (z - z_c)/h; the other nodal functions stay as warping.
+   *
+   * On a rectangular grid that is much wider than high the same loss of digits
+   * threatens across the width as along the axis. There the basis is built in
+   * columns: with G_i(x) the sum of the nodal functions of the column at x_i,
+   * two nodes of each column give way to G_i and G_i (z - z_c) / h_z,
+   * differentiated analytically in z, and three of these to 1, x, z. (On one
+   * that is much higher than wide x and z change places.)
    */
   class LagrangeElement : public CrossSectionElement
   {
   public:
+    /// The ratio of width and height from which grids are built in columns:
+    /// below it the columns only cost (their functions couple with more).
+    static constexpr double column_aspect = 100.;
+
     /// @p degree from 1.
     LagrangeElement(std::shared_ptr<const SectionMesh> mesh,
                     const unsigned int                 degree);
 
-    std::string
-    name() const override;
-
     unsigned int
     degree() const override
     {
-      return fe.degree;
+      return geometry.fe().degree;
     }
 
     unsigned int
     n_functions() const override
     {
-      return 3 + dof_handler.n_dofs() - 3;
+      return levels.size();
+    }
+
+    unsigned int
+    level(const unsigned int tau) const override
+    {
+      return levels[tau];
     }
 
     const std::vector<unsigned int> &
     cell_functions(const unsigned int cell) const override
     {
-      return cells[cell].functions;
+      return cells[cell].numbers;
     }
 
     FunctionValues
@@ -60,13 +71,35 @@ namespace lamella
     section_points() const override;
 
   private:
+    /// A function that does not vanish on a cell: the sum of the nodal
+    /// functions of @p nodes (local numbers) times 1 or, as a slope, the
+    /// coordinate along the column.
+    struct LocalFunction
+    {
+      enum class Kind
+      {
+        nodal,
+        column,
+        column_slope
+      };
+      unsigned int              number;
+      Kind                      kind;
+      std::vector<unsigned int> nodes;
+    };
+
     struct Cell
     {
-      std::vector<dealii::types::global_dof_index> nodes;
-      /// Local numbers of the nodes whose functions are kept as warping.
-      std::vector<unsigned int> warping;
-      /// 0, 1, 2 and then the functions of the warping nodes, ascending.
-      std::vector<unsigned int> functions;
+      /// 0, 1, 2 and those of functions, ascending.
+      std::vector<unsigned int>  numbers;
+      std::vector<LocalFunction> functions;
+    };
+
+    /// A grid of nodes: for each its place along the long side of the section
+    /// and along the short one.
+    struct Grid
+    {
+      std::vector<unsigned int> column, place;
+      unsigned int              n_columns = 0, n_places = 0;
     };
 
     /// The three nodes that give way: two far apart and a third far off their
@@ -74,19 +107,27 @@ namespace lamella
     std::array<unsigned int, 3>
     replaced_nodes() const;
 
-    void
-    number_functions();
+    /// The nodes as a grid of columns across the direction long_side, empty if
+    /// they are none or the section is not slender.
+    Grid
+    find_grid() const;
 
-    /// Position and Jacobian at @p unit from the nodes of @p cell.
     void
-    map_geometry(const unsigned int      cell,
-                 const dealii::Point<2> &unit,
-                 FunctionValues         &result) const;
+    number_nodal_functions();
 
-    dealii::FE_Q<2>               fe;
-    dealii::DoFHandler<2>         dof_handler;
-    std::vector<dealii::Point<2>> nodes;
-    std::vector<Cell>             cells;
+    void
+    number_column_functions(const Grid &grid);
+
+    void
+    collect_numbers();
+
+    SectionGeometry           geometry;
+    std::vector<unsigned int> levels;
+    std::vector<Cell>         cells;
+    /// Of a grid: 0 if the section is wide, 1 if it is high; and the length
+    /// that makes the coordinate along a column dimensionless.
+    unsigned int long_side     = 0;
+    double       column_length = 1.;
   };
 } // namespace lamella
 

@@ -5,8 +5,13 @@
 
 #include <lamella/base/linear_algebra.h>
 #include <lamella/section/cross_section_element.h>
+#include <lamella/section/section_point.h>
+#include <lamella/section/strain_completion.h>
+#include <lamella/section/theory.h>
 
 #include <boost/geometry/index/rtree.hpp>
+
+#include <deal.II/lac/lapack_full_matrix.h>
 
 #include <deal.II/numerics/rtree.h>
 
@@ -31,7 +36,8 @@ namespace lamella
       double       factor;
     };
     std::vector<Term> terms;
-    /// 0 for the linear fields, which hold the rigid motions, 1 for warping.
+    /// 0 for the linear fields, which hold the rigid motions, higher for
+    /// warping.
     unsigned int level = 0;
   };
 
@@ -44,41 +50,29 @@ namespace lamella
   } // namespace RigidField
 
   /**
-   * The fields that do not vanish at a point of the section, with the part of
-   * their strain (order of Eq. 4) that falls on the section: for
-   * u = N(y) Phi(x, z) the strain is N in_plane + N' axial(value).
-   */
-  struct SectionPoint
-  {
-    unsigned int                      cell = 0;
-    dealii::Point<2>                  unit;
-    dealii::Point<2>                  position;
-    double                            jacobian = 0.;
-    const std::vector<unsigned int>  *fields   = nullptr;
-    std::vector<dealii::Tensor<1, 3>> value;
-    std::vector<Voigt>                in_plane;
-    /// (d Phi_x / dz - d Phi_z / dx) / 2, the rotation about the axis.
-    std::vector<double> twist;
-  };
-
-  /// D_y Phi of Eq. 5: the strain {0, v_y, 0, v_x, 0, v_z} that a derivative
-  /// @p v of the displacement along the axis makes.
-  Voigt
-  axial_strain(const dealii::Tensor<1, 3> &v);
-
-  /**
-   * Everything about the section that does not depend on the axis: the fields,
-   * the integration points with their elasticity, and the four matrices of
-   * Eq. 12,
+   * Everything about the section that does not depend on the axis: the fields
+   * of the theory, the integration points with their elasticity, and the four
+   * matrices of Eq. 12,
    *   S_00 = int D_s^T C D_s,  S_01 = int D_s^T C D_y,
    *   S_10 = S_01^T,           S_11 = int D_y^T C D_y     over the section,
    * whose 3 x 3 blocks are the fundamental nucleus. Bodies with the same
    * section and theory share one object.
+   *
+   * Fields: the five of a plane section for EBBT and TBT (no torsion), nine
+   * linear ones for the others, then each further F_tau times a unit vector.
    */
   class Section
   {
   public:
-    explicit Section(std::unique_ptr<const CrossSectionElement> element);
+    /// @p element must be one of @p theory; make_section() sees to that.
+    Section(std::unique_ptr<const CrossSectionElement> element,
+            const Theory                              &theory);
+
+    const Theory &
+    theory() const
+    {
+      return section_theory;
+    }
 
     const CrossSectionElement &
     element() const
@@ -117,7 +111,9 @@ namespace lamella
       return ply_of_cell[cell];
     }
 
-    /// C in the body frame on @p cell.
+    /// C in the body frame on @p cell, its transverse shear scaled by the
+    /// theory's shear factor k: sigma = D C D eps with sqrt(k) in D's places
+    /// for xy and yz.
     const ElasticTensor &
     elasticity(const unsigned int cell) const
     {
@@ -127,7 +123,7 @@ namespace lamella
     SectionPoint
     evaluate(const unsigned int cell, const dealii::Point<2> &unit) const;
 
-    /// The integration points, (p + 1)^2 Gauss points a cell, with weights.
+    /// The integration points, n_gauss_points()^2 a cell, with weights.
     const std::vector<SectionPoint> &
     integration_points() const
     {
@@ -147,6 +143,14 @@ namespace lamella
       return matrices[2 * p + q];
     }
 
+    /// The part of S_00 that has a transverse shear strain on either side: what
+    /// the axis multiplies with the projected shape functions.
+    const Matrix &
+    S_shear() const
+    {
+      return matrices[4];
+    }
+
     /// The cells that hold the point @p x within @p tolerance (a length), with
     /// its place on the unit square; none if it lies outside of the section.
     std::vector<std::pair<unsigned int, dealii::Point<2>>>
@@ -163,9 +167,26 @@ namespace lamella
     make_points();
     void
     make_matrices();
+    /// Adds the products of strains and stresses at the points of @p cell to
+    /// the matrices; the parts are in_plane without and with nothing but the
+    /// transverse shear strains, and along.
+    void
+    add_cell_matrices(
+      const unsigned int                                     cell,
+      const std::array<dealii::LAPACKFullMatrix<double>, 3> &strain,
+      const std::array<dealii::LAPACKFullMatrix<double>, 3> &stress);
+    void
+    make_boxes();
+
+    /// The fields at a point with the strains of their displacements.
+    SectionPoint
+    evaluate_fields(const unsigned int      cell,
+                    const dealii::Point<2> &unit) const;
 
     std::unique_ptr<const CrossSectionElement> expansion;
+    Theory                                     section_theory;
     std::vector<ElasticTensor>                 elasticities;
+    std::unique_ptr<const StrainCompletion>    completion;
 
     std::vector<SectionField>              fields;
     std::vector<std::vector<unsigned int>> cell_fields;
@@ -175,11 +196,15 @@ namespace lamella
     std::vector<double>       weights;
 
     dealii::SparsityPattern sparsity;
-    std::array<Matrix, 4>   matrices;
+    std::array<Matrix, 5>   matrices;
 
     // Bounding boxes of the cells, for locate().
     dealii::RTree<std::pair<dealii::BoundingBox<2>, unsigned int>> boxes;
   };
+
+  /// The section of @p mesh with the fields of @p theory.
+  std::shared_ptr<const Section>
+  make_section(std::shared_ptr<const SectionMesh> mesh, const Theory &theory);
 } // namespace lamella
 
 #endif

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef lamella_section_strain_completion_h
+#define lamella_section_strain_completion_h
+
+#include <lamella/section/section_point.h>
+#include <lamella/section/taylor_element.h>
+
+#include <deal.II/lac/full_matrix.h>
+
+#include <vector>
+
+namespace lamella
+{
+  /**
+   * Sections of low theories cannot contract by their own functions: under
+   * bending with the strain eps_yy = kappa z a beam wants u_x = -nu kappa x z
+   * and u_z = -nu kappa (z^2 - x^2) / 2, which is of degree two. Held, the
+   * section is too stiff (Poisson locking: by 35 % at nu = 0.3). A completion
+   * adds the missing strains to those of each field; with the full elasticity
+   * C the stresses, energies and forces then all follow from the completed
+   * strains, and nothing else in the program knows of it.
+   */
+  class StrainCompletion
+  {
+  public:
+    virtual ~StrainCompletion() = default;
+
+    /// Completes the strains of the fields at @p point.
+    virtual void
+    complete(SectionPoint &point) const = 0;
+  };
+
+  /**
+   * Free contraction at each point, for EBBT and TBT: sigma_xx = sigma_zz =
+   * sigma_xz = 0. With a the kept strains {yy, xy, yz} and b the others,
+   *   eps_b = -C_bb^-1 C_ba eps_a,
+   * so that the law of a is C_aa - C_ab C_bb^-1 C_ba.
+   */
+  class FreeContraction : public StrainCompletion
+  {
+  public:
+    /// @p elasticities of each ply, @p ply_of_cell of each cell.
+    FreeContraction(const std::vector<ElasticTensor> &elasticities,
+                    const std::vector<unsigned int>  &ply_of_cell);
+
+    void
+    complete(SectionPoint &point) const override;
+
+  private:
+    std::vector<ElasticTensor> completion;
+    std::vector<unsigned int>  ply_of_cell;
+  };
+
+  /**
+   * Contraction by modes of the whole section, for TE-1: the in-plane
+   * displacements v = F_tau e_x, F_tau e_z with the polynomials F_tau of degree
+   * 2 up to mode_degree follow the strain eps = N a + N' b of TE-1's own fields
+   * such that the energy of the section is least,
+   *   v = - K^-1 int (D_s v)^T C eps dA,   K = int (D_s v)^T C D_s v dA
+   * (static condensation; the derivatives of v along y are neglected, as every
+   * beam theory does). TE-1's own in-plane terms keep their stiffness, which
+   * they lose with the law of FreeContraction.
+   */
+  class ContractionModes : public StrainCompletion
+  {
+  public:
+    static constexpr unsigned int mode_degree = 2;
+
+    /// From @p points with @p weights, the integration points of the section
+    /// with the strains of @p n_fields fields, not yet completed.
+    ContractionModes(std::shared_ptr<const SectionMesh> mesh,
+                     const std::vector<SectionPoint>   &points,
+                     const std::vector<double>         &weights,
+                     const std::vector<ElasticTensor>  &elasticities,
+                     const std::vector<unsigned int>   &ply_of_cell,
+                     const unsigned int                 n_fields);
+
+    void
+    complete(SectionPoint &point) const override;
+
+  private:
+    /// D_s v of all modes at a point.
+    std::vector<Voigt>
+    mode_strains(const unsigned int cell, const dealii::Point<2> &unit) const;
+
+    TaylorElement modes;
+    /// Amplitudes of the modes: for each mode and field, to the strains that N
+    /// and N' multiply.
+    dealii::FullMatrix<double> of_in_plane, of_along;
+  };
+} // namespace lamella
+
+#endif

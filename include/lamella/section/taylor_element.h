@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef lamella_section_taylor_element_h
+#define lamella_section_taylor_element_h
+
+#include <lamella/section/cross_section_element.h>
+#include <lamella/section/section_geometry.h>
+
+namespace lamella
+{
+  /**
+   * The Taylor expansion TE-N (Eq. 2): all polynomials of x and z up to degree
+   * N, (N + 1)(N + 2) / 2 functions over the whole section.
+   *
+   * The functions beyond 1, x, z are not the monomials x^i z^j, which are
+   * nearly dependent from N = 8 on, but polynomials that span the same space
+   * and are orthonormal over the actual section,
+   *   1/A int F_tau F_sigma dA = delta,
+   * built by the Arnoldi process: each new polynomial is x or z times an
+   * earlier one, less its parts along the earlier ones (twice), and points are
+   * evaluated by the same recurrence (Brubeck, Nakatsukasa and Trefethen,
+   * Vandermonde with Arnoldi, SIAM Review 63, 2021). x and z run from -1 to 1
+   * over the section's bounding box there, so the functions have no units.
+   */
+  class TaylorElement : public CrossSectionElement
+  {
+  public:
+    /**
+     * @p degree from 1. A polynomial that is a combination of the earlier ones
+     * on this section to 1e-10 of its size is left out, see n_left_out().
+     */
+    TaylorElement(std::shared_ptr<const SectionMesh> mesh,
+                  const unsigned int                 degree);
+
+    unsigned int
+    degree() const override
+    {
+      return order;
+    }
+
+    unsigned int
+    n_gauss_points() const override
+    {
+      return gauss_points;
+    }
+
+    unsigned int
+    n_functions() const override
+    {
+      return recurrence.size();
+    }
+
+    /// How many polynomials of degree N or less are not among the functions.
+    unsigned int
+    n_left_out() const
+    {
+      return (order + 1) * (order + 2) / 2 - n_functions();
+    }
+
+    const std::vector<unsigned int> &
+    cell_functions(const unsigned int) const override
+    {
+      return functions;
+    }
+
+    FunctionValues
+    evaluate(const unsigned int      cell,
+             const dealii::Point<2> &unit) const override;
+
+    /// A grid of degree() + 1 Gauss-Lobatto points a side of a cell.
+    std::vector<EdgePoint>
+    edge_points(const std::string &boundary) const override;
+
+    /**
+     * As many points as functions, so chosen among the Gauss-Lobatto points of
+     * the cells that the expansion is fixed by its values there (approximate
+     * Fekete points: column-pivoted elimination). Weights integrate the
+     * functions exactly.
+     */
+    std::vector<EdgePoint>
+    section_points() const override;
+
+  private:
+    /// How an orthonormal polynomial comes about: coordinate @p direction times
+    /// number @p parent, less @p parts of the earlier ones, over @p norm.
+    struct Step
+    {
+      unsigned int        parent = 0, direction = 0, degree = 0;
+      std::vector<double> parts;
+      double              norm = 1.;
+    };
+
+    /// x and z from -1 to 1.
+    dealii::Point<2>
+    scaled(const dealii::Point<2> &position) const;
+
+    /// The orthonormal polynomials at @p position with their gradients.
+    void
+    evaluate_polynomials(const dealii::Point<2>            &position,
+                         std::vector<double>               &values,
+                         std::vector<dealii::Tensor<1, 2>> &gradients) const;
+
+    double
+    area() const;
+
+    /// The integration points of the section, with weights that sum to one.
+    void
+    collect_points(std::vector<dealii::Point<2>> &points,
+                   std::vector<double>           &weights) const;
+
+    void
+    orthonormalise();
+
+    /// The step from @p parent along @p direction, its values at all points
+    /// appended to @p values, unless it depends on the earlier ones.
+    void
+    add_polynomial(const unsigned int                   parent,
+                   const unsigned int                   direction,
+                   const std::vector<dealii::Point<2>> &points,
+                   const std::vector<double>           &weights,
+                   std::vector<std::vector<double>>    &values);
+
+    unsigned int              order, gauss_points;
+    SectionGeometry           geometry;
+    dealii::Point<2>          middle;
+    dealii::Tensor<1, 2>      half;
+    std::vector<Step>         recurrence;
+    std::vector<unsigned int> functions;
+  };
+} // namespace lamella
+
+#endif

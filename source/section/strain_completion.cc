@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <lamella/section/strain_completion.h>
+
+namespace lamella
+{
+  using namespace dealii;
+
+  namespace
+  {
+    // Strains that a section's own fields give in every theory, and those that
+    // free contraction completes.
+    constexpr std::array<unsigned int, 3> kept{{1, 3, 5}}, completed{{0, 2, 4}};
+
+
+
+    /// P with eps = P eps_kept, see FreeContraction.
+    ElasticTensor
+    free_contraction(const ElasticTensor &C)
+    {
+      Tensor<2, 3> C_bb, C_ba;
+      for (unsigned int i = 0; i < 3; ++i)
+        for (unsigned int j = 0; j < 3; ++j)
+          {
+            C_bb[i][j] = C[completed[i]][completed[j]];
+            C_ba[i][j] = C[completed[i]][kept[j]];
+          }
+      const Tensor<2, 3> b_of_a = -1. * (invert(C_bb) * C_ba);
+      ElasticTensor      P;
+      for (unsigned int i = 0; i < 3; ++i)
+        {
+          P[kept[i]][kept[i]] = 1.;
+          for (unsigned int j = 0; j < 3; ++j)
+            P[completed[i]][kept[j]] = b_of_a[i][j];
+        }
+      return P;
+    }
+  } // namespace
+
+
+
+  FreeContraction::FreeContraction(
+    const std::vector<ElasticTensor> &elasticities,
+    const std::vector<unsigned int>  &ply_of_cell)
+    : ply_of_cell(ply_of_cell)
+  {
+    for (const ElasticTensor &C : elasticities)
+      completion.push_back(free_contraction(C));
+  }
+
+
+
+  void
+  FreeContraction::complete(SectionPoint &point) const
+  {
+    const ElasticTensor &P = completion[ply_of_cell[point.cell]];
+    for (Voigt &strain : point.in_plane)
+      strain = P * strain;
+    for (Voigt &strain : point.along)
+      strain = P * strain;
+  }
+
+
+
+  ContractionModes::ContractionModes(
+    std::shared_ptr<const SectionMesh> mesh,
+    const std::vector<SectionPoint>   &points,
+    const std::vector<double>         &weights,
+    const std::vector<ElasticTensor>  &elasticities,
+    const std::vector<unsigned int>   &ply_of_cell,
+    const unsigned int                 n_fields)
+    : modes(std::move(mesh), mode_degree)
+  {
+    const unsigned int n = 2 * (modes.n_functions() - 3);
+    FullMatrix<double> K(n, n), loads_in_plane(n, n_fields),
+      loads_along(n, n_fields);
+    for (unsigned int k = 0; k < points.size(); ++k)
+      {
+        const SectionPoint      &point  = points[k];
+        const ElasticTensor     &C      = elasticities[ply_of_cell[point.cell]];
+        const std::vector<Voigt> strain = mode_strains(point.cell, point.unit);
+        for (unsigned int m = 0; m < n; ++m)
+          {
+            const Voigt stress = weights[k] * (C * strain[m]);
+            for (unsigned int l = 0; l < n; ++l)
+              K(m, l) += stress * strain[l];
+            for (unsigned int a = 0; a < point.fields->size(); ++a)
+              {
+                const unsigned int alpha = (*point.fields)[a];
+                loads_in_plane(m, alpha) -= stress * point.in_plane[a];
+                loads_along(m, alpha) -= stress * point.along[a];
+              }
+          }
+      }
+    // Modes across a thin section are stiffer than those along it by orders of
+    // magnitude: unit diagonal first.
+    std::vector<double> scale;
+    for (unsigned int m = 0; m < n; ++m)
+      scale.push_back(1. / std::sqrt(K(m, m)));
+    FullMatrix<double> inverse(n, n);
+    for (unsigned int m = 0; m < n; ++m)
+      for (unsigned int l = 0; l < n; ++l)
+        inverse(m, l) = scale[m] * K(m, l) * scale[l];
+    inverse.gauss_jordan();
+    for (unsigned int m = 0; m < n; ++m)
+      for (unsigned int l = 0; l < n; ++l)
+        inverse(m, l) *= scale[m] * scale[l];
+
+    of_in_plane.reinit(n, n_fields);
+    of_along.reinit(n, n_fields);
+    inverse.mmult(of_in_plane, loads_in_plane);
+    inverse.mmult(of_along, loads_along);
+  }
+
+
+
+  std::vector<Voigt>
+  ContractionModes::mode_strains(const unsigned int cell,
+                                 const Point<2>    &unit) const
+  {
+    const FunctionValues f = modes.evaluate(cell, unit);
+    std::vector<Voigt>   strains;
+    for (unsigned int tau = 3; tau < modes.n_functions(); ++tau)
+      {
+        Voigt of_x, of_z;
+        of_x[0] = f.gradients[tau][0];
+        of_x[4] = f.gradients[tau][1];
+        of_z[2] = f.gradients[tau][1];
+        of_z[4] = f.gradients[tau][0];
+        strains.push_back(of_x);
+        strains.push_back(of_z);
+      }
+    return strains;
+  }
+
+
+
+  void
+  ContractionModes::complete(SectionPoint &point) const
+  {
+    const std::vector<Voigt> strain = mode_strains(point.cell, point.unit);
+    for (unsigned int a = 0; a < point.fields->size(); ++a)
+      for (unsigned int m = 0; m < strain.size(); ++m)
+        {
+          const unsigned int alpha = (*point.fields)[a];
+          point.in_plane[a] += of_in_plane(m, alpha) * strain[m];
+          point.along[a] += of_along(m, alpha) * strain[m];
+        }
+  }
+} // namespace lamella
