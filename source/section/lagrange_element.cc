@@ -11,12 +11,13 @@ namespace lamella
   using namespace dealii;
 
   LagrangeElement::LagrangeElement(std::shared_ptr<const SectionMesh> mesh_,
-                                   const unsigned int                 degree)
+                                   const unsigned int                 degree,
+                                   const double column_aspect)
     : CrossSectionElement(mesh_)
     , geometry(mesh_, degree)
     , cells(geometry.n_cells())
   {
-    const Grid grid = find_grid();
+    const Grid grid = find_grid(column_aspect);
     if (grid.n_columns > 0)
       number_column_functions(grid);
     else
@@ -106,7 +107,7 @@ namespace lamella
 
 
   LagrangeElement::Grid
-  LagrangeElement::find_grid() const
+  LagrangeElement::find_grid(const double column_aspect) const
   {
     const auto [xs, column_of] = distinct_coordinates(geometry.nodes(), 0);
     const auto [zs, place_of]  = distinct_coordinates(geometry.nodes(), 1);

@@ -7,6 +7,8 @@
 #include <lamella/conditions/row_reduction.h>
 #include <lamella/section/lagrange_element.h>
 #include <lamella/section/laminate.h>
+#include <lamella/solve/condensed_strategy.h>
+#include <lamella/solve/newton.h>
 
 #include <functional>
 #include <memory>
@@ -119,6 +121,72 @@ namespace lamella
         u += r;
       }
     return u;
+  }
+
+  /// A body held and loaded, and its displacements at load factor 1.
+  struct Solved
+  {
+    std::unique_ptr<Structure> structure;
+    State                      state;
+    double                     condition = 0.;
+
+    FieldSample
+    at(const dealii::Point<3> &point) const
+    {
+      const Body &body = *structure->bodies()[0];
+      return body.sample(body.locate({point}).at(0).at(0), state.u.block(0));
+    }
+
+    /// Half the work of the loads.
+    double
+    strain_energy() const
+    {
+      return structure->bodies()[0]->deformation(state.u.block(0)).energy;
+    }
+  };
+
+  /// Solves for @p body alone, as a run does, with @p refinements at most.
+  inline Solved
+  solve_linear(std::unique_ptr<Body>       body,
+               const std::vector<Support> &supports,
+               const std::vector<Load>    &loads,
+               const unsigned int          refinements = 6)
+  {
+    Bodies bodies;
+    bodies.push_back(std::move(body));
+    Solved solved;
+    solved.structure =
+      std::make_unique<Structure>(std::move(bodies), supports, loads);
+    solved.structure->assemble();
+    solved.structure->factorise();
+    const std::vector<GapRow> none;
+    CondensedStrategy         strategy(*solved.structure, none);
+    NewtonParameters          parameters;
+    parameters.max_refinements = refinements;
+    solved.state =
+      Newton(*solved.structure, none, strategy, parameters).solve_free(1.);
+    solved.condition = strategy.condition_estimate();
+    return solved;
+  }
+
+  /// u = 0 on @p surface of the one body.
+  inline Support
+  clamp(const std::string &surface)
+  {
+    return {surface, {{0, Region::Kind::surface, surface, {}}}, {{0., 0., 0.}}};
+  }
+
+  /// Tractions on @p surface of the one body, as expressions.
+  inline Load
+  traction(const std::string &surface,
+           const std::string &x,
+           const std::string &y,
+           const std::string &z)
+  {
+    return {"traction",
+            {{0, Region::Kind::surface, surface, {}}},
+            {{x, y, z}},
+            ""};
   }
 } // namespace lamella
 

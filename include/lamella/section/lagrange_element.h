@@ -30,11 +30,12 @@ namespace lamella
   public:
     /// The ratio of width and height from which grids are built in columns:
     /// below it the columns only cost (their functions couple with more).
-    static constexpr double column_aspect = 100.;
+    static constexpr double usual_column_aspect = 100.;
 
     /// @p degree from 1.
     LagrangeElement(std::shared_ptr<const SectionMesh> mesh,
-                    const unsigned int                 degree);
+                    const unsigned int                 degree,
+                    const double column_aspect = usual_column_aspect);
 
     unsigned int
     degree() const override
@@ -110,7 +111,7 @@ namespace lamella
     /// The nodes as a grid of columns across the direction long_side, empty if
     /// they are none or the section is not slender.
     Grid
-    find_grid() const;
+    find_grid(const double column_aspect) const;
 
     void
     number_nodal_functions();
