@@ -7,8 +7,8 @@ Usage: figures.py DIR (through scripts/plot, which finds a fitting python3)
 No scene is known by name: the data decide which figures there are. A line that
 runs mostly along y (the beams' axis), z (their thickness) or x (their width)
 gives a figure of that kind, a section cut a contour, several load steps a
-force-displacement curve, and a contact with more than a few active pairs its
-pressure.
+force-displacement curve, a contact with more than a few active pairs its
+pressure, and each section its mesh.
 """
 
 import csv
@@ -23,7 +23,11 @@ import matplotlib
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 import numpy as np
-from matplotlib.colors import BoundaryNorm
+from matplotlib.collections import LineCollection, PolyCollection
+from matplotlib.colors import BoundaryNorm, to_rgb
+from matplotlib.lines import Line2D
+from matplotlib.patches import Patch
+from matplotlib.path import Path as MplPath
 from matplotlib.ticker import MaxNLocator
 
 # Okabe and Ito's colours, told apart by colour-blind readers, too.
@@ -125,6 +129,7 @@ class Results:
                       for line in self.lines_of(path)]
         self.cuts = self.tables(folder.glob("cuts/*.csv"))
         self.contacts = self.tables(folder.glob("contact_*.csv"), "contact_")
+        self.sections = self.tables(folder.glob("sections/*.csv"))
         history = folder / "history.csv"
         self.history = Table.read(history) if history.exists() else Table((), ())
 
@@ -469,6 +474,123 @@ def cell_grids(cell, position, stress, column):
     return grids
 
 
+# ---- the sections' meshes
+
+
+class SectionPicture:
+    """The mesh of a section: cells by material and angle, boundaries by name."""
+
+    def __init__(self, table):
+        self.cells, self.fabrics, self.edges = [], [], defaultdict(list)
+        for row in range(len(table)):
+            angle = f"{float(table['angle'][row]):g}°"
+            self.fabrics.append(f"{table['material'][row]}, {angle}")
+            sides = [np.array([p.split() for p in table[f"side_{k}"][row].split(";")],
+                              float) for k in range(1, 5)]
+            self.cells.append(np.concatenate([side[:-1] for side in sides]))
+            for k, side in enumerate(sides, 1):
+                # A column without any name has been read as numbers.
+                name = str(table[f"boundary_{k}"][row])
+                if name not in ("", "nan"):
+                    self.edges[name].append(side)
+        points = np.concatenate(self.cells)
+        self.low, self.high = points.min(axis=0), points.max(axis=0)
+        self.size = self.high - self.low
+
+    def label_places(self, name):
+        """(point, outward normal) of the boundary's edges, the best first: long
+        edges, near the middle of them all."""
+        sides = self.edges[name]
+        middles = np.array([(side[len(side) // 2] + side[(len(side) - 1) // 2]) / 2
+                            for side in sides])
+        along = np.array([side[-1] - side[0] for side in sides])
+        away = np.linalg.norm((middles - middles.mean(axis=0)) / self.size, axis=1)
+        # Of edges as far off the upper right one: figures are read from there.
+        order = sorted(range(len(sides)), key=lambda k: (
+            round(away[k], 3), -round(middles[k] @ (1, 2) / self.size.max(), 3)))
+        for k in order:
+            # Cells run counter-clockwise, so outside is to the right.
+            yield middles[k], np.array([along[k][1], -along[k][0]])
+
+
+def section_meshes(results):
+    for name, table in results.sections.items():
+        if len(table):
+            yield f"section_{name}", draw_section(results, name, SectionPicture(table))
+
+
+def draw_section(results, name, picture):
+    scale = Scale(results.units.get("length"), picture.low, picture.high)
+    stretch = exaggeration(*picture.size, largest_aspect=20.)
+    drawn = picture.size * stretch
+    height = min(max(0.7 * WIDTH * drawn[1] / drawn[0], 1.1), 5.2) + 0.4
+    figure, axes = new_figure(results, f"section {name}, "
+                              f"{len(picture.cells)} cells", height=height)
+    axis = axes[0, 0]
+    axis.grid(False)
+    axis.set_aspect(stretch[1] / stretch[0])
+    pad = 0.09 * drawn.max() / np.array(stretch)
+    axis.set_xlim(*scale([picture.low[0] - pad[0], picture.high[0] + pad[0]]))
+    axis.set_ylim(*scale([picture.low[1] - pad[1], picture.high[1] + pad[1]]))
+    axis.set_xlabel(scale.label("x") + drawn_larger(stretch[0]))
+    axis.set_ylabel(scale.label("z") + drawn_larger(stretch[1]))
+
+    fabrics = list(dict.fromkeys(picture.fabrics))
+    shade = {fabric: tint(COLOURS[k % len(COLOURS)], 0.3 - 0.1 * (k // len(COLOURS)))
+             for k, fabric in enumerate(fabrics)}
+    thin = min(0.8, 30. / len(picture.cells)**0.5 / 4)
+    axis.add_collection(PolyCollection(
+        [scale(cell) for cell in picture.cells], edgecolors="0.45", linewidths=thin,
+        facecolors=[shade[fabric] for fabric in picture.fabrics]))
+    handles = [Patch(facecolor=shade[fabric], edgecolor="0.45", label=fabric)
+               for fabric in fabrics]
+    colours = {boundary: COLOURS[(k + 1) % len(COLOURS)]
+               for k, boundary in enumerate(sorted(picture.edges))}
+    for boundary, colour in colours.items():
+        axis.add_collection(LineCollection(
+            [scale(side) for side in picture.edges[boundary]], colors=colour,
+            linewidths=2.4, capstyle="round", zorder=3))
+        handles.append(Line2D([], [], color=colour, linewidth=2.4, label=boundary))
+    axis.legend(handles=handles, loc="center left", bbox_to_anchor=(1.02, 0.5))
+    label_boundaries(figure, axis, picture, scale, colours)
+    return figure
+
+
+def tint(colour, strength):
+    return 1 - strength * (1 - np.array(to_rgb(colour)))
+
+
+def label_boundaries(figure, axis, picture, scale, colours):
+    """The names beside their edges, where they cover neither cells nor others;
+    a name that finds no place is in the legend all the same."""
+    figure.canvas.draw()
+    renderer = figure.canvas.get_renderer()
+    to_pixels = axis.transData.transform
+    cells = [MplPath(to_pixels(scale(cell)), closed=False) for cell in picture.cells]
+    taken = []
+    for boundary, colour in colours.items():
+        for point, outwards in picture.label_places(boundary):
+            normal = to_pixels(scale(point + outwards)) - to_pixels(scale(point))
+            normal /= max(np.linalg.norm(normal), 1e-12)
+            text = axis.annotate(
+                boundary, scale(point), xytext=9 * normal,
+                textcoords="offset points", color=colour, fontweight="bold",
+                ha=("center", "left", "right")[side_of(normal[0])],
+                va=("center", "bottom", "top")[side_of(normal[1])],
+                annotation_clip=False)
+            box = text.get_window_extent(renderer)
+            if not (any(box.overlaps(other) for other in taken)
+                    or any(cell.intersects_bbox(box) for cell in cells)):
+                taken.append(box.padded(2))
+                break
+            text.remove()
+
+
+def side_of(component):
+    """0: hardly to either side, 1: forwards, -1: backwards."""
+    return 0 if abs(component) < 0.4 else int(np.sign(component))
+
+
 HISTORY_COLUMN = re.compile(
     r"(support|contact|probe)s?[.:/ ](.+?)[.:/ ]?(?:reaction|force)?[.:/ _]?"
     r"([fru]?)_?([xyz])$")
@@ -548,7 +670,7 @@ def contact_pressure(results):
 
 
 FIGURES = (along_the_axis, through_the_thickness, across_the_width, section_cuts,
-           load_history, contact_pressure)
+           load_history, contact_pressure, section_meshes)
 
 
 def main():

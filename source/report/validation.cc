@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <lamella/report/validation.h>
+#include <lamella/section/properties.h>
 
 #include <iomanip>
 #include <ostream>
@@ -39,6 +40,39 @@ namespace lamella
         << stiffness.GA
         << "\n  (EA, EI: free to contract and twist; GA: int G_yz dA, no shear "
            "factor)\n\n";
+  }
+
+
+
+  void
+  print_section(std::ostream      &out,
+                const std::string &name,
+                const std::string &shape,
+                const SectionMesh &section)
+  {
+    const SectionProperties p = section_properties(section);
+    // Of a symmetric section rounding is left of the mixed moment.
+    const double mixed =
+      std::abs(p.second_moments[0][1]) < 1e-12 * trace(p.second_moments) ?
+        0. :
+        p.second_moments[0][1];
+    const auto rounded = [&p](const double x) {
+      return std::abs(x) < 1e-12 * p.low.distance(p.high) ? 0. : x;
+    };
+    out << "\nSection " << name << ": " << shape << ", "
+        << section.mesh.n_active_cells() << " cells, x " << p.low[0] << " to "
+        << p.high[0] << ", z " << p.low[1] << " to " << p.high[1] << "\n  area "
+        << p.area << ", centroid (" << rounded(p.centroid[0]) << ", "
+        << rounded(p.centroid[1]) << ")\n  second moments about it: int z^2 dA "
+        << p.second_moments[1][1] << ", int x^2 dA " << p.second_moments[0][0]
+        << ", int x z dA " << mixed << "\n  boundaries:";
+    for (const auto &[boundary, length] : p.boundary_lengths)
+      out << "  " << boundary << " (length " << length << ")";
+    out << "\n";
+    for (unsigned int i = 0; i < section.plies.size(); ++i)
+      out << "  part " << i + 1 << ": " << section.plies[i].material << ", "
+          << section.plies[i].angle << " deg, area " << p.ply_areas[i] << "\n";
+    out << "\n";
   }
 
 

@@ -3,6 +3,7 @@
 #include <lamella/base/exceptions.h>
 #include <lamella/base/text.h>
 #include <lamella/report/console.h>
+#include <lamella/report/section_table.h>
 #include <lamella/report/validation.h>
 #include <lamella/report/vtu.h>
 #include <lamella/run/simulation.h>
@@ -186,6 +187,10 @@ namespace lamella
       TimerOutput::Scope scope(timer, "output");
       recorder->write(directory);
       write_pvd(directory, vtu_files);
+      for (const auto &[name, shape] : scene.sections)
+        write_section(directory,
+                      name,
+                      *make_section_mesh(shape, scene.materials));
       if (!(std::ofstream(directory + "/scene.prm") << scene.resolved))
         throw InputError("Cannot write into " + directory +
                          ". Is the disk full?");
@@ -224,11 +229,17 @@ namespace lamella
   Simulation::print_validation() const
   {
     out << scene.title << (scene.title.empty() ? "" : "\n");
-    for (const auto &[name, laminate] : scene.sections)
-      print_laminate(out,
-                     name,
-                     laminate.plies(scene.materials),
-                     laminate.width);
+    for (const auto &[name, shape] : scene.sections)
+      if (const auto *laminate = std::get_if<Laminate>(&shape))
+        print_laminate(out,
+                       name,
+                       laminate->plies(scene.materials),
+                       laminate->width);
+      else
+        print_section(out,
+                      name,
+                      name_of(shape),
+                      *make_section_mesh(shape, scene.materials));
     print_bodies(out, *structure, contacts);
     for (const std::string &warning : scene.warnings)
       out << "Note: " << warning << ".\n";

@@ -11,6 +11,7 @@
 #include <lamella/section/parameters.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <regex>
 #include <set>
 #include <sstream>
@@ -84,8 +85,9 @@ namespace lamella
       prm.declare_entry("Origin",
                         "0, 0, 0",
                         Anything(),
-                        "Scene position of the section's lower left corner at "
-                        "the start of the axis [length].");
+                        "Scene position of the section's lower left corner (of "
+                        "a mesh file: of its own origin) at the start of the "
+                        "axis [length].");
       prm.declare_entry("Axis",
                         "0, 1, 0",
                         Anything(),
@@ -182,6 +184,22 @@ namespace lamella
           throw InputError(std::string(list) +
                            " is empty: a scene needs at least one name there.");
       return names;
+    }
+
+
+
+    SectionShape
+    parse_section(ParameterHandler               &prm,
+                  const std::vector<std::string> &materials,
+                  const std::string              &folder,
+                  const std::string              &what)
+    {
+      const SectionShape shape =
+        SectionParameters::parse(prm).shape(materials, folder, what);
+      // The resolved scene must find the mesh from its own folder, too.
+      if (const auto *file = std::get_if<SectionFile>(&shape))
+        prm.set("File", std::filesystem::absolute(file->path).string());
+      return shape;
     }
 
 
@@ -317,7 +335,7 @@ namespace lamella
       for (const std::string &name : names.at("Sections"))
         in("Section " + name, [&](const std::string &what) {
           scene.sections[name] =
-            SectionParameters::parse(prm).laminate(names.at("Materials"), what);
+            parse_section(prm, names.at("Materials"), text.folder(), what);
         });
       for (const std::string &name : bodies)
         in("Body " + name, [&](const std::string &) {

@@ -154,6 +154,14 @@ namespace lamella
 
 
 
+  std::string
+  SceneText::folder() const
+  {
+    return std::filesystem::path(file).parent_path().string();
+  }
+
+
+
   bool
   SceneText::has_subsection(const std::string &path) const
   {

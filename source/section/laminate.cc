@@ -49,12 +49,20 @@ namespace lamella
     section->plies = laminate.plies(constants);
 
     std::vector<std::vector<double>> steps(2);
-    steps[0].assign(laminate.cells_across,
-                    laminate.width / laminate.cells_across);
-    for (const double thickness : laminate.thicknesses)
-      steps[1].insert(steps[1].end(),
-                      laminate.cells_per_ply,
-                      thickness / laminate.cells_per_ply);
+    std::vector<double>              ends = laminate.across_breaks;
+    ends.push_back(laminate.width);
+    for (unsigned int i = 0; i < ends.size(); ++i)
+      {
+        const double       piece = ends[i] - (i == 0 ? 0. : ends[i - 1]);
+        const unsigned int n     = laminate.cells_across[i];
+        steps[0].insert(steps[0].end(), n, piece / n);
+      }
+    for (unsigned int i = 0; i < laminate.thicknesses.size(); ++i)
+      {
+        const auto        &cells = laminate.cells_per_ply;
+        const unsigned int n     = cells.size() == 1 ? cells[0] : cells[i];
+        steps[1].insert(steps[1].end(), n, laminate.thicknesses[i] / n);
+      }
     GridGenerator::subdivided_hyper_rectangle(section->mesh,
                                               steps,
                                               Point<2>(),

@@ -188,16 +188,16 @@ def reduce_column(values, how, known):
 def difference(run, again, columns):
     if again is None:
         raise Fault("needs a line `again`")
-    files = run.lines()
-    if files != again.lines():
+    if run.lines() != again.lines():
         raise Fault("the two runs wrote different lines")
+    files = [f"lines/{name}" for name in run.lines()]
     if (run.folder / "probes.csv").exists():
-        files.append("../probes.csv")
+        files.append("probes.csv")
     if not files:
         raise Fault("neither probes nor lines to compare")
     largest_difference = largest = 0.0
     for file in files:
-        a, b = run.table(f"lines/{file}"), again.table(f"lines/{file}")
+        a, b = run.table(file), again.table(file)
         if len(a) != len(b):
             raise Fault(f"{file}: {len(a)} rows against {len(b)}")
         for column in columns:

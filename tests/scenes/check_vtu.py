@@ -77,6 +77,8 @@ def main():
     with open(output / "probes.csv", newline="") as file:
         probes = list(csv.DictReader(file))
     for probe in probes:
+        if not probe["probe"].endswith("_top"):
+            continue  # between the points of the pictures
         at = tuple(float(probe[c]) for c in "xyz")
         nearest = min(range(n_points), key=lambda k: sum(
             (a - b) ** 2 for a, b in zip(undeformed[k], at)))

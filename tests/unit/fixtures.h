@@ -30,8 +30,8 @@ namespace lamella
             angles,
             std::vector<double>(n, height / n),
             std::vector<std::string>(n, "material"),
-            cells_per_ply,
-            cells_across};
+            {cells_per_ply},
+            {cells_across}};
   }
 
   /// LE-@p degree.

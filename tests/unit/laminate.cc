@@ -230,8 +230,8 @@ BOOST_AUTO_TEST_CASE(mesh_of_plies_of_unequal_thickness)
                           {0., 90., 45., -30.},
                           {0.1, 0.4, 0.2, 0.05},
                           {"a", "b", "a", "b"},
-                          2,
-                          3};
+                          {2},
+                          {3}};
   const EngineeringConstants a = orthotropic,
                              b = EngineeringConstants::isotropic(10., 0.25);
   const auto section = make_section_mesh(laminate, {{"a", a}, {"b", b}});
@@ -304,7 +304,7 @@ BOOST_AUTO_TEST_CASE(thin_plies_beside_a_thick_one)
 {
   // A foil of 1e-7 on a core of 1: each cell still finds its ply.
   const Laminate foil{
-    1., {0., 0., 0.}, {1e-7, 1., 1e-7}, {"m", "m", "m"}, 2, 1};
+    1., {0., 0., 0.}, {1e-7, 1., 1e-7}, {"m", "m", "m"}, {2}, {1}};
   const auto section = make_section_mesh(foil, {{"m", orthotropic}});
   std::vector<unsigned int> cells(3, 0);
   for (const auto &cell : section->mesh.active_cell_iterators())
@@ -318,57 +318,70 @@ BOOST_AUTO_TEST_CASE(thin_plies_beside_a_thick_one)
 BOOST_AUTO_TEST_CASE(entries_of_a_laminate)
 {
   const std::vector<std::string> materials{"skin", "core"};
-  const SectionParameters        given{"laminate",
-                                "0.1",
-                                "0/90/0",
-                                "0.001, 0.02, 0.003",
-                                "skin, core, skin",
-                                "2",
-                                "5"};
-  const Laminate                 l = given.laminate(materials, "Section s");
+  const SectionParameters        given{{{"Width", "0.1"},
+                                        {"Layup", "0/90/0"},
+                                        {"Ply thickness", "0.001, 0.02, 0.003"},
+                                        {"Ply materials", "skin, core, skin"},
+                                        {"Cells per ply", "2"},
+                                        {"Cells across", "5, 1"},
+                                        {"Across breaks", "0.04"}}};
+  const auto                     read = [](const SectionParameters        &p,
+                       const std::vector<std::string> &names) {
+    return std::get<Laminate>(p.shape(names, "", "Section s"));
+  };
+  const Laminate l = read(given, materials);
   BOOST_TEST(l.width == 0.1);
   BOOST_TEST(l.thicknesses == (std::vector<double>{0.001, 0.02, 0.003}),
              boost::test_tools::per_element());
   BOOST_TEST(l.materials == (std::vector<std::string>{"skin", "core", "skin"}),
              boost::test_tools::per_element());
-  BOOST_TEST(l.cells_per_ply == 2);
-  BOOST_TEST(l.cells_across == 5);
+  BOOST_TEST(l.cells_per_ply == std::vector<unsigned int>(3, 2),
+             boost::test_tools::per_element());
+  BOOST_TEST(l.cells_across == (std::vector<unsigned int>{5, 1}),
+             boost::test_tools::per_element());
+  BOOST_TEST(l.across_breaks == std::vector<double>{0.04},
+             boost::test_tools::per_element());
 
   // One value stands for all plies; a single material need not be named.
-  SectionParameters one = given;
-  one.ply_thickness     = "0.5";
-  one.ply_materials     = "";
-  const Laminate same   = one.laminate({"only"}, "Section s");
+  SectionParameters one        = given;
+  one.entries["Ply thickness"] = "0.5";
+  one.entries["Ply materials"] = "";
+  const Laminate same          = read(one, {"only"});
   BOOST_TEST(same.thicknesses == std::vector<double>(3, 0.5),
              boost::test_tools::per_element());
   BOOST_TEST(same.materials == std::vector<std::string>(3, "only"),
              boost::test_tools::per_element());
-  BOOST_CHECK_THROW(one.laminate(materials, "Section s"), InputError);
+  BOOST_CHECK_THROW(read(one, materials), InputError);
 
   // What is refused.
-  const auto with = [&given](std::string SectionParameters::*entry,
-                             const std::string              &value) {
-    SectionParameters changed = given;
-    changed.*entry            = value;
-    return changed;
-  };
-  using P = SectionParameters;
-  for (const P &bad : {with(&P::shape, "disc"),
-                       with(&P::width, "0"),
-                       with(&P::width, "-1"),
-                       with(&P::width, ""),
-                       with(&P::width, "wide"),
-                       with(&P::ply_thickness, "0.1, 0.2"),
-                       with(&P::ply_thickness, "0.1, 0, 0.1"),
-                       with(&P::ply_thickness, "0.1,, 0.1"),
-                       with(&P::ply_thickness, ""),
-                       with(&P::ply_materials, "skin, core"),
-                       with(&P::ply_materials, "wood"),
-                       with(&P::cells_per_ply, "0"),
-                       with(&P::cells_per_ply, "1.5"),
-                       with(&P::cells_across, "-2"),
-                       with(&P::layup, "0/x")})
-    BOOST_CHECK_THROW(bad.laminate(materials, "Section s"), InputError);
+  using Changes = std::vector<std::pair<std::string, std::string>>;
+  for (const auto &[entry, value] : Changes{{"Shape", "disc"},
+                                            {"Width", "0"},
+                                            {"Width", "-1"},
+                                            {"Width", ""},
+                                            {"Width", "wide"},
+                                            {"Ply thickness", "0.1, 0.2"},
+                                            {"Ply thickness", "0.1, 0, 0.1"},
+                                            {"Ply thickness", "0.1,, 0.1"},
+                                            {"Ply thickness", ""},
+                                            {"Ply materials", "skin, core"},
+                                            {"Ply materials", "wood"},
+                                            {"Cells per ply", "0"},
+                                            {"Cells per ply", "1.5"},
+                                            {"Cells per ply", "1, 2"},
+                                            {"Cells across", "-2, 1"},
+                                            {"Cells across", "5"},
+                                            {"Cells across", "5, 1, 1"},
+                                            {"Across breaks", "0.1"},
+                                            {"Across breaks", "0"},
+                                            {"Radius", "1"},
+                                            {"Layup", "0/x"}})
+    {
+      SectionParameters bad = given;
+      bad.entries[entry]    = value;
+      BOOST_TEST_INFO(entry << " = " << value);
+      BOOST_CHECK_THROW(read(bad, materials), InputError);
+    }
 }
 
 BOOST_AUTO_TEST_SUITE_END()

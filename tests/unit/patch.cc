@@ -8,6 +8,8 @@
 
 #include "fixtures.h"
 
+#include <lamella/section/shapes.h>
+
 #include <deal.II/grid/grid_tools.h>
 
 #include <boost/test/unit_test.hpp>
@@ -119,6 +121,34 @@ BOOST_AUTO_TEST_CASE(distorted_section)
       Beam       beam("beam", section, make_axis(1.3, 2, 2), Placement());
       check_patch(beam, section->elasticity(0));
     }
+}
+
+
+
+BOOST_AUTO_TEST_CASE(other_shapes_of_sections)
+{
+  // Curved cells, walls around a hole, a mesh by Gmsh.
+  const Fabric                                      fabric{"carbon", 20.};
+  const std::map<std::string, EngineeringConstants> constants{
+    {"carbon", orthotropic}};
+  const std::vector<SectionShape> shapes{
+    HalfDisc{0.5, 75., 0.2, 4, fabric},
+    ThinWalled{"box", 0.7, 0.5, {0.1, 0.1}, {0.1, 0.2}, 1, 1, fabric},
+    SectionFile{std::string(LAMELLA_SOURCE_DIR) + "/prm/sections/hexagon.msh",
+                0.05,
+                {{"carbon", fabric}},
+                "Section s"}};
+  for (const SectionShape &shape : shapes)
+    for (const unsigned int degree : {1, 2, 3})
+      {
+        BOOST_TEST_CONTEXT(name_of(shape))
+        {
+          const auto section =
+            make_section(make_section_mesh(shape, constants), degree);
+          Beam beam("beam", section, make_axis(1.3, 2, 1), Placement());
+          check_patch(beam, section->elasticity(0));
+        }
+      }
 }
 
 

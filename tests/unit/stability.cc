@@ -46,13 +46,13 @@ namespace
   {
     const auto carbon = library_material("IM7-8552", Units::parse("mm, N"));
     return {{"isotropic",
-             {1., {0.}, {1.}, {"m"}, 2, 2},
+             {1., {0.}, {1.}, {"m"}, {2}, {2}},
              {{"m", EngineeringConstants::isotropic(70e3, 0.3)}}},
             {"[0/90/0]",
-             {10., {0., 90., 0.}, {1., 1., 1.}, {"m", "m", "m"}, 1, 2},
+             {10., {0., 90., 0.}, {1., 1., 1.}, {"m", "m", "m"}, {1}, {2}},
              {{"m", carbon}}},
             {"sandwich",
-             {5., {0., 0., 0.}, {0.1, 0.8, 0.1}, {"s", "c", "s"}, 1, 2},
+             {5., {0., 0., 0.}, {0.1, 0.8, 0.1}, {"s", "c", "s"}, {1}, {2}},
              {{"s", carbon},
               {"c", EngineeringConstants::isotropic(35., 0.4)}}}};
   }
@@ -219,7 +219,7 @@ BOOST_AUTO_TEST_CASE(from_a_square_to_a_sheet)
                                               const double       columns) {
     const double   W = aspect;
     const Laminate laminate{
-      W, {0., 90., 0.}, {0.3, 0.4, 0.3}, {"m", "m", "m"}, 1, 4};
+      W, {0., 90., 0.}, {0.3, 0.4, 0.3}, {"m", "m", "m"}, {1}, {4}};
     const auto   mesh = make_section_mesh(laminate, {{"m", carbon}});
     const Theory kind = Theory::parse(theory, "");
     const auto   section =
@@ -284,8 +284,8 @@ namespace
                         {0., 0., 0.},
                         {length, 8. * length, length},
                         {"s", "c", "s"},
-                        1,
-                        1},
+                        {1},
+                        {1}},
                       {{"s", skin}, {"c", core}}};
     const double L = slenderness * 10. * length;
     const Solved solved =
@@ -367,7 +367,7 @@ BOOST_AUTO_TEST_CASE(nearly_incompressible)
          {"EBBT", "TBT", "TE-1", "TE-2", "TE-5", "LE-1", "LE-2"})
       {
         const Strip  strip{"bar",
-                          {1., {0.}, {1.}, {"m"}, 2, 2},
+                          {1., {0.}, {1.}, {"m"}, {2}, {2}},
                           {{"m", EngineeringConstants::isotropic(1., nu)}}};
         Support      axial{"axial",
                       {{0, Region::Kind::surface, "start", {}}},

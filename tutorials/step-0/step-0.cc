@@ -51,8 +51,8 @@ private:
                           {0., 90., 0.},
                           std::vector<double>(3, thickness / 3.),
                           std::vector<std::string>(3, "ply"),
-                          /*cells_per_ply=*/1,
-                          /*cells_across=*/2};
+                          /*cells_per_ply=*/{1},
+                          /*cells_across=*/{2}};
   const std::map<std::string, EngineeringConstants> materials{
     {"ply", library_material("IM7-8552", Units())}};
 

@@ -21,6 +21,15 @@ namespace lamella
                  const std::vector<Ply> &plies,
                  const double            width);
 
+  /// Prints what the section @p name of the kind @p shape amounts to: cells,
+  /// extension, area, second moments, boundaries with their lengths, materials
+  /// with their areas.
+  void
+  print_section(std::ostream      &out,
+                const std::string &name,
+                const std::string &shape,
+                const SectionMesh &section);
+
   /// Prints a line a body and a line a contact.
   void
   print_bodies(std::ostream                        &out,

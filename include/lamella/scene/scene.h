@@ -11,7 +11,7 @@
 #include <lamella/contact/gap_rows.h>
 #include <lamella/report/requests.h>
 #include <lamella/scene/scene_text.h>
-#include <lamella/section/laminate.h>
+#include <lamella/section/shapes.h>
 #include <lamella/section/theory.h>
 #include <lamella/solve/parameters.h>
 
@@ -40,7 +40,7 @@ namespace lamella
     Units       units;
 
     std::map<std::string, EngineeringConstants> materials;
-    std::map<std::string, Laminate>             sections;
+    std::map<std::string, SectionShape>         sections;
     std::vector<BodyDescription>                bodies;
 
     std::vector<Support>     supports;

@@ -45,6 +45,10 @@ namespace lamella
     std::string
     text() const;
 
+    /// Where the file lies: what paths in the scene are relative to.
+    std::string
+    folder() const;
+
     bool
     has_subsection(const std::string &path) const;
 

@@ -21,8 +21,12 @@ namespace lamella
     std::vector<double>      angles;
     std::vector<double>      thicknesses;
     std::vector<std::string> materials;
-    unsigned int             cells_per_ply = 1;
-    unsigned int             cells_across  = 1;
+    /// Through the thickness, one number for all plies or one a ply.
+    std::vector<unsigned int> cells_per_ply{1};
+    /// Across the width, one number for each piece between @p across_breaks,
+    /// positions that ascend between 0 and the width.
+    std::vector<unsigned int> cells_across{1};
+    std::vector<double>       across_breaks{};
 
     /// Sum of the ply thicknesses.
     double
@@ -34,9 +38,9 @@ namespace lamella
   };
 
   /**
-   * The structured mesh of @p laminate, cells_across x (plies * cells_per_ply)
-   * quadrilaterals with boundaries `left` (x = 0), `right`, `bottom` (z = 0)
-   * and `top`.
+   * The structured mesh of @p laminate, cells_across times cells_per_ply
+   * quadrilaterals a ply, with boundaries `left` (x = 0), `right`, `bottom` (z
+   * = 0) and `top`.
    */
   std::shared_ptr<const SectionMesh>
   make_section_mesh(

@@ -3,10 +3,11 @@
 #ifndef lamella_section_parameters_h
 #define lamella_section_parameters_h
 
-#include <lamella/section/laminate.h>
+#include <lamella/section/shapes.h>
 
 #include <deal.II/base/parameter_handler.h>
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -15,8 +16,8 @@ namespace lamella
   /// The entries of a `subsection Section NAME`.
   struct SectionParameters
   {
-    std::string shape, width, layup, ply_thickness, ply_materials;
-    std::string cells_per_ply, cells_across;
+    /// Name of an entry -> its text; an entry that is not here has its default.
+    std::map<std::string, std::string> entries;
 
     static void
     declare(dealii::ParameterHandler &prm);
@@ -24,12 +25,16 @@ namespace lamella
     static SectionParameters
     parse(const dealii::ParameterHandler &prm);
 
-    /// The laminate that the entries describe, its materials among
-    /// @p materials. Throws InputError, beginning with @p what (`Section
-    /// NAME`).
-    Laminate
-    laminate(const std::vector<std::string> &materials,
-             const std::string              &what) const;
+    /**
+     * The section that the entries describe, its materials among @p materials;
+     * the path of a mesh file is relative to @p folder. Throws InputError,
+     * beginning with @p what (`Section NAME`), also for entries that are given
+     * but are none of the section's shape.
+     */
+    SectionShape
+    shape(const std::vector<std::string> &materials,
+          const std::string              &folder,
+          const std::string              &what) const;
   };
 } // namespace lamella
 

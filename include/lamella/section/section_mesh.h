@@ -20,7 +20,7 @@ namespace lamella
     std::string material;
     /// Fibre angle in degrees, 0 along +y, positive from +y towards +x.
     double angle = 0.;
-    /// Height of the lower and the upper face above the section's lower edge.
+    /// The range of z that it lies in.
     double bottom = 0., top = 0.;
     /// In the ply's own axes.
     EngineeringConstants constants;
@@ -42,8 +42,9 @@ namespace lamella
 
   /**
    * A section's geometry: a mesh of quadrilaterals in its plane (first
-   * coordinate x, second z, lower left corner at the origin), whose material
-   * ids number @p plies and whose boundary ids are named in @p boundaries.
+   * coordinate x, second z; lower left corner at the origin, unless a file says
+   * otherwise), whose material ids number @p plies and whose boundary ids are
+   * named in @p boundaries.
    */
   struct SectionMesh
   {

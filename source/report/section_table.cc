@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <lamella/base/exceptions.h>
+#include <lamella/report/fields_table.h>
+#include <lamella/report/section_table.h>
+
+#include <deal.II/fe/mapping_q.h>
+
+#include <array>
+#include <filesystem>
+#include <fstream>
+
+namespace lamella
+{
+  using namespace dealii;
+
+  std::string
+  section_table(const SectionMesh &section)
+  {
+    // Sides counter-clockwise: deal.II's face, and its direction there.
+    constexpr std::array<std::pair<unsigned int, bool>, 4> around{
+      {{2, true}, {1, true}, {3, false}, {0, false}}};
+    const MappingQ<2> mapping(6);
+
+    std::string table = "cell,ply,material,angle";
+    for (const char *kind : {"boundary", "side"})
+      for (unsigned int k = 1; k <= 4; ++k)
+        table += std::string(",") + kind + "_" + std::to_string(k);
+    table += "\n";
+    for (const auto &cell : section.mesh.active_cell_iterators())
+      {
+        const Ply  &ply = section.plies[cell->material_id()];
+        std::string names, sides;
+        for (const auto &[f, forwards] : around)
+          {
+            const auto face = cell->face(f);
+            names += ",";
+            if (face->at_boundary())
+              names += section.boundaries.at(face->boundary_id());
+            const bool curved =
+              face->at_boundary() &&
+              face->manifold_id() != numbers::flat_manifold_id;
+            const unsigned int n = curved ? 8 : 1;
+            for (unsigned int i = 0; i <= n; ++i)
+              {
+                const double   t = double(forwards ? i : n - i) / n;
+                const Point<2> unit =
+                  f < 2 ? Point<2>(f, t) : Point<2>(t, f - 2);
+                const Point<2> x =
+                  mapping.transform_unit_to_real_cell(cell, unit);
+                sides += (i == 0 ? "," : ";") + csv(x[0]) + " " + csv(x[1]);
+              }
+          }
+        table += std::to_string(cell->active_cell_index()) + "," +
+                 std::to_string(cell->material_id() + 1) + "," + ply.material +
+                 "," + csv(ply.angle) + names + sides + "\n";
+      }
+    return table;
+  }
+
+
+
+  void
+  write_section(const std::string &directory,
+                const std::string &name,
+                const SectionMesh &section)
+  {
+    const std::filesystem::path path =
+      std::filesystem::path(directory) / "sections" / (name + ".csv");
+    std::filesystem::create_directories(path.parent_path());
+    std::ofstream file(path);
+    file << section_table(section);
+    file.close();
+    if (!file)
+      throw InputError("Cannot write " + path.string() + ". Is the disk full?");
+  }
+} // namespace lamella
