@@ -498,19 +498,22 @@ class SectionPicture:
         self.size = self.high - self.low
 
     def label_places(self, name):
-        """(point, outward normal) of the boundary's edges, the best first: long
-        edges, near the middle of them all."""
-        sides = self.edges[name]
-        middles = np.array([(side[len(side) // 2] + side[(len(side) - 1) // 2]) / 2
-                            for side in sides])
-        along = np.array([side[-1] - side[0] for side in sides])
-        away = np.linalg.norm((middles - middles.mean(axis=0)) / self.size, axis=1)
-        # Of edges as far off the upper right one: figures are read from there.
-        order = sorted(range(len(sides)), key=lambda k: (
-            round(away[k], 3), -round(middles[k] @ (1, 2) / self.size.max(), 3)))
-        for k in order:
+        """(point, outward normal) on the boundary's edges, the best first: near
+        the middle of them all, of those as near the upper right one."""
+        points, normals = [], []
+        for side in self.edges[name]:
+            along = side[-1] - side[0]
+            middle = (side[len(side) // 2] + side[(len(side) - 1) // 2]) / 2
+            points += [side[0], middle]
             # Cells run counter-clockwise, so outside is to the right.
-            yield middles[k], np.array([along[k][1], -along[k][0]])
+            normals += 2 * [np.array([along[1], -along[0]])]
+        points = np.array(points)
+        away = np.linalg.norm((points - points[1::2].mean(axis=0)) / self.size, axis=1)
+        away[::2] += 0.1  # rather the middle of an edge than a corner
+        upper_right = points @ (1, 2) / self.size.max()
+        order = sorted(range(len(points)), key=lambda k: (
+            round(away[k], 3), -round(upper_right[k], 3)))
+        return [(points[k], normals[k]) for k in order]
 
 
 def section_meshes(results):
@@ -529,7 +532,8 @@ def draw_section(results, name, picture):
     axis = axes[0, 0]
     axis.grid(False)
     axis.set_aspect(stretch[1] / stretch[0])
-    pad = 0.09 * drawn.max() / np.array(stretch)
+    longest = max((len(boundary) for boundary in picture.edges), default=0)
+    pad = np.array([0.05 + 0.012 * longest, 0.09]) * drawn.max() / stretch
     axis.set_xlim(*scale([picture.low[0] - pad[0], picture.high[0] + pad[0]]))
     axis.set_ylim(*scale([picture.low[1] - pad[1], picture.high[1] + pad[1]]))
     axis.set_xlabel(scale.label("x") + drawn_larger(stretch[0]))
