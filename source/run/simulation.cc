@@ -25,6 +25,8 @@ namespace lamella
   {
     {
       TimerOutput::Scope scope(timer, "setup");
+      for (const auto &[name, shape] : scene.sections)
+        sections[name] = make_section_mesh(shape, scene.materials);
       structure = std::make_unique<Structure>(build_bodies(scene),
                                               scene.supports,
                                               scene.loads);
@@ -187,10 +189,8 @@ namespace lamella
       TimerOutput::Scope scope(timer, "output");
       recorder->write(directory);
       write_pvd(directory, vtu_files);
-      for (const auto &[name, shape] : scene.sections)
-        write_section(directory,
-                      name,
-                      *make_section_mesh(shape, scene.materials));
+      for (const auto &[name, section] : sections)
+        write_section(directory, name, *section);
       if (!(std::ofstream(directory + "/scene.prm") << scene.resolved))
         throw InputError("Cannot write into " + directory +
                          ". Is the disk full?");
@@ -236,10 +236,7 @@ namespace lamella
                        laminate->plies(scene.materials),
                        laminate->width);
       else
-        print_section(out,
-                      name,
-                      name_of(shape),
-                      *make_section_mesh(shape, scene.materials));
+        print_section(out, name, name_of(shape), *sections.at(name));
     print_bodies(out, *structure, contacts);
     for (const std::string &warning : scene.warnings)
       out << "Note: " << warning << ".\n";

@@ -279,16 +279,26 @@ namespace lamella
         {
           const std::string rest = from.suffix();
           std::regex_search(rest, to, ends);
-          throw InputError(what +
-                           ": a physical line runs inside the section, from (" +
-                           from.str(1) + ", " + from.str(2) + ") to (" +
-                           to.str(1) + ", " + to.str(2) +
-                           "). Only lines of its boundary can be named; remove "
-                           "this one.");
+          throw InputError(
+            what + ": a line of the mesh runs inside the section, from (" +
+            from.str(1) + ", " + from.str(2) + ") to (" + to.str(1) + ", " +
+            to.str(2) +
+            "). Only lines of its boundary can be physical ones: "
+            "remove this one, or Mesh.SaveAll.");
         }
       throw InputError(what + ": the mesh cannot be read (" + told +
                        "). Write it anew with 'gmsh -2 NAME.geo -format msh41 "
                        "-o NAME.msh'.");
+    }
+
+
+
+    /// The tag of the physical group that an @p id of GridIn stands for: lines
+    /// and surfaces that the group takes backwards come with a negative one.
+    int
+    tag_of(const unsigned int id)
+    {
+      return std::abs(static_cast<int>(id));
     }
   } // namespace
 
@@ -319,7 +329,7 @@ namespace lamella
 
     for (const auto &cell : mesh.active_cell_iterators())
       {
-        const auto found = plies.find(cell->material_id());
+        const auto found = plies.find(tag_of(cell->material_id()));
         if (found == plies.end())
           throw InputError(what + ": the cell at (" +
                            to_text(cell->center()[0]) + ", " +
@@ -341,7 +351,7 @@ namespace lamella
     for (const auto &face : mesh.active_face_iterators())
       if (face->at_boundary())
         {
-          const auto               found = names.find(face->boundary_id());
+          const auto found = names.find(tag_of(face->boundary_id()));
           const types::boundary_id id =
             found == names.end() ? 0 : found->second;
           face->set_boundary_id(id);

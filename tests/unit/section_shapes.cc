@@ -488,6 +488,23 @@ BOOST_AUTO_TEST_CASE(older_format_and_cells_clockwise)
 
 
 
+BOOST_AUTO_TEST_CASE(groups_that_run_backwards)
+{
+  // Physical Surface = {-1} and Physical Curve = {-3} have negative tags.
+  const auto mesh =
+    make_section_mesh(SectionFile{folder + "/tests/unit/meshes/backwards.msh",
+                                  1.,
+                                  {},
+                                  "Section s"},
+                      constants);
+  const auto p = section_properties(*mesh);
+  BOOST_TEST(off(p.ply_areas.at(0), 2.) < 1e-13);
+  BOOST_TEST(off(p.boundary_lengths.at("top"), 2.) < 1e-13);
+  BOOST_TEST(off(p.boundary_lengths.at("other"), 4.) < 1e-13);
+}
+
+
+
 BOOST_AUTO_TEST_CASE(entries_of_the_shapes)
 {
   const std::vector<std::string> materials{"carbon", "foam"};

@@ -57,10 +57,12 @@ namespace lamella
     std::unique_ptr<Newton>          newton;
 
     // Where it stands, and what is kept.
-    State                                       state;
-    Summary                                     summary;
-    std::unique_ptr<Recorder>                   recorder;
-    std::string                                 output_directory;
+    State                     state;
+    Summary                   summary;
+    std::unique_ptr<Recorder> recorder;
+    /// All sections of the scene, whether a body has them or not.
+    std::map<std::string, std::shared_ptr<const SectionMesh>> sections;
+    std::string                                               output_directory;
     bool                                        created_directory = false;
     std::vector<std::pair<double, std::string>> vtu_files;
   };
