@@ -293,12 +293,34 @@ namespace lamella
 
 
 
-    /// The tag of the physical group that an @p id of GridIn stands for: lines
-    /// and surfaces that the group takes backwards come with a negative one.
-    int
-    tag_of(const unsigned int id)
+    /// @p text with positive tags of physical groups: groups that take curves
+    /// or surfaces backwards, as {-1}, have negative ones in version 4.1, and
+    /// GridIn takes tags as ids. A line of $Entities is tag, six numbers of a
+    /// box, count of groups, their tags, and more.
+    std::string
+    forwards(const std::string &text)
     {
-      return std::abs(static_cast<int>(id));
+      const std::string open = "$Entities";
+      const auto begin = text.find(open), end = text.find("$EndEntities");
+      if (begin == std::string::npos || end == std::string::npos)
+        return text;
+      std::string        entities;
+      std::istringstream lines(text.substr(begin, end - begin));
+      std::string        one;
+      while (std::getline(lines, one))
+        {
+          std::istringstream       words(one);
+          std::vector<std::string> word;
+          for (std::string w; words >> w;)
+            word.push_back(w);
+          // Those of points are shorter, or have a count of 0 there.
+          const unsigned int n =
+            word.size() > 8 ? std::strtoul(word[7].c_str(), nullptr, 10) : 0;
+          for (unsigned int k = 8; k < word.size() && k < 8 + n; ++k)
+            word[k].erase(0, word[k][0] == '-' ? 1 : 0);
+          entities += joined(word, " ") + "\n";
+        }
+      return text.substr(0, begin) + entities + text.substr(end);
     }
   } // namespace
 
@@ -324,12 +346,12 @@ namespace lamella
     const auto plies   = make_plies(outline, file, constants, what, *section);
     const auto names   = make_boundaries(outline, what, *section);
     Triangulation<2> &mesh = section->mesh;
-    read_mesh(text.str(), what, *section);
+    read_mesh(forwards(text.str()), what, *section);
     GridTools::scale(file.scale, mesh);
 
     for (const auto &cell : mesh.active_cell_iterators())
       {
-        const auto found = plies.find(tag_of(cell->material_id()));
+        const auto found = plies.find(cell->material_id());
         if (found == plies.end())
           throw InputError(what + ": the cell at (" +
                            to_text(cell->center()[0]) + ", " +
@@ -351,7 +373,7 @@ namespace lamella
     for (const auto &face : mesh.active_face_iterators())
       if (face->at_boundary())
         {
-          const auto found = names.find(tag_of(face->boundary_id()));
+          const auto               found = names.find(face->boundary_id());
           const types::boundary_id id =
             found == names.end() ? 0 : found->second;
           face->set_boundary_id(id);
