@@ -108,12 +108,40 @@ namespace lamella
                       "Scene positions x, y, z; of a point (several between "
                       "semicolons) or of the two ends of a line [length].");
     prm.declare_entry("u",
-                      "0, 0, 0",
+                      "",
                       Anything(),
                       "Scene components of the displacement, times the load "
                       "factor of the step, imposed exactly; 'free' leaves one "
-                      "free [length].");
+                      "free. Empty: 0, 0, 0 [length].");
+    prm.declare_entry("Normal displacement",
+                      "",
+                      Anything(),
+                      "On surfaces, instead of u: the displacement along the "
+                      "outward normal, the rest free; 0 is symmetry, whichever "
+                      "way the body is turned [length].");
   }
+
+
+
+  namespace
+  {
+    double
+    parse_normal(const ParameterHandler    &prm,
+                 const std::vector<Region> &regions,
+                 const std::string         &what)
+    {
+      const std::string entry =
+        what + "/Normal displacement = " + prm.get("Normal displacement");
+      if (!prm.get("u").empty())
+        throw InputError(entry + ": u is given, too. Keep one of the two.");
+      for (const Region &region : regions)
+        if (region.kind != Region::Kind::surface)
+          throw InputError(entry +
+                           ": only surfaces have a normal. Name surfaces in "
+                           "On, or prescribe u.");
+      return to_number(prm.get("Normal displacement"), entry);
+    }
+  } // namespace
 
 
 
@@ -126,16 +154,22 @@ namespace lamella
     Support           support;
     support.name = name;
     support.on   = parse_regions(prm.get("On"), prm.get("At"), bodies, what);
-    const auto components = split(prm.get("u"), ',');
+    if (!prm.get("Normal displacement").empty())
+      {
+        support.normal = parse_normal(prm, support.on, what);
+        return support;
+      }
+    const std::string u = prm.get("u").empty() ? "0, 0, 0" : prm.get("u");
+    const auto        components = split(u, ',');
     if (components.size() != 3)
-      throw InputError(what + "/u = " + prm.get("u") +
+      throw InputError(what + "/u = " + u +
                        ": must be three values between commas, each a number "
                        "or 'free'.");
     for (unsigned int c = 0; c < 3; ++c)
       if (components[c] != "free")
         support.u[c] = to_number(components[c], what + "/u");
     if (!support.u[0] && !support.u[1] && !support.u[2])
-      throw InputError(what + "/u = " + prm.get("u") +
+      throw InputError(what + "/u = " + u +
                        ": all components are free, so this is no support. "
                        "Remove it or prescribe one.");
     return support;

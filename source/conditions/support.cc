@@ -9,6 +9,54 @@ namespace lamella
 {
   using namespace dealii;
 
+  Tensor<1, 3>
+  scene_axis(const unsigned int c)
+  {
+    Tensor<1, 3> axis;
+    axis[c] = 1.;
+    return axis;
+  }
+
+
+
+  namespace
+  {
+    /// The rows of n . u = value on the surface @p region of @p body.
+    void
+    add_normal_rows(const Body                 &body,
+                    const Region               &region,
+                    const double                value,
+                    const unsigned int          support,
+                    const std::string          &what,
+                    std::vector<PrescribedRow> &rows)
+    {
+      check_surface(body, region.surface, what);
+      std::vector<Location>     places;
+      std::vector<Tensor<1, 3>> normals;
+      for (const SurfacePoint &point : body.surface_points(region.surface))
+        {
+          places.push_back(point.location);
+          normals.push_back(point.normal);
+        }
+      const auto all = body.rows(places, Quantity::displacement);
+      for (unsigned int i = 0; i < places.size(); ++i)
+        {
+          Row along;
+          for (unsigned int c = 0; c < 3; ++c)
+            along.add(all[i][c], normals[i][c]);
+          along.compress();
+          along.drop_below(1e-13);
+          rows.push_back({{region.body, along},
+                          value,
+                          support,
+                          normals[i],
+                          places[i].position});
+        }
+    }
+  } // namespace
+
+
+
   std::vector<PrescribedRow>
   prescribed_rows(const std::vector<Support> &supports, const Bodies &bodies)
   {
@@ -16,8 +64,13 @@ namespace lamella
     for (unsigned int s = 0; s < supports.size(); ++s)
       for (const Region &region : supports[s].on)
         {
-          const std::string           what = "Support " + supports[s].name;
-          const Body                 &body = *bodies[region.body];
+          const std::string what = "Support " + supports[s].name;
+          const Body       &body = *bodies[region.body];
+          if (supports[s].normal)
+            {
+              add_normal_rows(body, region, *supports[s].normal, s, what, rows);
+              continue;
+            }
           const std::vector<Location> places =
             region_locations(body, region, what);
           auto all = body.rows(places, Quantity::displacement);
@@ -33,7 +86,7 @@ namespace lamella
                 rows.push_back({{region.body, all[i][c]},
                                 *supports[s].u[c],
                                 s,
-                                c,
+                                scene_axis(c),
                                 places[i].position});
         }
     return rows;

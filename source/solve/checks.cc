@@ -62,7 +62,7 @@ namespace lamella
                structure.reduction(b).multipliers(unbalanced.block(b)))
             {
               const PrescribedRow &p = structure.prescribed()[row];
-              of_support[p.support][p.component] += force;
+              of_support[p.support] += force * p.direction;
               work += 0.5 * force * factor * p.value;
             }
           for (unsigned int s = 0; s < of_support.size(); ++s)

@@ -92,7 +92,7 @@ namespace lamella
               rows.push_back({{0, all[i][c]},
                               field(locations[i].position)[c],
                               0,
-                              c,
+                              scene_axis(c),
                               locations[i].position});
         }
     return rows;

@@ -62,11 +62,6 @@ namespace
 
 
 
-  struct Rectangle
-  {
-    double x0, x1, z0, z1, sign;
-  };
-
   /// b h^3 / 12 of a rectangle, its area times its distance squared added, and
   /// the like of x: by hand, from rectangles x0, x1, z0, z1 with a sign.
   struct Rectangle

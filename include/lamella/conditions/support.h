@@ -19,16 +19,25 @@ namespace lamella
     std::vector<Region> on;
     /// The scene components of u at load factor 1; those without are free.
     std::array<std::optional<double>, 3> u;
+    /// On surfaces, n . u with the outward normal n: 0 is symmetry, whichever
+    /// way the body is turned.
+    std::optional<double> normal = std::nullopt;
   };
 
-  /// One scene component of the displacement of one point: row(u) = value.
+  /// The displacement of one point along a direction: row(u) = value.
   struct PrescribedRow
   {
-    BodyRow          row;
-    double           value   = 0.;
-    unsigned int     support = 0, component = 0;
-    dealii::Point<3> position;
+    BodyRow      row;
+    double       value   = 0.;
+    unsigned int support = 0;
+    /// A unit vector of the scene; the force in the row acts along it.
+    dealii::Tensor<1, 3> direction;
+    dealii::Point<3>     position;
   };
+
+  /// The direction of the scene's axis @p c.
+  dealii::Tensor<1, 3>
+  scene_axis(const unsigned int c);
 
   /**
    * The rows of @p supports. They may depend on each other; RowReduction sees
