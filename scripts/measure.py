@@ -1,7 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The tables of doc/laminated-beams.md and doc/contact.md; see scripts/measure."""
+"""The tables of doc/laminated-beams.md, doc/contact.md, doc/theories.md and
+doc/stable-basis.md; see scripts/measure."""
 
 import csv
+import itertools
 import json
 import os
 import subprocess
@@ -155,8 +157,123 @@ def phases():
           f"estimate {runs[0].summary['condition_estimate']:.1e}\n")
 
 
+def theories():
+    """Sec. 4.2 by theory: accuracy, DoFs, seconds and memory (fastest of three)."""
+    rows = []
+    for theory in ("EBBT", "TBT", "TE-1", "TE-2", "TE-3", "TE-4", "TE-6", "TE-8",
+                   "LE-1", "LE-2", "LE-3"):
+        runs = [Run("laminated_beams.prm", [f"Theory={theory}"]) for _ in range(3)]
+        run = min(runs, key=lambda r: r.wall)
+        up, low = run.probes["upper_top"], run.probes["lower_top"]
+        shear_mean = [float(row["syz"]) for row in run.lines["upper_thickness"]]
+        rows.append([theory, run.summary["dofs"]] +
+                    [f"{1e3 * float(p['uz']):.3f}" for p in (up, low)] +
+                    [f"{1e3 * float(up['uy']):.5f}",
+                     f"{1e-6 * float(up['syy']):.2f}",
+                     f"{1e-6 * max(map(abs, shear_mean)):.3f}",
+                     f"{run.contact_force():.3f}", f"{run.wall:.2f}",
+                     f"{run.summary['peak_memory_mb']:.0f}"])
+    table(["theory", "DoFs", "u_z upper [mm]", "u_z lower", "u_y upper [mm]",
+           "sigma_yy upper [MPa]", "largest sigma_yz [MPa]", "contact [N]",
+           "whole process [s]", "memory [MB]"], rows)
+
+
+SECTIONS = {"square": (1., 1.), "laminate": (10., 3.), "sandwich": (5., 1.)}
+
+
+def flexibility(section, theory, load, slenderness):
+    """u_z / L^3 of the tip under 1 N, or the twist per length under 1 N mm; the
+    first correction of the strain-first refinement; the condition estimate."""
+    width, height = SECTIONS[section]
+    length = slenderness * height
+    if load == "bending":
+        force = f"0, 0, {1 / (width * height)!r}"
+    else:
+        polar = width * height * (width ** 2 + height ** 2) / 12
+        force = (f"-(z - {height / 2!r}) / {polar!r}, 0, "
+                 f"(x - {width / 2!r}) / {polar!r}")
+    z = height / 2
+    places = {"tip": (width / 2, length), "quarter_left": (0, length / 4),
+              "quarter_right": (width, length / 4), "late_left": (0, 3 * length / 4),
+              "late_right": (width, 3 * length / 4)}
+    run = Run("cantilever.prm",
+              [f"Theory={theory}", f"Body beam/Section={section}",
+               f"Body beam/Length={length!r}", f"Load tip/Force={force}",
+               "Rotation limit=1e30"] +
+              [f"Probe {name}/At=beam: {x!r}, {y!r}, {z!r}"
+               for name, (x, y) in places.items()])
+    if run.failure:
+        return None
+    u = {name: float(row["uz"]) for name, row in run.probes.items()}
+    value = (u["tip"] / length ** 3 if load == "bending" else
+             (u["late_right"] - u["late_left"] - u["quarter_right"] +
+              u["quarter_left"]) / (width * length / 2))
+    return (value, (run.summary["free_corrections"] or [0.])[0],
+            run.summary["condition_estimate"])
+
+
+def stability():
+    """A cantilever of 4 B4 from a block to a hair: what a + b (h/L)^2, fitted at
+    L/h = 4e3 and 8e3, does not explain, and (digits lost before refinement).
+    Draws doc/pictures/stability.png."""
+    lengths = (2, 10, 100, 1e3, 1e4, 1e5, 1e6)
+    rows, curves = [], {}
+    for section, load, theory in itertools.product(
+            SECTIONS, ("bending", "torsion"), ("EBBT", "TBT", "TE-2", "LE-2")):
+        if load == "torsion" and theory in ("EBBT", "TBT"):
+            continue  # they cannot twist
+        near, far = (flexibility(section, theory, load, s)[0] for s in (4e3, 8e3))
+        b = (near - far) / (4e3 ** -2 - 8e3 ** -2)
+        a = near - b / 4e3 ** 2
+        found = [flexibility(section, theory, load, s) for s in lengths]
+        off = [None if f is None else abs(f[0] / (a + b / s ** 2) - 1)
+               for f, s in zip(found, lengths)]
+        curves[section, load, theory] = off
+        rows.append([section, load, theory] +
+                    ["refused" if f is None else f"{o:.0e} ({f[1]:.0e})"
+                     for f, o in zip(found, off)] +
+                    [f"{[f for f in found if f][-1][2]:.0e}"])
+    table(["section", "load", "theory"] + [f"L/h = {s:g}" for s in lengths] +
+          ["condition at the last"], rows)
+    draw_stability(lengths, curves)
+
+
+def draw_stability(lengths, curves):
+    import matplotlib
+    matplotlib.use("Agg")
+    import matplotlib.pyplot as plt
+    plt.rcParams.update({"font.size": 11, "figure.dpi": 150,
+                         "figure.constrained_layout.use": True,
+                         "axes.spines.top": False, "axes.spines.right": False})
+    figure, panels = plt.subplots(1, 2, figsize=(8.4, 4.2), sharey=True)
+    marks = dict(zip(("EBBT", "TBT", "TE-2", "LE-2"), "sv^o"))
+    colours = dict(zip(SECTIONS, ("#0072B2", "#D55E00", "#009E73")))
+    for panel, load in zip(panels, ("bending", "torsion")):
+        for (section, kind, theory), off in curves.items():
+            if kind == load:
+                # Zero has no place on a logarithmic axis, what was refused on none.
+                points = [(s, max(o, 1e-16)) for s, o in zip(lengths, off)
+                          if o is not None]
+                panel.loglog(*zip(*points),
+                             marks[theory] + "-", color=colours[section],
+                             markersize=5, linewidth=1.2)
+        panel.axhline(1e-6, color="0.4", linestyle=":", linewidth=1)
+        panel.set_title(load)
+        panel.set_xlabel("length / height")
+        panel.grid(color="0.92")
+    panels[0].set_ylabel("off $a + b\\,(h/L)^2$, relative")
+    panels[0].text(2, 1.6e-6, "1e-6", color="0.4")
+        handles = [plt.Line2D([], [], color=c, label=s) for s, c in colours.items()]
+    handles += [plt.Line2D([], [], color="0.3", marker=m, linestyle="", label=t)
+                for t, m in marks.items()]
+    panels[1].legend(handles=handles, frameon=False, fontsize=9, ncols=2)
+    figure.savefig(ROOT / "doc" / "pictures" / "stability.png")
+    print("doc/pictures/stability.png\n")
+
+
 def main():
-    tables = {f.__name__: f for f in (variants, shear, penalty, phases)}
+    tables = {f.__name__: f for f in (variants, shear, penalty, phases, theories,
+                                      stability)}
     unknown = [name for name in sys.argv[1:] if name not in tables]
     if unknown:
         sys.exit(f"no table {unknown[0]}; there are: {', '.join(tables)}")

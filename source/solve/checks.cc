@@ -28,17 +28,18 @@ namespace lamella
 
 
 
-    /// The forces on one body, summed, and the largest single resultant.
+    /// The forces on one body, summed, and the largest single resultant: a
+    /// force, or a couple over half the body's length.
     struct Resultants
     {
       Tensor<1, 3> sum;
       double       largest = 0.;
 
       void
-      add(const Tensor<1, 3> &force)
+      add(const Tensor<1, 3> &force, const double couple = 0.)
       {
         sum += force;
-        largest = std::max(largest, force.norm());
+        largest = std::max({largest, force.norm(), couple});
       }
     };
 
@@ -57,18 +58,22 @@ namespace lamella
         {
           // Each support is a force of its own: two opposite reactions must not
           // hide in a sum of zero.
-          std::vector<Tensor<1, 3>> of_support(checks.reactions.size());
+          const Body               &body = *structure.bodies()[b];
+          std::vector<Tensor<1, 3>> of_support(checks.reactions.size()),
+            moment(checks.reactions.size());
           for (const auto &[row, force] :
                structure.reduction(b).multipliers(unbalanced.block(b)))
             {
               const PrescribedRow &p = structure.prescribed()[row];
               of_support[p.support] += force * p.direction;
+              moment[p.support] += cross_product_3d(p.position - body.centre(),
+                                                    force * p.direction);
               work += 0.5 * force * factor * p.value;
             }
           for (unsigned int s = 0; s < of_support.size(); ++s)
             {
               checks.reactions[s] += of_support[s];
-              on_body[b].add(of_support[s]);
+              on_body[b].add(of_support[s], moment[s].norm() / body.size());
             }
         }
       return work;
@@ -151,10 +156,13 @@ namespace lamella
       {
         const Body  &body  = *structure.bodies()[b];
         const auto   rigid = body.rigid_motions();
-        Tensor<1, 3> load;
+        Tensor<1, 3> load, couple;
         for (unsigned int c = 0; c < 3; ++c)
-          load[c] = factor * (structure.load().block(b) * rigid[c]);
-        on_body[b].add(load);
+          {
+            load[c]   = factor * (structure.load().block(b) * rigid[c]);
+            couple[c] = factor * (structure.load().block(b) * rigid[3 + c]);
+          }
+        on_body[b].add(load, couple.norm() / body.size());
         // What is not a number must not be lost in a maximum.
         const double unbalanced = on_body[b].sum.norm();
         if (unbalanced != 0.)
