@@ -263,7 +263,7 @@ def draw_stability(lengths, curves):
         panel.grid(color="0.92")
     panels[0].set_ylabel("off $a + b\\,(h/L)^2$, relative")
     panels[0].text(2, 1.6e-6, "1e-6", color="0.4")
-        handles = [plt.Line2D([], [], color=c, label=s) for s, c in colours.items()]
+    handles = [plt.Line2D([], [], color=c, label=s) for s, c in colours.items()]
     handles += [plt.Line2D([], [], color="0.3", marker=m, linestyle="", label=t)
                 for t, m in marks.items()]
     panels[1].legend(handles=handles, frameon=False, fontsize=9, ncols=2)

@@ -98,7 +98,16 @@ namespace lamella
   std::string
   Beam::theory() const
   {
-    return beam_section->theory().name() + ", " +
+    const Theory      &theory   = beam_section->theory();
+    const unsigned int complete = (theory.order + 1) * (theory.order + 2) / 2;
+    const unsigned int n        = beam_section->element().n_functions();
+    const std::string  left_out =
+      theory.kind == Theory::Kind::TE && n < complete ?
+         " (" + std::to_string(complete - n) + " of " +
+          std::to_string(complete) +
+          " polynomials depend on the others on this section)" :
+         "";
+    return theory.name() + left_out + ", " +
            std::to_string(beam_axis->n_cells()) + " B" +
            std::to_string(beam_axis->degree() + 1);
   }

@@ -21,7 +21,8 @@ namespace lamella
       void
       add(const Body &body, const unsigned int number, const Vector &u)
       {
-        const unsigned int n = body.degree();
+        // Cells of a degree that readers draw; expansions may be higher.
+        const unsigned int n = std::min(body.degree(), 4u);
         for (const OutputCell &cell : body.output_cells(n, u))
           {
             DataOutBase::Patch<3, 3> patch;
