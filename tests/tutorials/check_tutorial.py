@@ -4,8 +4,10 @@
 
 Usage: check_tutorial.py PROGRAM FILE.expect
 
-The program prints lines `KEY: NUMBER`; FILE.expect holds comments (#) and rows
-`KEY | VALUE | TOLERANCE | SOURCE` with the tolerances of check_scene.py.
+The program prints lines `KEY: NUMBER` and tables, a head and rows between bars
+(deal.II's org_mode_table), whose numbers have the keys `ROW, COLUMN`. FILE.expect
+holds comments (#) and rows `KEY | VALUE | TOLERANCE | SOURCE` with the tolerances
+of check_scene.py.
 """
 
 import re
@@ -18,6 +20,22 @@ sys.path.insert(0, str(Path(__file__).resolve().parent.parent / "scenes"))
 from check_scene import compare, print_table  # noqa: E402
 
 
+def printed_numbers(text):
+    """All that is printed, by key."""
+    numbers = dict(re.findall(r"^([^:\n]+): (\S+)$", text, re.MULTILINE))
+    head = None
+    for line in text.splitlines():
+        if not line.startswith("|"):
+            head = None
+            continue
+        cells = [cell.strip() for cell in line.strip().strip("|").split("|")]
+        if head:
+            numbers.update((f"{cells[0]}, {column}", cell)
+                           for column, cell in zip(head[1:], cells[1:]))
+        head = head or cells
+    return numbers
+
+
 def main():
     if len(sys.argv) != 3:
         sys.exit("Usage: check_tutorial.py PROGRAM FILE.expect")
@@ -26,7 +44,7 @@ def main():
         run = subprocess.run([program], cwd=folder, capture_output=True, text=True)
     if run.returncode != 0:
         sys.exit(f"{program.name} ended with {run.returncode}:\n{run.stderr}")
-    printed = dict(re.findall(r"^([^:\n]+): (\S+)$", run.stdout, re.MULTILINE))
+    printed = printed_numbers(run.stdout)
 
     table = []
     for line in path.read_text().splitlines():
