@@ -332,6 +332,7 @@ def through_the_thickness(results):
                 axis.set_xlabel(scale[column].label(NAMES[column]))
                 axis.set_ylim(*(scale["z"](v) for v in line.span))
                 axis.margins(x=0.08)
+                axis.xaxis.set_major_locator(MaxNLocator(5))
             row[0].set_ylabel(scale["z"].label("z"))
             row[0].set_title(label_of(line, lines), loc="left")
         yield file_name(lines, "through_the_thickness"), figure

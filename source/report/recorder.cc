@@ -188,7 +188,7 @@ namespace lamella
     const Tensor<1, 3> d = (line.to - line.from) / line.from.distance(line.to);
 
     InterfaceJump jump{line.name, 0, 0.};
-    double        largest = 0., last_s = -1.;
+    double        largest = 0., largest_stress = 0., last_s = -1.;
     Tensor<1, 3>  last;
     unsigned int  last_ply = 0;
     for (const auto &[s, location] : line_samples[l])
@@ -201,6 +201,7 @@ namespace lamella
 
         const Tensor<1, 3> traction = traction_on(sample.stress, d);
         largest                     = std::max(largest, traction.norm());
+        largest_stress = std::max(largest_stress, sample.stress.norm());
         if (s == last_s && location.ply != last_ply)
           {
             ++jump.interfaces;
@@ -210,8 +211,9 @@ namespace lamella
         last     = traction;
         last_ply = location.ply;
       }
-    if (largest > 0.)
-      jump.relative /= largest;
+    // Tractions that are rounding of the other stresses jump by nothing.
+    jump.relative =
+      largest > 1e-9 * largest_stress ? jump.relative / largest : 0.;
     if (jump.interfaces > 0)
       jumps.push_back(jump);
   }
