@@ -44,8 +44,11 @@ namespace lamella
     TimerOutput::Scope scope(timer, "setup");
     for (const Support &support : scene.supports)
       summary.support_names.push_back(support.name);
-    summary.title     = scene.title;
-    summary.warnings  = scene.warnings;
+    summary.title    = scene.title;
+    summary.warnings = scene.warnings;
+    for (const std::string &warning :
+         torques_left_out(scene.loads, structure->bodies()))
+      summary.warnings.push_back(warning);
     summary.units     = scene.units;
     summary.structure = structure.get();
     summary.contacts  = &contacts;
@@ -238,7 +241,7 @@ namespace lamella
       else
         print_section(out, name, name_of(shape), *sections.at(name));
     print_bodies(out, *structure, contacts);
-    for (const std::string &warning : scene.warnings)
+    for (const std::string &warning : summary.warnings)
       out << "Note: " << warning << ".\n";
     out << "The scene is valid; nothing was solved or written." << std::endl;
   }

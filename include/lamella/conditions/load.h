@@ -34,6 +34,14 @@ namespace lamella
    */
   void
   add_load(const Load &load, const Bodies &bodies, BlockVector &f);
+
+  /**
+   * Sentences on torques of @p loads about the axes of bodies whose theory has
+   * no turn about it (EBBT, TBT): they do no work on such a body's
+   * displacements and vanish from the problem.
+   */
+  std::vector<std::string>
+  torques_left_out(const std::vector<Load> &loads, const Bodies &bodies);
 } // namespace lamella
 
 #endif
