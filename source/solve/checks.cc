@@ -81,6 +81,26 @@ namespace lamella
 
 
 
+    /// Adds what the load vector @p f does as a whole, by its work on the
+    /// @p rigid motions of @p body.
+    void
+    add_load_resultant(const Body                &body,
+                       const std::vector<Vector> &rigid,
+                       const Vector              &f,
+                       const double               factor,
+                       Resultants                &on_body)
+    {
+      Tensor<1, 3> force, couple;
+      for (unsigned int c = 0; c < 3; ++c)
+        {
+          force[c]  = factor * (f * rigid[c]);
+          couple[c] = factor * (f * rigid[3 + c]);
+        }
+      on_body.add(force, couple.norm() / body.size());
+    }
+
+
+
     KuhnTucker
     check_contact(const ContactInterface    &contact,
                   const std::vector<double> &force,
@@ -154,15 +174,10 @@ namespace lamella
 
     for (unsigned int b = 0; b < structure.bodies().size(); ++b)
       {
-        const Body  &body  = *structure.bodies()[b];
-        const auto   rigid = body.rigid_motions();
-        Tensor<1, 3> load, couple;
-        for (unsigned int c = 0; c < 3; ++c)
-          {
-            load[c]   = factor * (structure.load().block(b) * rigid[c]);
-            couple[c] = factor * (structure.load().block(b) * rigid[3 + c]);
-          }
-        on_body[b].add(load, couple.norm() / body.size());
+        const Body &body  = *structure.bodies()[b];
+        const auto  rigid = body.rigid_motions();
+        add_load_resultant(
+          body, rigid, structure.load().block(b), factor, on_body[b]);
         // What is not a number must not be lost in a maximum.
         const double unbalanced = on_body[b].sum.norm();
         if (unbalanced != 0.)
