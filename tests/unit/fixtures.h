@@ -63,12 +63,14 @@ namespace lamella
   inline std::shared_ptr<const Axis>
   make_axis(const double       length,
             const unsigned int elements,
-            const unsigned int degree = 3)
+            const unsigned int degree        = 3,
+            const bool         assumed_shear = false)
   {
     AxisMesh mesh;
-    mesh.length   = length;
-    mesh.degree   = degree;
-    mesh.elements = {elements};
+    mesh.length        = length;
+    mesh.degree        = degree;
+    mesh.elements      = {elements};
+    mesh.assumed_shear = assumed_shear;
     return std::make_shared<Axis>(mesh);
   }
 
