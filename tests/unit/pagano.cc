@@ -191,6 +191,22 @@ namespace
 
 
 
+  /// TE-@p degree.
+  StripTheory
+  taylor(const unsigned int degree)
+  {
+    Theory theory;
+    theory.kind  = Theory::Kind::TE;
+    theory.order = degree;
+    return {theory.name(), [=](const Laminate &laminate) {
+              return make_section(
+                make_section_mesh(laminate, {{"material", graphite_epoxy}}),
+                theory);
+            }};
+  }
+
+
+
   /// Relative errors: the deflection of the centre; sigma_yy of top and bottom
   /// at mid-span, the larger; sigma_yz at the support, where it is largest over
   /// z (it falls to a quarter of that at the mid-plane of [0/90]).
@@ -508,6 +524,83 @@ BOOST_AUTO_TEST_CASE(layer_wise_theory)
         BOOST_TEST(row[0].u_z < 1e-3);
         BOOST_TEST(row[0].sigma_yy < 1e-2);
         BOOST_TEST(row[0].sigma_yz < 2e-2);
+      }
+}
+
+
+
+BOOST_AUTO_TEST_CASE(taylor_theories)
+{
+  // One expansion for all plies. With a cubic u_y the shear strain is a
+  // parabola at least: TE-3. (TE-1 may be nearer by chance: its contraction
+  // modes do not know that u_x is held, which makes it too soft where the lack
+  // of shear makes it too stiff.)
+  const std::vector<StripTheory> theories{
+    taylor(1), taylor(2), taylor(3), taylor(4), taylor(5)};
+  for (const auto &angles : layups)
+    {
+      const auto table = tabulate(angles, {4., 10., 100.}, theories, 4);
+      for (const auto &row : table)
+        {
+          BOOST_TEST(row[2].u_z < row[1].u_z);
+          BOOST_TEST(row[4].u_z < row[2].u_z + 1e-5);
+          // One ply: nothing jumps.
+          if (angles.size() == 1)
+            BOOST_TEST(row[4].u_z < 1e-3);
+        }
+      // Shear makes up 0.8 % of the deflection of [0/90/0] at S = 100, less of
+      // the others, and TE-3 has most of it.
+      BOOST_TEST(table[2][2].u_z < 5e-3);
+      // Thick, where theories differ most.
+      if (angles.size() == 2)
+        continue;
+      const Errors of_7 = tabulate(angles, {4.}, {taylor(7)}, 4)[0][0];
+      BOOST_TEST(of_7.u_z < table[0][4].u_z);
+      if (angles.size() == 1)
+        BOOST_TEST(std::max(of_7.sigma_yy, of_7.sigma_yz) < 1e-3);
+    }
+}
+
+
+
+BOOST_AUTO_TEST_CASE(shear_at_interfaces)
+{
+  // gamma_yz of TE-N is a polynomial through all plies, so that sigma_yz jumps
+  // from a ply at 0 degrees to one at 90 by G13 / G23 = 2.5, whatever N. Of the
+  // continuous exact one t two values a = 2.5 b are off by (a - b) / (a + b) t
+  // = 3/7 t at least, the worse of them. LE's may jump, but it converges.
+  for (const auto &angles : {layups[1], layups[2]})
+    for (const StripTheory &theory : {taylor(5), layer_wise(3, 1)})
+      {
+        const double         S     = 10.;
+        const PaganoSolution exact = exact_solution(angles, S);
+        Structure            structure =
+          half_strip(theory.make(rectangle(1., 1., angles)), S, 4);
+        const Vector                   u      = solution(structure);
+        const Body                    &body   = *structure.bodies()[0];
+        const double                   z      = exact.stack()[0].top;
+        const double                   t      = exact(0., z, 0).stress[5];
+        double                         worst  = 0.;
+        const auto                     places = body.locate({{0.5, 0., z}});
+        std::map<unsigned int, double> side;
+        for (const Location &location : places[0])
+          {
+            side[location.ply] = body.sample(location, u).stress[5];
+            worst = std::max(worst, std::abs(side[location.ply] / t - 1.));
+          }
+        BOOST_TEST_REQUIRE(side.size() == 2);
+        BOOST_TEST_MESSAGE(spelled(angles)
+                           << ", " << theory.name
+                           << ": sigma_yz of the exact one at the interface "
+                           << std::setprecision(3) << side[0] / t << " and "
+                           << side[1] / t);
+        if (theory.name[0] == 'T')
+          {
+            BOOST_TEST(std::abs(side[0] / side[1] - 2.5) < 1e-9);
+            BOOST_TEST(worst > 3. / 7. - 1e-9);
+          }
+        else
+          BOOST_TEST(worst < 0.05);
       }
 }
 
