@@ -70,8 +70,22 @@ namespace lamella
     const std::vector<unsigned int>   &ply_of_cell,
     const unsigned int                 n_fields)
     : modes(std::move(mesh), mode_degree)
+    , means(2 * (modes.n_functions() - 3))
   {
-    const unsigned int n = 2 * (modes.n_functions() - 3);
+    const unsigned int n = means.size();
+    {
+      std::vector<Voigt> sums(n);
+      double             area = 0.;
+      for (unsigned int k = 0; k < points.size(); ++k)
+        {
+          const auto strain = mode_strains(points[k].cell, points[k].unit);
+          area += weights[k];
+          for (unsigned int m = 0; m < n; ++m)
+            sums[m] += weights[k] * strain[m];
+        }
+      for (unsigned int m = 0; m < n; ++m)
+        means[m] = sums[m] / area;
+    }
     FullMatrix<double> K(n, n), loads_in_plane(n, n_fields),
       loads_along(n, n_fields);
     for (unsigned int k = 0; k < points.size(); ++k)
@@ -130,6 +144,8 @@ namespace lamella
         strains.push_back(of_x);
         strains.push_back(of_z);
       }
+    for (unsigned int m = 0; m < strains.size(); ++m)
+      strains[m] -= means[m];
     return strains;
   }
 

@@ -20,10 +20,10 @@ namespace lamella
     // more than the rounding of those parts.
     constexpr double dependent = 1e-10;
 
-    // On curved cells the polynomials of x and z are of twice the degree in the
-    // cell's own coordinates, but nearly of the same; these points more leave
-    // less than 1e-12 (tested).
-    constexpr unsigned int points_for_curves = 4;
+    // On curved cells the polynomials of x and z are of three times the degree
+    // in the cell's own coordinates, but nearly of the same: these points more
+    // leave little (tests/unit/taylor.cc).
+    constexpr unsigned int points_for_curves = 8;
   } // namespace
 
 

@@ -36,6 +36,7 @@ namespace
   const std::vector<Shape> shapes{
     {"rectangle", rectangle(3., 0.5, {0., 0.}, 2)},
     {"half disc", HalfDisc{0.7, 90., 0.0875, 8, fabric}},
+    {"coarse half disc", HalfDisc{0.7, 75., 0.2, 4, fabric}},
     {"box", ThinWalled{"box", 3., 4., {0.3, 0.5}, {0.2, 0.4}, 1, 1, fabric}},
     {"double-T",
      ThinWalled{"double-T", 3., 4., {0.1}, {0.2, 0.6}, 1, 1, fabric}}};
@@ -137,7 +138,9 @@ BOOST_AUTO_TEST_CASE(orthonormal)
           for (unsigned int j = std::max(3u, i); j < n; ++j)
             worst =
               std::max(worst, std::abs(gram(i, j) / area - (i == j ? 1. : 0.)));
-        BOOST_TEST(worst < 1e-10,
+        // Four sectors are half an arc to one side of a cell: what is left of
+        // the rule's error on such cells is far below that of the geometry.
+        BOOST_TEST(worst < (shape.name == "coarse half disc" ? 1e-7 : 1e-10),
                    shape.name << ", TE-" << degree << ": off by " << worst);
       }
 }

@@ -9,6 +9,7 @@
 #include "fixtures.h"
 
 #include <lamella/material/library.h>
+#include <lamella/section/shapes.h>
 #include <lamella/solve/checks.h>
 
 #include <deal.II/lac/full_matrix.h>
@@ -364,6 +365,32 @@ namespace
             (b11 * b11 * a66 - 2. * b11 * b16 * a16 + b16 * b16 * a11) / det);
   }
 } // namespace
+
+
+
+BOOST_AUTO_TEST_CASE(contraction_modes_leave_constant_strains_alone)
+{
+  // A constant in-plane strain of a homogeneous section, whatever its shape, is
+  // an equilibrium: TE-1's own stiffness in xx, zz and xz (its fields 6 to 8)
+  // must be that without the modes.
+  const Fabric fabric{"m", 0.};
+  for (const SectionShape &shape :
+       {SectionShape(HalfDisc{0.5, 90., 0.1, 8, fabric}),
+        SectionShape(ThinWalled{"angle", 0.7, 0.5, {0.1}, {0.1}, 1, 1, fabric}),
+        SectionShape(ThinWalled{"T", 0.7, 0.5, {0.1}, {0.1}, 1, 1, fabric})})
+    {
+      const auto mesh =
+        make_section_mesh(shape,
+                          {{"m", EngineeringConstants::isotropic(1., 0.3)}});
+      Theory     theory         = Theory::parse("TE-1", "");
+      const auto corrected      = make_section(mesh, theory);
+      theory.poisson_correction = false;
+      const auto plain          = make_section(mesh, theory);
+      for (unsigned int f = 6; f < 9; ++f)
+        BOOST_TEST(std::abs(corrected->S(0, 0)(f, f) / plain->S(0, 0)(f, f) -
+                            1.) < 1e-10);
+    }
+}
 
 
 

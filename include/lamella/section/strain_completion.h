@@ -59,8 +59,10 @@ namespace lamella
    * such that the energy of the section is least,
    *   v = - K^-1 int (D_s v)^T C eps dA,   K = int (D_s v)^T C D_s v dA
    * (static condensation; the derivatives of v along y are neglected, as every
-   * beam theory does). TE-1's own in-plane terms keep their stiffness, which
-   * they lose with the law of FreeContraction.
+   * beam theory does). Each mode is taken less the linear displacement that has
+   * its mean strain, int D_s v dA = 0: TE-1's own in-plane terms, whose strains
+   * are constant, then keep their stiffness, which they lose with the law of
+   * FreeContraction.
    */
   class ContractionModes : public StrainCompletion
   {
@@ -80,11 +82,12 @@ namespace lamella
     complete(SectionPoint &point) const override;
 
   private:
-    /// D_s v of all modes at a point.
+    /// D_s v of all modes at a point, less their means.
     std::vector<Voigt>
     mode_strains(const unsigned int cell, const dealii::Point<2> &unit) const;
 
-    TaylorElement modes;
+    TaylorElement      modes;
+    std::vector<Voigt> means;
     /// Amplitudes of the modes: for each mode and field, to the strains that N
     /// and N' multiply.
     dealii::FullMatrix<double> of_in_plane, of_along;
