@@ -156,6 +156,7 @@ namespace lamella
     const Point<3> n(edge.normal[0], 0., edge.normal[1]);
     point.normal = placement.vector_to_scene(n);
     point.area   = edge.weight * weight;
+    point.corner = edge.corner;
     point.depth  = edge.depth;
     point.location =
       location(point.position, axis_cell, eta, edge.cell, edge.unit);
@@ -201,7 +202,7 @@ namespace lamella
       {
         for (const bool at_start : {true, false})
           if (surface == "ends" || at_start == (surface == "start"))
-            for (const EdgePoint &p : beam_section->element().section_points())
+            for (const EdgePoint &p : beam_section->element().section_grid())
               points.push_back(end_point(p, at_start));
         return points;
       }
@@ -215,6 +216,25 @@ namespace lamella
           points.push_back(lateral_point(p, weights[node], cell, eta));
       }
     return points;
+  }
+
+
+
+  std::vector<Location>
+  Beam::fixing_points(const std::string &surface) const
+  {
+    std::vector<Location> locations;
+    if (surface == "start" || surface == "end" || surface == "ends")
+      {
+        for (const bool at_start : {true, false})
+          if (surface == "ends" || at_start == (surface == "start"))
+            for (const EdgePoint &p : beam_section->element().section_points())
+              locations.push_back(end_point(p, at_start).location);
+        return locations;
+      }
+    for (const SurfacePoint &point : surface_points(surface))
+      locations.push_back(point.location);
+    return locations;
   }
 
 

@@ -65,13 +65,8 @@ namespace lamella
         case Region::Kind::body:
           return body.body_points();
         case Region::Kind::surface:
-          {
-            check_surface(body, region.surface, what);
-            std::vector<Location> locations;
-            for (const SurfacePoint &p : body.surface_points(region.surface))
-              locations.push_back(p.location);
-            return locations;
-          }
+          check_surface(body, region.surface, what);
+          return body.fixing_points(region.surface);
         default:
           Assert(false, ExcMessage("The region was never filled in."));
           return {};

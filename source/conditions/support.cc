@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <lamella/base/exceptions.h>
 #include <lamella/base/text.h>
 #include <lamella/conditions/support.h>
 
@@ -35,6 +36,13 @@ namespace lamella
       std::vector<Tensor<1, 3>> normals;
       for (const SurfacePoint &point : body.surface_points(region.surface))
         {
+          if (point.corner)
+            throw InputError(
+              what + "/Normal displacement: surface '" + region.surface +
+              "' of body '" + body.name() + "' has a corner at " +
+              to_text(point.position) +
+              ", where it has no normal. Name surfaces without corners, or "
+              "prescribe u.");
           places.push_back(point.location);
           normals.push_back(point.normal);
         }

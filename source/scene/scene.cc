@@ -304,6 +304,36 @@ namespace lamella
 
 
 
+    /// What theories without free twist miss on off-axis plies, in words.
+    std::vector<std::string>
+    warnings_of_coupling(const Scene &scene)
+    {
+      std::vector<std::string> warnings;
+      for (const BodyDescription &body : scene.bodies)
+        {
+          const Laminate *laminate =
+            std::get_if<Laminate>(&scene.sections.at(body.section));
+          if (laminate == nullptr || (!body.theory.is_classical() &&
+                                      !(body.theory.kind == Theory::Kind::TE &&
+                                        body.theory.order == 1)))
+            continue;
+          const LaminateStiffness stiffness =
+            laminate_stiffness(laminate->plies(scene.materials),
+                               laminate->width);
+          const double ratio = stiffness.EI_untwisted / stiffness.EI;
+          if (ratio > 1.01)
+            warnings.push_back(
+              "body " + body.name + ": the layup twists when it bends, which " +
+              body.theory.name() +
+              " cannot follow; by lamination theory it is " +
+              to_text(ratio, 3) +
+              " times too stiff in bending. Use TE-2 or more, or LE-N");
+        }
+      return warnings;
+    }
+
+
+
     /// The second pass, over what @p prm has parsed.
     Scene
     resolve(ParameterHandler &prm, const Names &names, const SceneText &text)
@@ -343,6 +373,8 @@ namespace lamella
             parse_body(prm, name, theory, names.at("Sections")));
         });
       scene.warnings = warnings_of_orders(scene.bodies);
+      for (const std::string &warning : warnings_of_coupling(scene))
+        scene.warnings.push_back(warning);
       for (const std::string &name : names.at("Supports"))
         in("Support " + name, [&](const std::string &what) {
           scene.supports.push_back(parse_support(prm, name, bodies));

@@ -69,6 +69,22 @@ namespace lamella
 
 
 
+  void
+  CrossSectionElement::add_side(EdgePoint          &point,
+                                const Tensor<1, 2> &scaled_normal,
+                                const double        weight,
+                                const Tensor<1, 2> &own_normal)
+  {
+    constexpr double cosine = 0.94;
+    if (point.weight > 0. && own_normal * point.normal <
+                               cosine * own_normal.norm() * point.normal.norm())
+      point.corner = true;
+    point.normal += scaled_normal;
+    point.weight += weight;
+  }
+
+
+
   double
   CrossSectionElement::depth(const unsigned int cell,
                              const unsigned int face) const

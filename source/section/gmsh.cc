@@ -15,6 +15,8 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
+#include <limits>
 #include <regex>
 #include <sstream>
 
@@ -83,6 +85,41 @@ namespace lamella
 
 
 
+    /// Throws InputError if the coordinates in @p nodes do not lie in a plane
+    /// of constant z: the section is what the drawing has in x and y.
+    void
+    check_is_flat(const std::vector<std::string> &nodes,
+                  const double                    version,
+                  const std::string              &what)
+    {
+      // A line of coordinates has a number more in format 2. (In 4.0 it cannot
+      // be told from the head of a block; nothing writes that any more.)
+      const unsigned int n = version < 3. ? 4 : 3;
+      if (version >= 3. && version < 4.1)
+        return;
+      double lowest = std::numeric_limits<double>::max(), highest = -lowest,
+             extent = 0.;
+      for (const std::string &line : nodes)
+        {
+          std::istringstream        words(line);
+          const std::vector<double> numbers{std::istream_iterator<double>(
+                                              words),
+                                            std::istream_iterator<double>()};
+          if (numbers.size() != n)
+            continue;
+          lowest  = std::min(lowest, numbers[n - 1]);
+          highest = std::max(highest, numbers[n - 1]);
+          extent  = std::max(
+            {extent, std::abs(numbers[n - 3]), std::abs(numbers[n - 2])});
+        }
+      if (highest - lowest > 1e-6 * extent)
+        throw InputError(what +
+                         ": the mesh does not lie in one plane (z from " +
+                         to_text(lowest) + " to " + to_text(highest) +
+                         "). Draw the section in x and y.");
+    }
+
+
     /// @p what names the entry and the file.
     Outline
     scan(const std::string &text, const std::string &what)
@@ -102,6 +139,7 @@ namespace lamella
           ". Write it with 'gmsh -2 NAME.geo -format msh41 -o "
           "NAME.msh', as text of version 4.1 (or msh22).");
 
+      check_is_flat(lines_of(text, "Nodes"), version, what);
       Outline outline;
       for (const std::string &name : lines_of(text, "PhysicalNames"))
         {

@@ -261,15 +261,21 @@ namespace lamella
           point.cell               = c;
           point.unit               = unit;
           point.depth              = depth(c, f);
+          Tensor<1, 2> normal;
+          double       weight = 0.;
           for (unsigned int q = 0; q < quadrature.size(); ++q)
             {
               const Point<2>     x = face_point(f, quadrature.point(q)[0]);
               const Tensor<1, 2> n =
                 scaled_face_normal(f, geometry.map(c, x).jacobian);
               const double share = fe.shape_value(i, x) * quadrature.weight(q);
-              point.normal += share * n;
-              point.weight += share * n.norm();
+              normal += share * n;
+              weight += share * n.norm();
             }
+          add_side(point,
+                   normal,
+                   weight,
+                   scaled_face_normal(f, geometry.map(c, unit).jacobian));
         }
 
     std::vector<EdgePoint> points;
@@ -284,7 +290,7 @@ namespace lamella
 
 
   std::vector<EdgePoint>
-  LagrangeElement::section_points() const
+  LagrangeElement::section_grid() const
   {
     const FE_Q<2>         &fe = geometry.fe();
     const QGauss<2>        quadrature(fe.degree + 1);

@@ -132,6 +132,14 @@ namespace lamella
           inverse(i + 3, j)     = result.B[i][j];
           inverse(i + 3, j + 3) = result.D[i][j];
         }
+    // Without the row and the column of the twist, held at zero.
+    FullMatrix<double> untwisted(5);
+    for (unsigned int i = 0; i < 5; ++i)
+      for (unsigned int j = 0; j < 5; ++j)
+        untwisted(i, j) = inverse(i, j);
+    untwisted.gauss_jordan();
+    result.EI_untwisted = width / untwisted(3, 3);
+
     inverse.gauss_jordan();
     result.EA = width / inverse(0, 0);
     result.EI = width / inverse(3, 3);

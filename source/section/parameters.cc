@@ -582,6 +582,63 @@ namespace lamella
 
 
 
+  namespace
+  {
+    constexpr double most_cells = 50000.;
+
+
+
+    SectionShape
+    read(const std::string &shape,
+         const char         letter,
+         const std::string &folder,
+         const Reader      &reader)
+    {
+      switch (letter)
+        {
+          case 'L':
+            return read_laminate(reader);
+          case 'D':
+            return read_half_disc(reader);
+          case 'E':
+            return read_ellipse(reader);
+          case 'F':
+            return read_file(folder, reader);
+          default:
+            return read_walls(shape, reader);
+        }
+    }
+
+
+
+    /// How many cells the mesh of @p shape has, roughly; 0 for a file.
+    double
+    estimated_cells(const SectionShape &shape)
+    {
+      if (const auto *laminate = std::get_if<Laminate>(&shape))
+        {
+          const auto sum = [](const std::vector<unsigned int> &counts) {
+            return std::accumulate(counts.begin(), counts.end(), 0.);
+          };
+          const double plies = laminate->angles.size();
+          return sum(laminate->cells_across) * sum(laminate->cells_per_ply) *
+                 (laminate->cells_per_ply.size() == 1 ? plies : 1.);
+        }
+      if (const auto *disc = std::get_if<HalfDisc>(&shape))
+        // A core, and rings that grow by pi / sectors.
+        return disc->sectors *
+               (disc->sectors +
+                std::log(disc->radius / disc->finest_cell + 1.) *
+                  disc->sectors / 3.);
+      if (const auto *walls = std::get_if<ThinWalled>(&shape))
+        return 4. * walls->cells_per_wall *
+               (walls->cells_per_wall + walls->cells_along_wall);
+      return 0.;
+    }
+  } // namespace
+
+
+
   SectionShape
   SectionParameters::shape(const std::vector<std::string> &materials,
                            const std::string              &folder,
@@ -600,18 +657,14 @@ namespace lamella
     const Reader reader(entries, materials, what);
     const char   letter = shape_letters[found - shapes.begin()];
     check_entries(shape, letter, reader);
-    switch (letter)
-      {
-        case 'L':
-          return read_laminate(reader);
-        case 'D':
-          return read_half_disc(reader);
-        case 'E':
-          return read_ellipse(reader);
-        case 'F':
-          return read_file(folder, reader);
-        default:
-          return read_walls(shape, reader);
-      }
+    const SectionShape result = read(shape, letter, folder, reader);
+    // A slip of a digit must not end in a machine out of memory.
+    const double cells = estimated_cells(result);
+    if (cells > most_cells)
+      throw InputError(what + ": the section would have about " +
+                       to_text(cells) + " cells, more than " +
+                       to_text(most_cells) +
+                       ". Use fewer cells, and a higher order instead.");
+    return result;
   }
 } // namespace lamella

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <lamella/base/exceptions.h>
+#include <lamella/base/text.h>
 #include <lamella/section/lagrange_element.h>
 #include <lamella/section/section.h>
 #include <lamella/section/taylor_element.h>
@@ -57,6 +59,7 @@ namespace lamella
          expansion->section_mesh().mesh.active_cell_iterators())
       ply_of_cell.push_back(cell->material_id());
 
+    is_curved = has_curved_edges(expansion->section_mesh());
     make_fields();
     make_points();
     make_matrices();
@@ -297,6 +300,28 @@ namespace lamella
 
 
 
+  std::pair<Point<2>, double>
+  Section::nearest_in_cell(const unsigned int cell, const Point<2> &x) const
+  {
+    // Newton's method on the element's own map, from the middle of the cell.
+    Point<2> unit(0.5, 0.5);
+    for (unsigned int iteration = 0; iteration < 20; ++iteration)
+      {
+        const FunctionValues at = expansion->evaluate(cell, unit);
+        const double size       = std::sqrt(std::abs(determinant(at.jacobian)));
+        if (x.distance(at.position) < 1e-14 * size)
+          break;
+        unit += invert(at.jacobian) * (x - at.position);
+        // Beyond its cell a curved map may fold; stay near.
+        for (unsigned int d = 0; d < 2; ++d)
+          unit[d] = std::min(1.5, std::max(-0.5, unit[d]));
+      }
+    const Point<2> inside = GeometryInfo<2>::project_to_unit_cell(unit);
+    return {inside, x.distance(expansion->evaluate(cell, inside).position)};
+  }
+
+
+
   std::vector<std::pair<unsigned int, Point<2>>>
   Section::locate(const Point<2> &x, const double tolerance) const
   {
@@ -306,31 +331,25 @@ namespace lamella
     boxes.query(boost::geometry::index::intersects(around),
                 std::back_inserter(candidates));
 
-    // Newton's method on the element's own map, from the middle of the cell.
-    std::vector<std::pair<unsigned int, Point<2>>> found;
+    std::vector<std::pair<unsigned int, Point<2>>> found, nearest;
+    double smallest = std::numeric_limits<double>::max();
     for (const auto &[box, cell] : candidates)
       {
-        Point<2> unit(0.5, 0.5);
-        double   distance = 0.;
-        double   size     = 0.;
-        for (unsigned int iteration = 0; iteration < 20; ++iteration)
+        const auto [place, distance] = nearest_in_cell(cell, x);
+        if (distance <= tolerance)
+          found.emplace_back(cell, place);
+        // The distance allowed is a fraction of the cell's extension, which the
+        // box exceeds by a fifth on each side.
+        const auto   corners = box.get_boundary_points();
+        const double size    = corners.first.distance(corners.second) / 1.4;
+        if (is_curved && distance < std::min(smallest, 0.02 * size))
           {
-            const FunctionValues at = expansion->evaluate(cell, unit);
-            size     = std::sqrt(std::abs(determinant(at.jacobian)));
-            distance = x.distance(at.position);
-            if (distance < 1e-14 * size)
-              break;
-            unit += invert(at.jacobian) * (x - at.position);
-            // Beyond its cell a curved map may fold; stay near.
-            for (unsigned int d = 0; d < 2; ++d)
-              unit[d] = std::min(1.5, std::max(-0.5, unit[d]));
+            smallest = distance;
+            nearest  = {{cell, place}};
           }
-        const Point<2> inside = GeometryInfo<2>::project_to_unit_cell(unit);
-        const double   off =
-          x.distance(expansion->evaluate(cell, inside).position);
-        if (off <= tolerance)
-          found.emplace_back(cell, inside);
       }
+    if (found.empty())
+      return nearest;
     std::sort(found.begin(), found.end(), [](const auto &a, const auto &b) {
       return a.first < b.first;
     });
@@ -347,9 +366,33 @@ namespace lamella
 
 
 
+  namespace
+  {
+    /// Throws InputError if the integration points of a Taylor expansion, each
+    /// with all fields, would not fit in memory: cells cost TE-N all of them.
+    void
+    check_size(const SectionMesh &mesh, const Theory &theory)
+    {
+      const double cells = mesh.mesh.n_active_cells(), N = theory.order;
+      const double side = N + (has_curved_edges(mesh) ? 9. : 1.);
+      const double gigabytes =
+        cells * side * side * 1.5 * (N + 1.) * (N + 2.) * 128. / 1e9;
+      if (gigabytes > 2.)
+        throw InputError(
+          "Theory = " + theory.name() + " on a section of " + to_text(cells) +
+          " cells needs " + to_text(gigabytes, 2) +
+          " GB for its integration points. Use a coarser section mesh (one "
+          "cell a part is enough for TE-N), a lower N, or LE-N.");
+    }
+  } // namespace
+
+
+
   std::shared_ptr<const Section>
   make_section(std::shared_ptr<const SectionMesh> mesh, const Theory &theory)
   {
+    if (theory.kind == Theory::Kind::TE)
+      check_size(*mesh, theory);
     std::unique_ptr<const CrossSectionElement> element;
     if (theory.kind == Theory::Kind::LE)
       element =

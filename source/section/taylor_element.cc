@@ -2,9 +2,9 @@
 
 #include <lamella/section/taylor_element.h>
 
+#include <deal.II/base/polynomial.h>
 #include <deal.II/base/quadrature_lib.h>
 
-#include <deal.II/lac/lapack_full_matrix.h>
 #include <deal.II/lac/vector.h>
 
 #include <map>
@@ -55,20 +55,6 @@ namespace lamella
 
 
 
-  double
-  TaylorElement::area() const
-  {
-    const QGauss<2> quadrature(gauss_points);
-    double          sum = 0.;
-    for (unsigned int cell = 0; cell < geometry.n_cells(); ++cell)
-      for (unsigned int q = 0; q < quadrature.size(); ++q)
-        sum += quadrature.weight(q) *
-               determinant(geometry.map(cell, quadrature.point(q)).jacobian);
-    return sum;
-  }
-
-
-
   void
   TaylorElement::collect_points(std::vector<Point<2>> &points,
                                 std::vector<double>   &weights) const
@@ -82,7 +68,7 @@ namespace lamella
           points.push_back(position);
           weights.push_back(quadrature.weight(q) * determinant(jacobian));
         }
-    const double sum = area();
+    const double sum = std::accumulate(weights.begin(), weights.end(), 0.);
     for (double &weight : weights)
       weight /= sum;
   }
@@ -213,36 +199,80 @@ namespace lamella
   std::vector<EdgePoint>
   TaylorElement::edge_points(const std::string &boundary) const
   {
-    const QGaussLobatto<1> along(order + 1);
+    const std::vector<Point<1>> along =
+      QGaussLobatto<1>(order + 1).get_points();
+    const auto basis = Polynomials::generate_complete_Lagrange_basis(along);
+    const QGauss<1> quadrature(order + 3);
     // Two sides share the point between them; others have no vertex.
     std::vector<EdgePoint>               points;
     std::map<unsigned int, unsigned int> at_vertex;
     for (const auto &[c, f] : boundary_faces(boundary))
-      for (unsigned int q = 0; q < along.size(); ++q)
+      for (unsigned int i = 0; i < along.size(); ++i)
         {
-          const auto cell = std::next(mesh->mesh.begin_active(), c);
-          EdgePoint  point;
-          point.cell               = c;
-          point.unit               = face_point(f, along.point(q)[0]);
-          const auto [position, J] = geometry.map(c, point.unit);
-          const Tensor<1, 2> n     = along.weight(q) * scaled_face_normal(f, J);
-          unsigned int       number = points.size();
-          if (q == 0 || q + 1 == along.size())
+          const auto   cell   = std::next(mesh->mesh.begin_active(), c);
+          unsigned int number = points.size();
+          if (i == 0 || i + 1 == along.size())
             number = at_vertex
-                       .emplace(cell->face(f)->vertex_index(q == 0 ? 0 : 1),
+                       .emplace(cell->face(f)->vertex_index(i == 0 ? 0 : 1),
                                 points.size())
                        .first->second;
+          const Point<2> unit      = face_point(f, along[i][0]);
+          const auto [position, J] = geometry.map(c, unit);
           if (number == points.size())
             {
-              point.position = position;
-              point.depth    = depth(c, f);
-              points.push_back(point);
+              points.emplace_back();
+              points.back().cell     = c;
+              points.back().unit     = unit;
+              points.back().position = position;
+              points.back().depth    = depth(c, f);
             }
-          points[number].normal += n;
-          points[number].weight += n.norm();
+          Tensor<1, 2> normal;
+          double       weight = 0.;
+          for (unsigned int q = 0; q < quadrature.size(); ++q)
+            {
+              const double       t = quadrature.point(q)[0];
+              const Tensor<1, 2> n =
+                scaled_face_normal(f,
+                                   geometry.map(c, face_point(f, t)).jacobian);
+              const double share = basis[i].value(t) * quadrature.weight(q);
+              normal += share * n;
+              weight += share * n.norm();
+            }
+          add_side(points[number], normal, weight, scaled_face_normal(f, J));
         }
     for (EdgePoint &point : points)
       point.normal /= point.normal.norm();
+    return points;
+  }
+
+
+
+  std::vector<EdgePoint>
+  TaylorElement::section_grid() const
+  {
+    // Cells share points on their sides: the same place to rounding.
+    const QGaussLobatto<2>                     rule(order + 1);
+    std::map<std::pair<long, long>, EdgePoint> found;
+    const auto                                 key = [this](const Point<2> &x) {
+      return std::make_pair(std::lround(1e8 * (x[0] - middle[0]) / length),
+                            std::lround(1e8 * (x[1] - middle[1]) / length));
+    };
+    for (unsigned int cell = 0; cell < geometry.n_cells(); ++cell)
+      for (unsigned int q = 0; q < rule.size(); ++q)
+        {
+          const auto [position, J] = geometry.map(cell, rule.point(q));
+          EdgePoint &point         = found[key(position)];
+          if (point.weight == 0.)
+            {
+              point.cell     = cell;
+              point.unit     = rule.point(q);
+              point.position = position;
+            }
+          point.weight += rule.weight(q) * determinant(J);
+        }
+    std::vector<EdgePoint> points;
+    for (const auto &[place, point] : found)
+      points.push_back(point);
     return points;
   }
 
@@ -299,23 +329,9 @@ namespace lamella
           rows.emplace_back(values.begin(), values.end());
         }
 
-    const std::vector<unsigned int> chosen = most_independent(rows);
-    const unsigned int              n      = chosen.size();
-    // sum_i w_i F_tau(x_i) = int F_tau dA, which is A for the first, or none.
-    LAPACKFullMatrix<double> system(n, n);
-    for (unsigned int i = 0; i < n; ++i)
-      for (unsigned int tau = 0; tau < n; ++tau)
-        system(tau, i) = rows[chosen[i]][tau];
-    Vector<double> weights(n);
-    weights[0] = area();
-    system.compute_lu_factorization();
-    system.solve(weights);
     std::vector<EdgePoint> points;
-    for (unsigned int i = 0; i < n; ++i)
-      {
-        points.push_back(candidates[chosen[i]]);
-        points.back().weight = weights[i];
-      }
+    for (const unsigned int i : most_independent(rows))
+      points.push_back(candidates[i]);
     return points;
   }
 } // namespace lamella

@@ -84,6 +84,8 @@ namespace lamella
     std::vector<SurfacePoint>
     surface_points(const std::string &surface) const override;
     std::vector<Location>
+    fixing_points(const std::string &surface) const override;
+    std::vector<Location>
     body_points() const override;
     std::vector<SurfacePoint>
     surface_quadrature(const std::string &surface) const override;

@@ -65,7 +65,9 @@ namespace lamella
     dealii::Point<3>     position;
     dealii::Tensor<1, 3> normal;
     /// The tributary area, or the integration weight.
-    double   area = 0.;
+    double area = 0.;
+    /// Whether sides of different normals meet there.
+    bool     corner = false;
     Location location;
     /// n.n : C : n.n of the ply there, and the depth of the cell below.
     double normal_modulus = 0., depth = 0.;
@@ -187,6 +189,10 @@ namespace lamella
      */
     virtual std::vector<SurfacePoint>
     surface_points(const std::string &surface) const = 0;
+
+    /// Locations that fix the displacement on @p surface, as few as that takes.
+    virtual std::vector<Location>
+    fixing_points(const std::string &surface) const = 0;
 
     /// Locations that fix the displacement of the whole body.
     virtual std::vector<Location>

@@ -36,6 +36,8 @@ namespace lamella
     /// The length of boundary that belongs to the point; over all points of a
     /// boundary these sum to its length.
     double weight = 0.;
+    /// Whether sides of different normals meet there.
+    bool corner = false;
     /// Where the point lies: a cell, the place on its unit square, and the
     /// cell's depth normal to the boundary.
     unsigned int     cell = 0;
@@ -93,10 +95,15 @@ namespace lamella
     virtual std::vector<EdgePoint>
     edge_points(const std::string &boundary) const = 0;
 
-    /// Points that fix the expansion on the whole section (normal not set;
-    /// weights are areas).
+    /// Points that fix the expansion on the whole section, as few as that takes
+    /// (normal and weight not set).
     virtual std::vector<EdgePoint>
     section_points() const = 0;
+
+    /// A grid of points of the section with the areas that belong to them, all
+    /// positive and (on straight cells) the whole area in all; normal not set.
+    virtual std::vector<EdgePoint>
+    section_grid() const = 0;
 
     /// Gauss points of the boundary named @p boundary, @p n on each side of a
     /// cell, with outward normals; weights are those of the integral over its
@@ -142,6 +149,15 @@ namespace lamella
     /// The sides of cells, as pairs of cell and face, of the boundary @p name.
     std::vector<std::pair<unsigned int, unsigned int>>
     boundary_faces(const std::string &name) const;
+
+    /// Adds a side's share of normal and length to @p point, at whose place the
+    /// side's own normal is @p own_normal; marks corners of more than 20
+    /// degrees.
+    static void
+    add_side(EdgePoint                  &point,
+             const dealii::Tensor<1, 2> &scaled_normal,
+             const double                weight,
+             const dealii::Tensor<1, 2> &own_normal);
 
     /// The depth of @p cell behind its side @p face: area over length of side.
     double

@@ -68,8 +68,15 @@ namespace lamella
     std::vector<EdgePoint>
     edge_points(const std::string &boundary) const override;
 
+    /// The nodes.
     std::vector<EdgePoint>
-    section_points() const override;
+    section_points() const override
+    {
+      return section_grid();
+    }
+
+    std::vector<EdgePoint>
+    section_grid() const override;
 
   private:
     /// A function that does not vanish on a cell: the sum of the nodal

@@ -58,6 +58,9 @@ namespace lamella
     /// Of a strip of the laminate's width, free to contract and twist: from the
     /// inverse of the 6 x 6 matrix of A, B, D (force; force x length^2).
     double EA = 0., EI = 0.;
+    /// EI of a strip that is free to contract but held against twist: what
+    /// bends where sections cannot follow the coupling of bending and twist.
+    double EI_untwisted = 0.;
     /// The integral of G_yz over the section, without a shear correction.
     double GA = 0.;
   };

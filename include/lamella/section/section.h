@@ -151,8 +151,12 @@ namespace lamella
       return matrices[4];
     }
 
-    /// The cells that hold the point @p x within @p tolerance (a length), with
-    /// its place on the unit square; none if it lies outside of the section.
+    /**
+     * The cells that hold the point @p x within @p tolerance (a length), with
+     * its place on the unit square; none if it lies outside of the section.
+     * Outside of a curved edge a point is on the section if it is within 2 % of
+     * the cell's size: the expansion interpolates the curve.
+     */
     std::vector<std::pair<unsigned int, dealii::Point<2>>>
     locate(const dealii::Point<2> &x, const double tolerance) const;
 
@@ -178,6 +182,10 @@ namespace lamella
     void
     make_boxes();
 
+    /// The place of the point of @p cell nearest to @p x and its distance.
+    std::pair<dealii::Point<2>, double>
+    nearest_in_cell(const unsigned int cell, const dealii::Point<2> &x) const;
+
     /// The fields at a point with the strains of their displacements.
     SectionPoint
     evaluate_fields(const unsigned int      cell,
@@ -198,6 +206,7 @@ namespace lamella
     dealii::SparsityPattern sparsity;
     std::array<Matrix, 5>   matrices;
 
+    bool is_curved = false;
     // Bounding boxes of the cells, for locate().
     dealii::RTree<std::pair<dealii::BoundingBox<2>, unsigned int>> boxes;
   };

@@ -74,11 +74,14 @@ namespace lamella
     /**
      * As many points as functions, so chosen among the Gauss-Lobatto points of
      * the cells that the expansion is fixed by its values there (approximate
-     * Fekete points: column-pivoted elimination). Weights integrate the
-     * functions exactly.
+     * Fekete points: column-pivoted elimination).
      */
     std::vector<EdgePoint>
     section_points() const override;
+
+    /// The Gauss-Lobatto points of all cells, degree() + 1 a direction.
+    std::vector<EdgePoint>
+    section_grid() const override;
 
   private:
     /// How an orthonormal polynomial comes about: coordinate @p direction times
@@ -99,9 +102,6 @@ namespace lamella
     evaluate_polynomials(const dealii::Point<2>            &position,
                          std::vector<double>               &values,
                          std::vector<dealii::Tensor<1, 2>> &gradients) const;
-
-    double
-    area() const;
 
     /// The integration points of the section, with weights that sum to one.
     void
