@@ -194,18 +194,33 @@ namespace lamella
 
 
 
+  namespace
+  {
+    /// For each end of the axis that @p surface has, whether it is the start;
+    /// none for a lateral surface.
+    std::vector<bool>
+    ends_of(const std::string &surface)
+    {
+      if (surface == "ends")
+        return {true, false};
+      if (surface == "start" || surface == "end")
+        return {surface == "start"};
+      return {};
+    }
+  } // namespace
+
+
+
   std::vector<SurfacePoint>
   Beam::surface_points(const std::string &surface) const
   {
     std::vector<SurfacePoint> points;
-    if (surface == "start" || surface == "end" || surface == "ends")
-      {
-        for (const bool at_start : {true, false})
-          if (surface == "ends" || at_start == (surface == "start"))
-            for (const EdgePoint &p : beam_section->element().section_grid())
-              points.push_back(end_point(p, at_start));
-        return points;
-      }
+    const std::vector<bool>   ends = ends_of(surface);
+    for (const bool at_start : ends)
+      for (const EdgePoint &p : beam_section->element().section_grid())
+        points.push_back(end_point(p, at_start));
+    if (!ends.empty())
+      return points;
 
     const std::vector<double> weights = beam_axis->node_weights();
     const auto around = beam_section->element().edge_points(surface);
@@ -223,15 +238,14 @@ namespace lamella
   std::vector<Location>
   Beam::fixing_points(const std::string &surface) const
   {
-    std::vector<Location> locations;
-    if (surface == "start" || surface == "end" || surface == "ends")
-      {
-        for (const bool at_start : {true, false})
-          if (surface == "ends" || at_start == (surface == "start"))
-            for (const EdgePoint &p : beam_section->element().section_points())
-              locations.push_back(end_point(p, at_start).location);
-        return locations;
-      }
+    std::vector<Location>   locations;
+    const std::vector<bool> ends = ends_of(surface);
+    for (const bool at_start : ends)
+      for (const EdgePoint &p : beam_section->element().section_points())
+        locations.push_back(end_point(p, at_start).location);
+    if (!ends.empty())
+      return locations;
+
     for (const SurfacePoint &point : surface_points(surface))
       locations.push_back(point.location);
     return locations;
@@ -266,25 +280,23 @@ namespace lamella
   {
     // Two points more than the trace needs, for loads that vary.
     std::vector<SurfacePoint> points;
-    if (surface == "start" || surface == "end" || surface == "ends")
-      {
-        const QGauss<2> quadrature(beam_section->element().degree() + 3);
-        for (const bool at_start : {true, false})
-          if (surface == "ends" || at_start == (surface == "start"))
-            for (unsigned int cell = 0; cell < beam_section->n_cells(); ++cell)
-              for (unsigned int q = 0; q < quadrature.size(); ++q)
-                {
-                  const FunctionValues at =
-                    beam_section->element().evaluate(cell, quadrature.point(q));
-                  EdgePoint p;
-                  p.position = at.position;
-                  p.weight   = quadrature.weight(q) * determinant(at.jacobian);
-                  p.cell     = cell;
-                  p.unit     = quadrature.point(q);
-                  points.push_back(end_point(p, at_start));
-                }
-        return points;
-      }
+    const std::vector<bool>   ends = ends_of(surface);
+    const QGauss<2>           in_section(beam_section->element().degree() + 3);
+    for (const bool at_start : ends)
+      for (unsigned int cell = 0; cell < beam_section->n_cells(); ++cell)
+        for (unsigned int q = 0; q < in_section.size(); ++q)
+          {
+            const FunctionValues at =
+              beam_section->element().evaluate(cell, in_section.point(q));
+            EdgePoint p;
+            p.position = at.position;
+            p.weight   = in_section.weight(q) * determinant(at.jacobian);
+            p.cell     = cell;
+            p.unit     = in_section.point(q);
+            points.push_back(end_point(p, at_start));
+          }
+    if (!ends.empty())
+      return points;
 
     const QGauss<1> along(beam_axis->degree() + 3);
     const auto      around = beam_section->element().edge_quadrature(

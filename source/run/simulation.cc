@@ -25,9 +25,8 @@ namespace lamella
   {
     {
       TimerOutput::Scope scope(timer, "setup");
-      for (const auto &[name, shape] : scene.sections)
-        sections[name] = make_section_mesh(shape, scene.materials);
-      structure = std::make_unique<Structure>(build_bodies(scene),
+      sections  = build_section_meshes(scene);
+      structure = std::make_unique<Structure>(build_bodies(scene, sections),
                                               scene.supports,
                                               scene.loads);
     }

@@ -458,8 +458,19 @@ namespace lamella
 
 
 
+  SectionMeshes
+  build_section_meshes(const Scene &scene)
+  {
+    SectionMeshes meshes;
+    for (const auto &[name, shape] : scene.sections)
+      meshes[name] = make_section_mesh(shape, scene.materials);
+    return meshes;
+  }
+
+
+
   Bodies
-  build_bodies(const Scene &scene)
+  build_bodies(const Scene &scene, const SectionMeshes &meshes)
   {
     std::map<std::pair<std::string, Theory>, std::shared_ptr<const Section>>
            sections;
@@ -468,10 +479,8 @@ namespace lamella
       {
         auto &section = sections[{description.section, description.theory}];
         if (section == nullptr)
-          section = make_section(make_section_mesh(scene.sections.at(
-                                                     description.section),
-                                                   scene.materials),
-                                 description.theory);
+          section =
+            make_section(meshes.at(description.section), description.theory);
         bodies.push_back(
           std::make_unique<Beam>(description.name,
                                  section,

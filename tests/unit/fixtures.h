@@ -11,7 +11,9 @@
 #include <lamella/solve/newton.h>
 
 #include <functional>
+#include <iomanip>
 #include <memory>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -169,6 +171,15 @@ namespace lamella
       Newton(*solved.structure, none, strategy, parameters).solve_free(1.);
     solved.condition = strategy.condition_estimate();
     return solved;
+  }
+
+  /// @p value for an expression, to the last digit.
+  inline std::string
+  digits(const double value)
+  {
+    std::ostringstream text;
+    text << std::setprecision(17) << value;
+    return text.str();
   }
 
   /// u = 0 on @p surface of the one body.

@@ -59,16 +59,6 @@ namespace
 
 
 
-  std::string
-  digits(const double value)
-  {
-    std::ostringstream text;
-    text << std::setprecision(17) << value;
-    return text.str();
-  }
-
-
-
   struct Result
   {
     /// Deflection over L^3, or twist over L, under a unit force or torque.

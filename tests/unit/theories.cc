@@ -52,16 +52,6 @@ namespace
 
 
 
-  std::string
-  digits(const double value)
-  {
-    std::ostringstream text;
-    text << std::setprecision(17) << value;
-    return text.str();
-  }
-
-
-
   double
   off(const double value, const double expected)
   {

@@ -57,16 +57,6 @@ namespace
 
 
 
-  std::string
-  digits(const double value)
-  {
-    std::ostringstream text;
-    text << std::setprecision(17) << value;
-    return text.str();
-  }
-
-
-
   /// Of a rectangle, a >= b: a b^3 / 3 (1 - 192 b / (pi^5 a) sum over odd n of
   /// tanh(n pi a / 2 b) / n^5) (Timoshenko and Goodier, Sec. 109). After n = 39
   /// the rest is below int n^-5 / 2 = 1 / (8 * 40^4) = 5e-8.

@@ -61,8 +61,8 @@ namespace lamella
     Summary                   summary;
     std::unique_ptr<Recorder> recorder;
     /// All sections of the scene, whether a body has them or not.
-    std::map<std::string, std::shared_ptr<const SectionMesh>> sections;
-    std::string                                               output_directory;
+    SectionMeshes                               sections;
+    std::string                                 output_directory;
     bool                                        created_directory = false;
     std::vector<std::pair<double, std::string>> vtu_files;
   };

@@ -71,9 +71,18 @@ namespace lamella
   std::string
   parameter_documentation();
 
-  /// The bodies of @p scene. Those with the same section and theory share it.
+  /// Section meshes by the name of the section.
+  using SectionMeshes =
+    std::map<std::string, std::shared_ptr<const SectionMesh>>;
+
+  /// The meshes of all sections of @p scene, whether a body has them or not.
+  SectionMeshes
+  build_section_meshes(const Scene &scene);
+
+  /// The bodies of @p scene on its section meshes @p meshes. Those with the
+  /// same section and theory share it.
   Bodies
-  build_bodies(const Scene &scene);
+  build_bodies(const Scene &scene, const SectionMeshes &meshes);
 } // namespace lamella
 
 #endif
