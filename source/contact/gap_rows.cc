@@ -109,6 +109,7 @@ namespace lamella
     interface.name        = contact.name;
     interface.first_body  = contact.first.body;
     interface.second_body = contact.second.body;
+    interface.second_name = second.name();
     interface.unpaired    = pairing.unpaired;
     for (unsigned int k = 0; k < pairing.pairs.size(); ++k)
       {
@@ -121,6 +122,7 @@ namespace lamella
            normal_displacement(
              contact.second.body, rows_2[k], pair.normal, 1.)}};
         row.initial_gap = pair.initial_gap;
+        row.enforcement = contact.enforcement;
         row.penalty =
           row_penalty(contact.penalty, local_stiffness(a), local_stiffness(b));
         interface.rows.push_back(std::move(row));

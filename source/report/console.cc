@@ -139,9 +139,8 @@ namespace lamella
         const ContactInterface &contact = (*summary.contacts)[k];
         out << "  contact " << contact.name << ": " << kkt.active << " of "
             << contact.rows.size() << " pairs touch, force on '"
-            << summary.structure->bodies()[contact.second_body]->name() << "' "
-            << vector_text(kkt.force) << force << "\n    smallest force "
-            << to_text(kkt.min_force, 4) << force
+            << contact.second_name << "' " << vector_text(kkt.force) << force
+            << "\n    smallest force " << to_text(kkt.min_force, 4) << force
             << ", penetration (by design of a penalty) "
             << to_text(kkt.max_penetration, 3) << length
             << ", contact law held to " << to_text(kkt.law_error, 2) << length

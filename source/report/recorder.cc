@@ -111,7 +111,7 @@ namespace lamella
                    const Checks      &checks)
   {
     record_points(step, state.u);
-    record_contacts(step, state);
+    record_contacts(step, factor, state);
     record_history(step, factor, checks);
   }
 
@@ -221,7 +221,9 @@ namespace lamella
 
 
   void
-  Recorder::record_contacts(const unsigned int step, const State &state)
+  Recorder::record_contacts(const unsigned int step,
+                            const double       factor,
+                            const State       &state)
   {
     unsigned int row = 0;
     for (const ContactInterface &contact : contacts)
@@ -239,7 +241,7 @@ namespace lamella
             const double force = state.force[row];
             for (const double value : {point.area,
                                        contact.rows[k].initial_gap,
-                                       contact.rows[k].gap(state.u),
+                                       contact.rows[k].gap(state.u, factor),
                                        force,
                                        force / point.area})
               file += "," + csv(value);

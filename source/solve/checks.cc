@@ -105,14 +105,15 @@ namespace lamella
     check_contact(const ContactInterface    &contact,
                   const std::vector<double> &force,
                   const unsigned int         first_row,
-                  const BlockVector         &u)
+                  const BlockVector         &u,
+                  const double               factor)
     {
       KuhnTucker kkt;
       kkt.min_force = std::numeric_limits<double>::max();
       for (unsigned int k = 0; k < contact.rows.size(); ++k)
         {
           const double lambda = force[first_row + k];
-          const double g      = contact.rows[k].gap(u);
+          const double g      = contact.rows[k].gap(u, factor);
           kkt.max_penetration = std::max(kkt.max_penetration, -g);
           kkt.law_error =
             std::max(kkt.law_error,
@@ -153,8 +154,9 @@ namespace lamella
     for (const ContactInterface &contact : contacts)
       {
         checks.contacts.push_back(
-          check_contact(contact, state.force, first_row, state.u));
-        on_body[contact.second_body].add(checks.contacts.back().force);
+          check_contact(contact, state.force, first_row, state.u, factor));
+        if (contact.second_body)
+          on_body[*contact.second_body].add(checks.contacts.back().force);
         on_body[contact.first_body].add(-checks.contacts.back().force);
         for (unsigned int k = 0; k < contact.rows.size(); ++k)
           contact.rows[k].add_to(contact_load, state.force[first_row + k]);

@@ -105,7 +105,7 @@ namespace lamella
     for (unsigned int i = 0; i < active.size(); ++i)
       {
         const GapRow &row = rows[active[i]];
-        dlambda[i]        = r_lambda[i] - row.parts[0](du) - row.parts[1](du);
+        dlambda[i]        = r_lambda[i] - row.opening(du);
         for (unsigned int j = 0; j <= i; ++j)
           {
             const unsigned int p = place.at(active[i]), q = place.at(active[j]);

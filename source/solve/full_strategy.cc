@@ -123,8 +123,7 @@ namespace lamella
     for (unsigned int k = 0; k < active.size(); ++k)
       {
         const GapRow &row = rows[active[k]];
-        dlambda[k] =
-          row.penalty * (r_lambda[k] - row.parts[0](du) - row.parts[1](du));
+        dlambda[k]        = row.penalty * (r_lambda[k] - row.opening(du));
       }
   }
 } // namespace lamella

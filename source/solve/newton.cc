@@ -26,11 +26,11 @@ namespace lamella
 
 
   std::vector<double>
-  Newton::gaps(const BlockVector &u) const
+  Newton::gaps(const BlockVector &u, const double factor) const
   {
     std::vector<double> g;
     for (const GapRow &row : rows)
-      g.push_back(row.gap(u));
+      g.push_back(row.gap(u, factor));
     return g;
   }
 
@@ -65,7 +65,7 @@ namespace lamella
             const GapRow &row    = rows[state.active[i]];
             const double  lambda = state.force[state.active[i]];
             row.add_to(r_u, lambda);
-            r_lambda[i] = -(row.gap(state.u) + lambda / row.penalty);
+            r_lambda[i] = -(row.gap(state.u, factor) + lambda / row.penalty);
           }
 
         BlockVector du;
@@ -159,7 +159,7 @@ namespace lamella
                         const double                     factor,
                         const std::vector<unsigned int> &start) const
   {
-    const std::vector<double> free_gaps = gaps(free.u);
+    const std::vector<double> free_gaps = gaps(free.u, factor);
     std::size_t               at_once   = parameters.rows_at_once;
 
     // Of the rows to start from those that would be open without any contact
@@ -184,11 +184,11 @@ namespace lamella
         if (lost_digits)
           state.contact_corrections = refine(state, factor, 1);
         std::vector<unsigned int> next =
-          next_active_set(state, gaps(state.u), at_once);
+          next_active_set(state, gaps(state.u, factor), at_once);
         if (next == state.active && !lost_digits)
           {
             state.contact_corrections = refine(state, factor, 1);
-            next = next_active_set(state, gaps(state.u), at_once);
+            next = next_active_set(state, gaps(state.u, factor), at_once);
           }
 
         std::vector<unsigned int> changed;

@@ -333,7 +333,7 @@ BOOST_AUTO_TEST_CASE(gap_of_a_row)
       BOOST_TEST(interface.rows.size() == 35); // 2 L9 across, 2 B4 along
       BOOST_TEST(interface.unpaired == 0);
       BOOST_TEST(interface.first_body == 0);
-      BOOST_TEST(interface.second_body == 1);
+      BOOST_TEST(*interface.second_body == 1);
       const Tensor<1, 3> n = -placement.axes[2];
 
       const auto gaps = [&](const unsigned int  body,
@@ -344,7 +344,7 @@ BOOST_AUTO_TEST_CASE(gap_of_a_row)
           u.block(body).add(translation[c], motions[c]);
         std::vector<double> result;
         for (const GapRow &row : interface.rows)
-          result.push_back(row.gap(u));
+          result.push_back(row.gap(u, 1.));
         return result;
       };
       const auto check = [&](const std::vector<double> &found,
@@ -372,7 +372,7 @@ BOOST_AUTO_TEST_CASE(gap_of_a_row)
         {
           const auto  &p = interface.points[k];
           const double y = placement.to_body(p.second)[1];
-          BOOST_TEST(std::abs(interface.rows[k].gap(u) - 0.05 +
+          BOOST_TEST(std::abs(interface.rows[k].gap(u, 1.) - 0.05 +
                               0.02 * (y - 1.)) < 1e-13);
           BOOST_TEST((p.normal - n).norm() < 1e-13);
           BOOST_TEST((p.first + 0.05 * n - p.second).norm() < 1e-13);

@@ -44,13 +44,13 @@ namespace
         floor{1, Kind::surface, "bottom", {}},
         upper_face{0, Kind::surface, "bottom", {}},
         lower_face{1, Kind::surface, "top", {}};
-      const ContactPair pair{"faces",
-                             upper_face,
-                             lower_face,
-                             Discretisation::node_to_node,
-                             Enforcement::penalty,
-                             {PenaltyKind::per_area, penalty},
-                             1e-6};
+      ContactPair pair;
+      pair.name           = "faces";
+      pair.first          = upper_face;
+      pair.second         = lower_face;
+      pair.discretisation = Discretisation::node_to_node;
+      pair.enforcement    = Enforcement::penalty;
+      pair.penalty        = {PenaltyKind::per_area, penalty};
       contacts.push_back(make_interface(pair, bodies));
       const Support moves{"press", {top}, {{0., 0., -moved}}},
         stands{"floor", {floor}, {{0., 0., 0.}}};
@@ -98,7 +98,7 @@ BOOST_AUTO_TEST_CASE(two_cubes_pressure_and_penetration)
   for (unsigned int i = 0; i < state.force.size(); ++i)
     {
       const double area = scene.contacts[0].points[i].area;
-      const double g    = scene.contacts[0].rows[i].gap(state.u);
+      const double g    = scene.contacts[0].rows[i].gap(state.u, 1.);
       BOOST_TEST(std::abs(state.force[i] / area / p - 1.) < 1e-10);
       // The law itself: pressure = penalty times penetration.
       BOOST_TEST(std::abs(-penalty * g / p - 1.) < 1e-10);
@@ -149,7 +149,7 @@ BOOST_AUTO_TEST_CASE(an_open_gap_carries_nothing)
   BOOST_TEST(state.iterations == 0);
   // The upper cube moves as a whole, so the gap is a tenth everywhere.
   for (const GapRow &row : scene.contacts[0].rows)
-    BOOST_TEST(std::abs(row.gap(state.u) - 0.1 * gap) < 1e-12);
+    BOOST_TEST(std::abs(row.gap(state.u, 1.) - 0.1 * gap) < 1e-12);
   const Checks checks =
     check_state(*scene.structure, scene.contacts, 2, state, 1.);
   BOOST_TEST(checks.contacts[0].force.norm() == 0.);

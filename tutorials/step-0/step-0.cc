@@ -105,7 +105,7 @@ StoppedCantilever::StoppedCantilever()
 
 // And so is contact. The gap of Eq. 16 is n . (u_2 - u_1) + g_init with the
 // outward normal n of the first body; the second one, a rigid stop, does not
-// move, so its part of the row stays empty. With n = (0, 0, -1) the row is u_z
+// move, so it has no part in the row. With n = (0, 0, -1) the row is u_z
 // of the corner, plus the initial gap.
 void
 StoppedCantilever::make_gap_rows()
@@ -116,7 +116,7 @@ StoppedCantilever::make_gap_rows()
        bodies[0]->rows(corners, Quantity::displacement))
     {
       GapRow row;
-      row.parts[0]    = {0, u[2]};
+      row.parts       = {{0, u[2]}};
       row.initial_gap = stop_gap;
       row.penalty     = penalty;
       gaps.push_back(row);
@@ -178,7 +178,7 @@ StoppedCantilever::run()
       previous = active;
       active.clear();
       for (unsigned int r = 0; r < gaps.size(); ++r)
-        if (gaps[r].gap(u) < 0.)
+        if (gaps[r].gap(u, 1.) < 0.)
           active.push_back(r);
       std::cout << "iteration " << ++iteration << ": " << active.size()
                 << " of " << gaps.size() << " stops closed" << std::endl;
@@ -197,7 +197,7 @@ StoppedCantilever::report(const BlockVector &u) const
 {
   double carried = 0.;
   for (const GapRow &row : gaps)
-    carried += contact_force(row.penalty, row.gap(u));
+    carried += contact_force(row.penalty, row.gap(u, 1.));
   const double EI     = laminate_stiffness(laminate.plies(materials), width).EI;
   const double theory = force - 3. * EI * stop_gap / std::pow(length, 3);
   std::cout.precision(8);

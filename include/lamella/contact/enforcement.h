@@ -5,6 +5,16 @@
 
 namespace lamella
 {
+  /// How the rows of a contact keep apart what they pair.
+  enum class Enforcement
+  {
+    undefined,
+    penalty,              ///< lambda = eps max(0, -g): bodies penetrate
+    augmented_lagrangian, ///< the same about an estimate of lambda, improved
+                          ///< until no penetration is left
+    exact                 ///< multipliers: g >= 0 itself
+  };
+
   /// How a penalty is given.
   enum class PenaltyKind
   {

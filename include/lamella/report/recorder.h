@@ -79,7 +79,9 @@ namespace lamella
                 const unsigned int l,
                 const BlockVector &u);
     void
-    record_contacts(const unsigned int step, const State &state);
+    record_contacts(const unsigned int step,
+                    const double       factor,
+                    const State       &state);
     void
     record_history(const unsigned int step,
                    const double       factor,

@@ -73,9 +73,9 @@ namespace lamella
                   const double                     factor,
                   const std::vector<unsigned int> &start) const;
 
-    /// g of each row.
+    /// g of each row at load factor @p factor.
     std::vector<double>
-    gaps(const BlockVector &u) const;
+    gaps(const BlockVector &u, const double factor) const;
 
   private:
     /// The active set that follows from @p state with gaps @p g: rows in

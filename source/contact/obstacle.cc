@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <lamella/contact/obstacle.h>
+
+#include <deal.II/base/exceptions.h>
+
+#include <cmath>
+
+namespace lamella
+{
+  using namespace dealii;
+
+  namespace
+  {
+    std::optional<Hit>
+    meet_plane(const Obstacle &plane, const Point<3> &x, const Tensor<1, 3> &d)
+    {
+      const double approach = d * plane.direction;
+      if (approach >= 0.)
+        return {};
+      const double t = (plane.point - x) * plane.direction / approach;
+      return Hit{x + t * d, plane.direction, t};
+    }
+
+
+
+    std::optional<Hit>
+    meet_cylinder(const Obstacle     &cylinder,
+                  const Point<3>     &x,
+                  const Tensor<1, 3> &d)
+    {
+      // Everything across the axis.
+      const auto across = [&cylinder](const Tensor<1, 3> &v) {
+        return v - (v * cylinder.direction) * cylinder.direction;
+      };
+      const Tensor<1, 3> r = across(x - cylinder.point), e = across(d);
+      // |r + t e| = R; of its two roots the smaller one enters the cylinder.
+      const double a = e * e, b = r * e,
+                   c = r * r - cylinder.radius * cylinder.radius;
+      if (a == 0. || b * b < a * c)
+        return {};
+      const double       t = (-b - std::sqrt(b * b - a * c)) / a;
+      const Tensor<1, 3> n = (r + t * e) / cylinder.radius;
+      return Hit{x + t * d, n, t};
+    }
+  } // namespace
+
+
+
+  std::optional<Hit>
+  meet(const Obstacle &obstacle, const Point<3> &x, const Tensor<1, 3> &d)
+  {
+    Assert(obstacle.shape != Obstacle::Shape::undefined,
+           ExcMessage("The shape was never set."));
+    return obstacle.shape == Obstacle::Shape::plane ?
+             meet_plane(obstacle, x, d) :
+             meet_cylinder(obstacle, x, d);
+  }
+} // namespace lamella
