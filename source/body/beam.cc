@@ -241,8 +241,9 @@ namespace lamella
 
   void
   Beam::assemble_stiffness(const Constraints &constraints,
-                           SparsityPattern   &sparsity,
-                           Matrix            &matrix) const
+                           const std::vector<std::vector<DofIndex>> &coupled,
+                           SparsityPattern                          &sparsity,
+                           Matrix &matrix) const
   {
     const auto axis_rows = factor_rows(
       [this](const unsigned int m) -> auto & {
@@ -289,6 +290,9 @@ namespace lamella
     for_each_row(false, [&](auto row, const auto &columns, const auto &) {
       pattern.add_entries(row, columns.begin(), columns.end(), true);
     });
+    for (const std::vector<DofIndex> &dofs : coupled)
+      for (const DofIndex row : dofs)
+        pattern.add_entries(row, dofs.begin(), dofs.end());
     constraints.condense(pattern);
     sparsity.copy_from(pattern);
     matrix.reinit(sparsity);

@@ -54,12 +54,30 @@ namespace lamella
 
 
   void
-  Body::assemble(const Constraints &constraints)
+  Body::assemble(const Constraints             &constraints,
+                 const std::vector<SpringTerm> &springs)
   {
     factor.reset();
     matrix.clear();
-    assemble_stiffness(constraints, sparsity, matrix);
+    std::vector<std::vector<DofIndex>> coupled;
+    for (const auto &[row, stiffness] : springs)
+      {
+        coupled.emplace_back();
+        for (const auto &[dof, weight] : row.entries())
+          coupled.back().push_back(dof);
+      }
+    assemble_stiffness(constraints, coupled, sparsity, matrix);
     constraints.condense(matrix);
+
+    for (unsigned int s = 0; s < springs.size(); ++s)
+      {
+        const auto        &r = springs[s].first.entries();
+        FullMatrix<double> term(r.size());
+        for (unsigned int i = 0; i < r.size(); ++i)
+          for (unsigned int j = 0; j < r.size(); ++j)
+            term(i, j) = springs[s].second * r[i].second * r[j].second;
+        constraints.distribute_local_to_global(term, coupled[s], matrix);
+      }
   }
 
 

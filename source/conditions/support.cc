@@ -159,7 +159,18 @@ namespace lamella
 
 
 
-  std::vector<std::string>
+  Tensor<1, 3>
+  FreeMotion::at(const Point<3> &x, const Body &body) const
+  {
+    const Tensor<1, 3> turn =
+      Point<3>(motion[3], motion[4], motion[5]) / body.size();
+    return Point<3>(motion[0], motion[1], motion[2]) +
+           cross_product_3d(turn, x - body.centre());
+  }
+
+
+
+  std::vector<FreeMotion>
   free_rigid_motions(const Body                       &body,
                      const unsigned int                index,
                      const std::vector<PrescribedRow> &rows)
@@ -197,9 +208,9 @@ namespace lamella
             null_space.back()[m] = held.get_svd_vt()(k, m);
         }
     reduce_to_echelon(null_space);
-    std::vector<std::string> free;
-    for (const std::array<double, 6> &motion : null_space)
-      free.push_back(describe(motion));
+    std::vector<FreeMotion> free;
+    for (const RigidMotion &motion : null_space)
+      free.push_back({motion, describe(motion)});
     return free;
   }
 } // namespace lamella

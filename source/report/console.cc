@@ -151,6 +151,11 @@ namespace lamella
         << to_text(checks.energy_balance, 2) << ", largest rotation "
         << to_text(checks.max_rotation, 3) << " rad\n";
 
+    if (checks.stabilisation_energy > 0.)
+      out << "  stabilising springs hold "
+          << to_text(100. * checks.stabilisation_share, 2)
+          << " % of the energy\n";
+
     for (const auto &[line, jump] : summary.interface_jumps)
       out << "  line " << line << ": tractions jump by " << percent(100. * jump)
           << " of the largest at ply interfaces\n";

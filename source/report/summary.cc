@@ -86,18 +86,19 @@ namespace lamella
     for (unsigned int s = 0; s < summary.checks.reactions.size(); ++s)
       json["supports"][summary.support_names[s]]["reaction"] =
         to_json(summary.checks.reactions[s]);
-    json["force_balance"]       = summary.checks.force_balance;
-    json["residual"]            = summary.checks.residual;
-    json["max_rotation"]        = summary.checks.max_rotation;
-    json["energy"]              = summary.checks.energy;
-    json["external_work"]       = summary.checks.external_work;
-    json["energy_balance"]      = summary.checks.energy_balance;
-    json["condition_estimate"]  = summary.condition_estimate;
-    json["free_corrections"]    = summary.free_corrections;
-    json["contact_corrections"] = summary.contact_corrections;
-    json["interface_jumps"]     = summary.interface_jumps;
-    json["converged"]           = summary.converged;
-    json["warnings"]            = summary.warnings;
+    json["force_balance"]        = summary.checks.force_balance;
+    json["residual"]             = summary.checks.residual;
+    json["max_rotation"]         = summary.checks.max_rotation;
+    json["energy"]               = summary.checks.energy;
+    json["external_work"]        = summary.checks.external_work;
+    json["energy_balance"]       = summary.checks.energy_balance;
+    json["stabilisation_energy"] = summary.checks.stabilisation_energy;
+    json["condition_estimate"]   = summary.condition_estimate;
+    json["free_corrections"]     = summary.free_corrections;
+    json["contact_corrections"]  = summary.contact_corrections;
+    json["interface_jumps"]      = summary.interface_jumps;
+    json["converged"]            = summary.converged;
+    json["warnings"]             = summary.warnings;
 
     std::ofstream file(directory + "/summary.json");
     file << json.dump(2) << "\n";

@@ -25,10 +25,14 @@ namespace lamella
   {
     {
       TimerOutput::Scope scope(timer, "setup");
-      sections  = build_section_meshes(scene);
+      sections = build_section_meshes(scene);
+      std::vector<Stabilisation> stabilisations;
+      for (const BodyDescription &body : scene.bodies)
+        stabilisations.push_back(body.stabilisation);
       structure = std::make_unique<Structure>(build_bodies(scene, sections),
                                               scene.supports,
-                                              scene.loads);
+                                              scene.loads,
+                                              stabilisations);
     }
     {
       TimerOutput::Scope scope(timer, "contact");

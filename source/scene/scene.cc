@@ -97,6 +97,14 @@ namespace lamella
                         Anything(),
                         "Direction that the section's z leans towards.");
       prm.declare_entry("Length", "", Anything(), "Of the axis [length].");
+      prm.declare_entry(
+        "Stabilisation",
+        "0",
+        Anything(),
+        "For a body that contact alone holds, e.g. a roller under a force: "
+        "springs to the ground in its free rigid motions, of this share of its "
+        "axial stiffness E A / L (1e-6, say). Their share of the energy is "
+        "reported. 0: none; a body that can move freely is an error.");
       prm.enter_subsection("Kinematics");
       TheoryParameters::declare(prm);
       AxisParameters::declare(prm);
@@ -241,6 +249,13 @@ namespace lamella
                              message :
                              what + ": " + message);
         }
+
+      body.stabilisation.share =
+        to_number(prm.get("Stabilisation"), what + "/Stabilisation");
+      if (!(body.stabilisation.share >= 0. && body.stabilisation.share <= 1e-2))
+        throw InputError(what + "/Stabilisation = " + prm.get("Stabilisation") +
+                         ": must lie between 0 (none) and 0.01; 1e-6 holds a "
+                         "body without changing the result.");
 
       prm.enter_subsection("Kinematics");
       body.theory = TheoryParameters::parse(prm).resolve(scene_theory,

@@ -20,6 +20,8 @@ namespace lamella
     constexpr double lost_digits = 1e-7;
     // Of the displacements; a penalty this soft changes the answer.
     constexpr double large_penetration = 1e-3;
+    // Of all energy in stabilising springs.
+    constexpr double worth_failing = 0.1, worth_saying = 1e-3;
     // What displacements and gaps of a trusted result may be off by.
     constexpr double sound = 1e-6;
     // Forces come out of displacements that are held in doubles, which leaves
@@ -101,6 +103,30 @@ namespace lamella
 
 
 
+    /// Adds the forces of the stabilising springs of body @p b; returns their
+    /// energy.
+    double
+    add_springs(const Structure           &structure,
+                const unsigned int         b,
+                const std::vector<Vector> &rigid,
+                const Vector              &u,
+                Resultants                &on_body)
+    {
+      const Body &body   = *structure.bodies()[b];
+      double      energy = 0.;
+      for (const Spring &spring : structure.springs(b))
+        {
+          const double length = spring.row(u);
+          Vector       f(u.size());
+          spring.row.add_to(f, -spring.stiffness * length);
+          add_load_resultant(body, rigid, f, 1., on_body);
+          energy += 0.5 * spring.stiffness * length * length;
+        }
+      return energy;
+    }
+
+
+
     KuhnTucker
     check_contact(const ContactInterface    &contact,
                   const std::vector<double> &force,
@@ -132,6 +158,25 @@ namespace lamella
       if (kkt.active == 0)
         kkt.min_force = 0.;
       return kkt;
+    }
+
+
+
+    /// Clapeyron's theorem, with @p contact_work half the contact forces times
+    /// their displacements.
+    void
+    check_energy(const double contact_work, Checks &checks)
+    {
+      const double size   = std::max({std::abs(checks.energy),
+                                      std::abs(checks.external_work),
+                                      checks.stabilisation_energy});
+      const double stored = checks.energy + checks.stabilisation_energy;
+      checks.energy_balance =
+        size == 0. ?
+          0. :
+          std::abs(stored - checks.external_work - contact_work) / size;
+      checks.stabilisation_share =
+        stored == 0. ? 0. : checks.stabilisation_energy / stored;
     }
   } // namespace
 
@@ -180,6 +225,8 @@ namespace lamella
         const auto  rigid = body.rigid_motions();
         add_load_resultant(
           body, rigid, structure.load().block(b), factor, on_body[b]);
+        checks.stabilisation_energy +=
+          add_springs(structure, b, rigid, state.u.block(b), on_body[b]);
         // What is not a number must not be lost in a maximum.
         const double unbalanced = on_body[b].sum.norm();
         if (unbalanced != 0.)
@@ -197,12 +244,7 @@ namespace lamella
     structure.condense(r);
     checks.residual =
       r.l2_norm() == 0. ? 0. : r.linfty_norm() / internal.linfty_norm();
-    const double all_work =
-      checks.external_work + 0.5 * (contact_load * state.u);
-    const double size =
-      std::max(std::abs(checks.energy), std::abs(checks.external_work));
-    checks.energy_balance =
-      size == 0. ? 0. : std::abs(checks.energy - all_work) / size;
+    check_energy(0.5 * (contact_load * state.u), checks);
     return checks;
   }
 
@@ -216,6 +258,13 @@ namespace lamella
     const auto last = [](const std::vector<double> &corrections) {
       return corrections.empty() ? 0. : corrections.back();
     };
+    if (checks.stabilisation_share > worth_failing)
+      throw NumericsError(
+        "Stabilising springs hold " +
+        to_text(100. * checks.stabilisation_share, 3) +
+        " % of the energy: a body with Stabilisation is not held by its "
+        "contacts. Add a support, close its gaps by a prescribed displacement, "
+        "or load it towards the body that is to hold it.");
     const double left =
       std::max(last(state.free_corrections), last(state.contact_corrections));
     if (!(left < sound))
@@ -310,6 +359,11 @@ namespace lamella
         to_text(50. * checks.max_rotation * checks.max_rotation, 2) +
         " % in the shape, and all membrane forces that large deflections "
         "cause); read the results as those of a linear model");
+    if (checks.stabilisation_share > worth_saying)
+      warnings.push_back(
+        "stabilising springs hold " +
+        to_text(100. * checks.stabilisation_share, 2) +
+        " % of the energy; a smaller Stabilisation falsifies less");
     const double first =
       state.free_corrections.empty() ? 0. : state.free_corrections.front();
     const double forces =

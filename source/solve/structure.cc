@@ -6,20 +6,29 @@
 
 namespace lamella
 {
-  Structure::Structure(Bodies                      bodies,
-                       const std::vector<Support> &supports,
-                       const std::vector<Load>    &loads)
+  Structure::Structure(Bodies                            bodies,
+                       const std::vector<Support>       &supports,
+                       const std::vector<Load>          &loads,
+                       const std::vector<Stabilisation> &stabilisations)
     : all_bodies(std::move(bodies))
     , rows(prescribed_rows(supports, all_bodies))
     , unit_load(zero())
   {
-    check_held();
+    check_held(stabilisations);
     std::vector<std::string> names;
     for (const Support &support : supports)
       names.push_back(support.name);
     for (unsigned int b = 0; b < all_bodies.size(); ++b)
-      reductions.push_back(
-        std::make_unique<RowReduction>(*all_bodies[b], b, rows, names));
+      {
+        reductions.push_back(
+          std::make_unique<RowReduction>(*all_bodies[b], b, rows, names));
+        all_springs.push_back(stabilising_springs(*all_bodies[b],
+                                                  b,
+                                                  rows,
+                                                  stabilisations.empty() ?
+                                                    Stabilisation() :
+                                                    stabilisations[b]));
+      }
     for (const Load &load : loads)
       add_load(load, all_bodies, unit_load);
   }
@@ -27,16 +36,23 @@ namespace lamella
 
 
   void
-  Structure::check_held() const
+  Structure::check_held(const std::vector<Stabilisation> &stabilisations) const
   {
     for (unsigned int b = 0; b < all_bodies.size(); ++b)
       {
-        const std::vector<std::string> free =
-          free_rigid_motions(*all_bodies[b], b, rows);
+        if (!stabilisations.empty() && stabilisations[b].share > 0.)
+          continue;
+        std::vector<std::string> free;
+        for (const FreeMotion &motion :
+             free_rigid_motions(*all_bodies[b], b, rows))
+          free.push_back(motion.words);
         if (!free.empty())
-          throw InputError("Body '" + all_bodies[b]->name() +
-                           "' can move freely: " + joined(free, "; ") +
-                           ". Add a support that prevents this.");
+          throw InputError(
+            "Body '" + all_bodies[b]->name() +
+            "' can move freely: " + joined(free, "; ") +
+            ". Add a support that prevents this, or, if contact is to hold "
+            "it, a Stabilisation (Body " +
+            all_bodies[b]->name() + "/Stabilisation = 1e-6).");
       }
   }
 
@@ -76,7 +92,12 @@ namespace lamella
   Structure::assemble()
   {
     for (unsigned int b = 0; b < all_bodies.size(); ++b)
-      all_bodies[b]->assemble(reductions[b]->constraints());
+      {
+        std::vector<Body::SpringTerm> terms;
+        for (const Spring &spring : all_springs[b])
+          terms.emplace_back(spring.row, spring.stiffness);
+        all_bodies[b]->assemble(reductions[b]->constraints(), terms);
+      }
   }
 
 
@@ -95,7 +116,12 @@ namespace lamella
   {
     BlockVector r = zero();
     for (unsigned int b = 0; b < all_bodies.size(); ++b)
-      all_bodies[b]->add_internal_forces(u.block(b), r.block(b));
+      {
+        all_bodies[b]->add_internal_forces(u.block(b), r.block(b));
+        for (const Spring &spring : all_springs[b])
+          spring.row.add_to(r.block(b),
+                            spring.stiffness * spring.row(u.block(b)));
+      }
     r.sadd(-1., factor, unit_load);
     return r;
   }

@@ -98,7 +98,11 @@ namespace
   std::vector<std::string>
   free_motions(const Bodies &bodies, const std::vector<Support> &supports)
   {
-    return free_rigid_motions(*bodies[0], 0, prescribed_rows(supports, bodies));
+    std::vector<std::string> words;
+    for (const FreeMotion &motion :
+         free_rigid_motions(*bodies[0], 0, prescribed_rows(supports, bodies)))
+      words.push_back(motion.words);
+    return words;
   }
 
 

@@ -123,9 +123,10 @@ namespace lamella
 
   protected:
     void
-    assemble_stiffness(const Constraints       &constraints,
-                       dealii::SparsityPattern &sparsity,
-                       Matrix                  &matrix) const override;
+    assemble_stiffness(const Constraints                        &constraints,
+                       const std::vector<std::vector<DofIndex>> &coupled,
+                       dealii::SparsityPattern                  &sparsity,
+                       Matrix &matrix) const override;
 
   private:
     /**

@@ -234,13 +234,18 @@ namespace lamella
     virtual std::vector<OutputCell>
     output_cells(const unsigned int n, const Vector &u) const = 0;
 
+    /// A term k r^T r of the stiffness: a spring k to the ground in what the
+    /// row r measures.
+    using SpringTerm = std::pair<Row, double>;
+
     /**
-     * Assembles the stiffness, condensed by the homogeneous part of
-     * @p constraints (constrained DoFs keep a positive diagonal and nothing
-     * else).
+     * Assembles the stiffness with @p springs, condensed by the homogeneous
+     * part of @p constraints (constrained DoFs keep a positive diagonal and
+     * nothing else).
      */
     void
-    assemble(const Constraints &constraints);
+    assemble(const Constraints             &constraints,
+             const std::vector<SpringTerm> &springs = {});
 
     /// Factorises the assembled stiffness; NumericsError if not positive.
     void
@@ -253,11 +258,13 @@ namespace lamella
 
   protected:
     /// The entries of the unconstrained stiffness with a sparsity pattern that
-    /// leaves room for the condensation by @p constraints.
+    /// leaves room for the condensation by @p constraints and for what couples
+    /// the DoFs of each of @p coupled.
     virtual void
-    assemble_stiffness(const Constraints       &constraints,
-                       dealii::SparsityPattern &sparsity,
-                       Matrix                  &matrix) const = 0;
+    assemble_stiffness(const Constraints                        &constraints,
+                       const std::vector<std::vector<DofIndex>> &coupled,
+                       dealii::SparsityPattern                  &sparsity,
+                       Matrix &matrix) const = 0;
 
   private:
     std::string                    body_name;

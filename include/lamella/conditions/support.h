@@ -46,15 +46,28 @@ namespace lamella
   std::vector<PrescribedRow>
   prescribed_rows(const std::vector<Support> &supports, const Bodies &bodies);
 
+  /// A rigid motion that nothing prevents.
+  struct FreeMotion
+  {
+    /// The rotations about the body's centre() times its size().
+    RigidMotion motion;
+    /// As in "translation along x with rotation about y".
+    std::string words;
+
+    /// The displacement at @p x of @p body.
+    dealii::Tensor<1, 3>
+    at(const dealii::Point<3> &x, const Body &body) const;
+  };
+
   /**
-   * The rigid motions of @p body, number @p index, that @p rows leave free, in
-   * words ("translation along x", "rotation about y"); none if it is held.
+   * The rigid motions of @p body, number @p index, that @p rows leave free;
+   * none if it is held.
    *
    * They are the null space of R E, where E are the body's rigid motions (the
    * rotations scaled with its size), found by a singular value decomposition
    * with the threshold 1e-8 of the largest singular value.
    */
-  std::vector<std::string>
+  std::vector<FreeMotion>
   free_rigid_motions(const Body                       &body,
                      const unsigned int                index,
                      const std::vector<PrescribedRow> &rows);

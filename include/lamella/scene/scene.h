@@ -7,6 +7,7 @@
 #include <lamella/base/units.h>
 #include <lamella/body/placement.h>
 #include <lamella/conditions/load.h>
+#include <lamella/conditions/stabilisation.h>
 #include <lamella/conditions/support.h>
 #include <lamella/contact/gap_rows.h>
 #include <lamella/report/requests.h>
@@ -24,10 +25,11 @@ namespace lamella
   /// A body as the scene describes it.
   struct BodyDescription
   {
-    std::string name, section;
-    Theory      theory;
-    Placement   placement;
-    AxisMesh    axis;
+    std::string   name, section;
+    Theory        theory;
+    Placement     placement;
+    AxisMesh      axis;
+    Stabilisation stabilisation;
   };
 
   /// References of a resultant, see ResultantReferences.

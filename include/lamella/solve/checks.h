@@ -41,9 +41,11 @@ namespace lamella
     /// Strain energy, and half the sum of loads and reactions times their
     /// displacements.
     double energy = 0., external_work = 0.;
+    /// In stabilising springs, over all bodies, and its share of all energy.
+    double stabilisation_energy = 0., stabilisation_share = 0.;
     /// |energy - external_work - half the contact forces times their
-    /// displacements| over the larger of the first two: zero by Clapeyron's
-    /// theorem.
+    /// displacements| over the larger of the first two, with what the springs
+    /// hold: zero by Clapeyron's theorem.
     double energy_balance = 0.;
     /// In rad, over all bodies.
     double max_rotation = 0.;

@@ -5,6 +5,7 @@
 
 #include <lamella/conditions/load.h>
 #include <lamella/conditions/row_reduction.h>
+#include <lamella/conditions/stabilisation.h>
 #include <lamella/conditions/support.h>
 
 #include <memory>
@@ -22,11 +23,16 @@ namespace lamella
   class Structure
   {
   public:
-    /// Throws InputError if a region is not in its body, if supports contradict
-    /// each other, or if a body can still move (the message names how).
-    Structure(Bodies                      bodies,
-              const std::vector<Support> &supports,
-              const std::vector<Load>    &loads);
+    /**
+     * @p stabilisations has one for each body, or is empty: none. Throws
+     * InputError if a region is not in its body, if supports contradict each
+     * other, or if a body can still move and has no stabilisation (the message
+     * names how).
+     */
+    Structure(Bodies                            bodies,
+              const std::vector<Support>       &supports,
+              const std::vector<Load>          &loads,
+              const std::vector<Stabilisation> &stabilisations = {});
 
     const Bodies &
     bodies() const
@@ -45,6 +51,13 @@ namespace lamella
     prescribed() const
     {
       return rows;
+    }
+
+    /// The stabilising springs of @p body.
+    const std::vector<Spring> &
+    springs(const unsigned int body) const
+    {
+      return all_springs[body];
     }
 
     /// The load vector at load factor 1.
@@ -73,7 +86,8 @@ namespace lamella
     void
     factorise();
 
-    /// factor * load - integral B^T C (B u), strain first; not condensed.
+    /// factor * load - integral B^T C (B u) - spring forces, strain first; not
+    /// condensed.
     BlockVector
     residual(const BlockVector &u, const double factor) const;
 
@@ -83,11 +97,12 @@ namespace lamella
 
   private:
     void
-    check_held() const;
+    check_held(const std::vector<Stabilisation> &stabilisations) const;
 
     Bodies                                     all_bodies;
     std::vector<PrescribedRow>                 rows;
     std::vector<std::unique_ptr<RowReduction>> reductions;
+    std::vector<std::vector<Spring>>           all_springs;
     BlockVector                                unit_load;
   };
 } // namespace lamella

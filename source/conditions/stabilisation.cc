@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <lamella/conditions/stabilisation.h>
+
+namespace lamella
+{
+  using namespace dealii;
+
+  namespace
+  {
+    /// The two points of @p surface that are furthest from each other, as far
+    /// as starting from its first point finds them.
+    std::array<SurfacePoint, 2>
+    far_points(const Body &body, const std::string &surface)
+    {
+      const std::vector<SurfacePoint> points = body.surface_points(surface);
+      const auto furthest_from               = [&points](const Point<3> &x) {
+        return *std::max_element(points.begin(),
+                                 points.end(),
+                                 [&x](const auto &a, const auto &b) {
+                                   return x.distance(a.position) <
+                                          x.distance(b.position);
+                                 });
+      };
+      const SurfacePoint one = furthest_from(points[0].position);
+      return {{one, furthest_from(one.position)}};
+    }
+
+
+
+    /// E A / L.
+    double
+    axial_stiffness(const Body &body)
+    {
+      double       stiffness = 0.;
+      Tensor<1, 3> centre_of[2];
+      unsigned int end = 0;
+      for (const char *surface : {"start", "end"})
+        {
+          double area = 0.;
+          for (const SurfacePoint &point : body.surface_points(surface))
+            {
+              if (end == 0)
+                stiffness += point.normal_modulus * point.area;
+              centre_of[end] += point.area * point.position;
+              area += point.area;
+            }
+          centre_of[end] /= area;
+          ++end;
+        }
+      return stiffness / (centre_of[1] - centre_of[0]).norm();
+    }
+
+
+
+    /// Displacements at the points, one after the other.
+    using PointMotion = std::vector<Tensor<1, 3>>;
+
+    double
+    product(const PointMotion &a, const PointMotion &b)
+    {
+      double sum = 0.;
+      for (unsigned int p = 0; p < a.size(); ++p)
+        sum += a[p] * b[p];
+      return sum;
+    }
+
+
+
+    /// Gram and Schmidt, twice.
+    void
+    orthonormalise(std::vector<PointMotion> &motions)
+    {
+      for (unsigned int k = 0; k < motions.size(); ++k)
+        for (unsigned int pass = 0; pass < 2; ++pass)
+          {
+            for (unsigned int j = 0; j < k; ++j)
+              {
+                const double along = product(motions[k], motions[j]);
+                for (unsigned int p = 0; p < motions[k].size(); ++p)
+                  motions[k][p] -= along * motions[j][p];
+              }
+            const double norm = std::sqrt(product(motions[k], motions[k]));
+            for (Tensor<1, 3> &v : motions[k])
+              v /= norm;
+          }
+    }
+  } // namespace
+
+
+
+  std::vector<Spring>
+  stabilising_springs(const Body                       &body,
+                      const unsigned int                index,
+                      const std::vector<PrescribedRow> &rows,
+                      const Stabilisation              &stabilisation)
+  {
+    const std::vector<FreeMotion> free = free_rigid_motions(body, index, rows);
+    if (free.empty() || stabilisation.share == 0.)
+      return {};
+
+    std::vector<Point<3>> points;
+    std::vector<Location> locations;
+    for (const char *surface : {"start", "end"})
+      for (const SurfacePoint &point : far_points(body, surface))
+        {
+          points.push_back(point.position);
+          locations.push_back(point.location);
+        }
+    std::vector<PointMotion> motions;
+    for (const FreeMotion &one : free)
+      {
+        motions.emplace_back();
+        for (const Point<3> &x : points)
+          motions.back().push_back(one.at(x, body));
+      }
+    orthonormalise(motions);
+
+    const double        stiffness = stabilisation.share * axial_stiffness(body);
+    const auto          u = body.rows(locations, Quantity::displacement);
+    std::vector<Spring> springs;
+    for (unsigned int k = 0; k < free.size(); ++k)
+      {
+        Spring spring{{}, stiffness, free[k].words};
+        for (unsigned int p = 0; p < points.size(); ++p)
+          for (unsigned int c = 0; c < 3; ++c)
+            spring.row.add(u[p][c], motions[k][p][c]);
+        spring.row.compress();
+        springs.push_back(std::move(spring));
+      }
+    return springs;
+  }
+} // namespace lamella
