@@ -8,6 +8,7 @@
 
 #include <map>
 #include <numeric>
+#include <optional>
 #include <set>
 
 namespace lamella
@@ -23,6 +24,8 @@ namespace lamella
     // this fraction of the largest value: pivots may be small (rows of a skew
     // line), and rounding grows by their inverse.
     constexpr double contradiction = 1e-6;
+    // Weights that differ by less are the same, but for the rounding of places.
+    constexpr double same = 1e-12;
 
     /// The functionals of those of @p rows that belong to @p body, number
     /// @p index, in the DoFs that its theory leaves independent; others empty.
@@ -102,24 +105,6 @@ namespace lamella
 
 
 
-  RowReduction::RowReduction(const Body                       &body,
-                             const unsigned int                index,
-                             const std::vector<PrescribedRow> &rows,
-                             const std::vector<std::string>   &support_names)
-    : kinematic(body.kinematic_constraints())
-    , particular_solution(body.n_dofs())
-  {
-    const std::vector<Row> functionals = functionals_of(body, index, rows);
-    for (const auto &group : groups_of_rows(body, functionals))
-      reduce(body, group, functionals, rows, support_names);
-    // Closing resolves DoFs that the theory ties to eliminated ones.
-    homogeneous.merge(kinematic);
-    homogeneous.close();
-    kinematic.distribute(particular_solution);
-  }
-
-
-
   namespace
   {
     /// The columns of @p equations, coarse levels first, with their scales.
@@ -168,19 +153,87 @@ namespace lamella
 
 
 
-  void
-  RowReduction::reduce(const Body                       &body,
-                       const std::vector<unsigned int>  &group,
-                       const std::vector<Row>           &functionals,
-                       const std::vector<PrescribedRow> &rows,
-                       const std::vector<std::string>   &support_names)
+  /// The rows of a group with what their elimination left.
+  struct RowReduction::Elimination
   {
-    std::vector<Equation> equations;
-    double                largest_value = 0.;
+    std::vector<unsigned int> rows;
+    std::vector<Equation>     equations;
+    double                    largest_value = 0.;
+    Group                     independent;
+
+    /// Whether the rows @p group are these but for a shift of all DoFs, which
+    /// it returns: the supports of a body along its axis are, node by node.
+    std::optional<DofIndex>
+    shift_to(const std::vector<unsigned int>  &group,
+             const std::vector<Row>           &functionals,
+             const std::vector<PrescribedRow> &prescribed,
+             const Body                       &body) const
+    {
+      if (group.size() != rows.size())
+        return {};
+      // Unsigned arithmetic: a shift downwards wraps and comes back.
+      const DofIndex shift = functionals[group[0]].entries()[0].first -
+                             functionals[rows[0]].entries()[0].first;
+      for (unsigned int k = 0; k < rows.size(); ++k)
+        {
+          const auto &here  = functionals[rows[k]].entries(),
+                     &there = functionals[group[k]].entries();
+          if (here.size() != there.size() ||
+              prescribed[rows[k]].value != prescribed[group[k]].value)
+            return {};
+          double largest = 0.;
+          for (const auto &[dof, weight] : here)
+            largest = std::max(largest, std::abs(weight));
+          for (unsigned int i = 0; i < here.size(); ++i)
+            if (here[i].first + shift != there[i].first ||
+                std::abs(here[i].second - there[i].second) > same * largest ||
+                body.dof_level(here[i].first) != body.dof_level(there[i].first))
+              return {};
+        }
+      return shift;
+    }
+
+    /// Makes this the elimination of @p group, shifted by @p shift.
+    void
+    move_to(const std::vector<unsigned int> &group, const DofIndex shift)
+    {
+      std::map<unsigned int, unsigned int> number;
+      for (unsigned int k = 0; k < rows.size(); ++k)
+        number[rows[k]] = group[k];
+      rows = group;
+      for (unsigned int &row : independent.rows)
+        row = number.at(row);
+      for (DofIndex &dof : independent.pivots)
+        dof += shift;
+      for (Equation &equation : equations)
+        {
+          equation.number = number.at(equation.number);
+          if (equation.pivot != numbers::invalid_dof_index)
+            equation.pivot += shift;
+          std::map<DofIndex, double> shifted;
+          for (const auto &[dof, weight] : equation.entries)
+            shifted.emplace_hint(shifted.end(), dof + shift, weight);
+          equation.entries = std::move(shifted);
+        }
+    }
+  };
+
+
+
+  RowReduction::Elimination
+  RowReduction::eliminate(const Body                       &body,
+                          const std::vector<unsigned int>  &group,
+                          const std::vector<Row>           &functionals,
+                          const std::vector<PrescribedRow> &rows)
+  {
+    Elimination result;
+    result.rows                      = group;
+    std::vector<Equation> &equations = result.equations;
     for (const unsigned int r : group)
       {
         equations.push_back({r, {}, rows[r].value});
-        largest_value = std::max(largest_value, std::abs(rows[r].value));
+        result.largest_value =
+          std::max(result.largest_value, std::abs(rows[r].value));
         for (const auto &[dof, weight] : functionals[r].entries())
           equations.back().entries.emplace(dof, weight);
       }
@@ -191,7 +244,7 @@ namespace lamella
       for (const auto &[dof, weight] : equation.entries)
         users[dof].insert(&equation);
 
-    Group eliminated;
+    Group &independent = result.independent;
     for (const auto &[dof, scale] : ordered_columns(body, equations))
       {
         const std::vector<Equation *> with_dof(users[dof].begin(),
@@ -212,28 +265,26 @@ namespace lamella
               for (const auto &[other, weight] : pivot->entries)
                 users[other].insert(equation);
             }
-        eliminated.rows.push_back(pivot->number);
-        eliminated.pivots.push_back(dof);
+        independent.rows.push_back(pivot->number);
+        independent.pivots.push_back(dof);
       }
-
-    keep(equations, largest_value, body, rows, support_names);
-    factorise(eliminated, functionals);
-    groups.push_back(std::move(eliminated));
+    factorise(independent, functionals);
+    return result;
   }
 
 
 
   void
-  RowReduction::keep(const std::vector<Equation>      &equations,
-                     const double                      largest_value,
+  RowReduction::keep(const Elimination                &elimination,
                      const Body                       &body,
                      const std::vector<PrescribedRow> &rows,
                      const std::vector<std::string>   &support_names)
   {
-    for (const Equation &equation : equations)
+    for (const Equation &equation : elimination.equations)
       if (equation.pivot == numbers::invalid_dof_index)
         {
-          if (std::abs(equation.value) > contradiction * largest_value)
+          if (std::abs(equation.value) >
+              contradiction * elimination.largest_value)
             throw InputError(
               "Support " + support_names[rows[equation.number].support] +
               " contradicts the other supports of body '" + body.name() +
@@ -250,25 +301,54 @@ namespace lamella
               homogeneous.add_entry(equation.pivot, dof, -weight);
           particular_solution[equation.pivot] = equation.value;
         }
+    groups.push_back(elimination.independent);
   }
 
 
 
   void
-  RowReduction::factorise(Group                  &eliminated,
+  RowReduction::factorise(Group                  &independent,
                           const std::vector<Row> &functionals)
   {
-    const unsigned int n  = eliminated.rows.size();
-    eliminated.transposed = std::make_unique<LAPACKFullMatrix<double>>(n, n);
+    const unsigned int n  = independent.rows.size();
+    const auto transposed = std::make_shared<LAPACKFullMatrix<double>>(n, n);
     std::map<DofIndex, unsigned int> column;
     for (unsigned int k = 0; k < n; ++k)
-      column[eliminated.pivots[k]] = k;
+      column[independent.pivots[k]] = k;
     for (unsigned int k = 0; k < n; ++k)
       for (const auto &[dof, weight] :
-           functionals[eliminated.rows[k]].entries())
+           functionals[independent.rows[k]].entries())
         if (column.count(dof) > 0)
-          (*eliminated.transposed)(column[dof], k) = weight;
-    eliminated.transposed->compute_lu_factorization();
+          (*transposed)(column[dof], k) = weight;
+    transposed->compute_lu_factorization();
+    independent.transposed = transposed;
+  }
+
+
+
+  RowReduction::RowReduction(const Body                       &body,
+                             const unsigned int                index,
+                             const std::vector<PrescribedRow> &rows,
+                             const std::vector<std::string>   &support_names)
+    : kinematic(body.kinematic_constraints())
+    , particular_solution(body.n_dofs())
+  {
+    const std::vector<Row>     functionals = functionals_of(body, index, rows);
+    std::optional<Elimination> last;
+    for (const auto &group : groups_of_rows(body, functionals))
+      {
+        const auto shift =
+          last ? last->shift_to(group, functionals, rows, body) : std::nullopt;
+        if (shift)
+          last->move_to(group, *shift);
+        else
+          last = eliminate(body, group, functionals, rows);
+        keep(*last, body, rows, support_names);
+      }
+    // Closing resolves DoFs that the theory ties to eliminated ones.
+    homogeneous.merge(kinematic);
+    homogeneous.close();
+    kinematic.distribute(particular_solution);
   }
 
 

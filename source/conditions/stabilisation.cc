@@ -95,8 +95,10 @@ namespace lamella
                       const std::vector<PrescribedRow> &rows,
                       const Stabilisation              &stabilisation)
   {
+    if (stabilisation.share == 0.)
+      return {};
     const std::vector<FreeMotion> free = free_rigid_motions(body, index, rows);
-    if (free.empty() || stabilisation.share == 0.)
+    if (free.empty())
       return {};
 
     std::vector<Point<3>> points;

@@ -159,6 +159,47 @@ namespace lamella
 
 
 
+  namespace
+  {
+    /// The singular values of six columns, descending, and the right singular
+    /// vectors; rows that have the same.
+    struct Folded
+    {
+      std::array<double, 6>      singular_values;
+      std::array<RigidMotion, 6> directions;
+      std::vector<RigidMotion>   rows;
+    };
+
+    /// A Gram matrix would square the conditioning, and a decomposition of all
+    /// rows at once costs their number squared; S V^T of some rows stands for
+    /// them beside the next ones.
+    Folded
+    folded(const std::vector<RigidMotion> &rows)
+    {
+      // Six zero rows make the matrix tall enough.
+      LAPACKFullMatrix<double> matrix(rows.size() + 6, 6);
+      for (unsigned int r = 0; r < rows.size(); ++r)
+        for (unsigned int m = 0; m < 6; ++m)
+          matrix(r, m) = rows[r][m];
+      matrix.compute_svd();
+      Folded result;
+      for (unsigned int k = 0; k < 6; ++k)
+        {
+          result.singular_values[k] = matrix.singular_value(k);
+          result.rows.emplace_back();
+          for (unsigned int m = 0; m < 6; ++m)
+            {
+              result.directions[k][m] = matrix.get_svd_vt()(k, m);
+              result.rows[k][m] =
+                result.singular_values[k] * result.directions[k][m];
+            }
+        }
+      return result;
+    }
+  } // namespace
+
+
+
   Tensor<1, 3>
   FreeMotion::at(const Point<3> &x, const Body &body) const
   {
@@ -176,12 +217,7 @@ namespace lamella
                      const std::vector<PrescribedRow> &rows)
   {
     const std::vector<Vector> motions = body.rigid_motions();
-
-    // The Gram matrix of R E would square the conditioning; instead six zero
-    // rows make the matrix tall enough whatever the number of supports.
-    std::vector<std::array<double, 6>> values(6);
-    for (std::array<double, 6> &row : values)
-      row.fill(0.);
+    std::vector<RigidMotion>  values  = body.missing_motions();
     for (const PrescribedRow &prescribed : rows)
       if (prescribed.row.body == index)
         {
@@ -189,24 +225,15 @@ namespace lamella
           for (unsigned int m = 0; m < 6; ++m)
             values.back()[m] =
               prescribed.row.row(motions[m]) / (m < 3 ? 1. : body.size());
+          if (values.size() == 60)
+            values = folded(values).rows;
         }
-    for (const RigidMotion &motion : body.missing_motions())
-      values.push_back(motion);
-    LAPACKFullMatrix<double> held(values.size(), 6);
-    for (unsigned int r = 0; r < values.size(); ++r)
-      for (unsigned int m = 0; m < 6; ++m)
-        held(r, m) = values[r][m];
-    held.compute_svd();
 
-    // Singular values come in descending order.
-    std::vector<std::array<double, 6>> null_space;
+    const Folded             held = folded(values);
+    std::vector<RigidMotion> null_space;
     for (unsigned int k = 0; k < 6; ++k)
-      if (!(held.singular_value(k) > 1e-8 * held.singular_value(0)))
-        {
-          null_space.emplace_back();
-          for (unsigned int m = 0; m < 6; ++m)
-            null_space.back()[m] = held.get_svd_vt()(k, m);
-        }
+      if (!(held.singular_values[k] > 1e-8 * held.singular_values[0]))
+        null_space.push_back(held.directions[k]);
     reduce_to_echelon(null_space);
     std::vector<FreeMotion> free;
     for (const RigidMotion &motion : null_space)

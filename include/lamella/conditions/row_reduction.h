@@ -20,7 +20,8 @@ namespace lamella
    * rows are independent (Gauss-Jordan elimination of the rows of each group
    * that shares DoFs, with rank detection). Coarse DoFs go first, so that what
    * stays is still hierarchical; among rows with a pivot within a factor of ten
-   * of the largest the shortest is taken, which keeps the fill low.
+   * of the largest the shortest is taken, which keeps the fill low. A group
+   * that is the one before it, shifted along the axis, is not eliminated again.
    */
   class RowReduction
   {
@@ -64,34 +65,34 @@ namespace lamella
     /// The independent rows of a group and the DoFs that they eliminate.
     struct Group
     {
-      std::vector<unsigned int>                         rows;
-      std::vector<DofIndex>                             pivots;
-      std::unique_ptr<dealii::LAPACKFullMatrix<double>> transposed;
+      std::vector<unsigned int> rows;
+      std::vector<DofIndex>     pivots;
+      /// Groups that are the same but for a shift share it.
+      std::shared_ptr<const dealii::LAPACKFullMatrix<double>> transposed;
     };
 
     struct Equation;
+    struct Elimination;
 
     /// Eliminates one group of rows (numbers in the constructor's list), given
     /// as @p functionals of the DoFs that the theory leaves independent.
-    void
-    reduce(const Body                       &body,
-           const std::vector<unsigned int>  &group,
-           const std::vector<Row>           &functionals,
-           const std::vector<PrescribedRow> &rows,
-           const std::vector<std::string>   &support_names);
+    static Elimination
+    eliminate(const Body                       &body,
+              const std::vector<unsigned int>  &group,
+              const std::vector<Row>           &functionals,
+              const std::vector<PrescribedRow> &rows);
 
-    /// Keeps the reduced @p equations of a group as constraints. Throws
-    /// InputError if nothing but a value is left of one.
+    /// Keeps what is left of a group as constraints. Throws InputError if
+    /// nothing but a value is left of one of its rows.
     void
-    keep(const std::vector<Equation>      &equations,
-         const double                      largest_value,
+    keep(const Elimination                &elimination,
          const Body                       &body,
          const std::vector<PrescribedRow> &rows,
          const std::vector<std::string>   &support_names);
 
-    /// Factorises the independent rows of @p eliminated, for multipliers().
+    /// Factorises the rows of @p independent, for multipliers().
     static void
-    factorise(Group &eliminated, const std::vector<Row> &functionals);
+    factorise(Group &independent, const std::vector<Row> &functionals);
 
     const Constraints &kinematic;
     Constraints        homogeneous;
