@@ -115,6 +115,9 @@ namespace lamella
     newton->progress = [this](const std::string &line) {
       out << "  " << line << std::endl;
     };
+    newton->describe = [this](const unsigned int row) {
+      return describe_row(row);
+    };
 
     try
       {
@@ -137,12 +140,25 @@ namespace lamella
 
 
 
+  std::string
+  Simulation::describe_row(unsigned int row) const
+  {
+    auto contact = contacts.begin();
+    for (; row >= contact->rows.size(); ++contact)
+      row -= contact->rows.size();
+    return "contact " + contact->name + ", body '" +
+           structure->bodies()[contact->first_body]->name() + "' at " +
+           to_text(contact->points[row].first);
+  }
+
+
+
   void
   Simulation::solve_step(const unsigned int step, const double factor)
   {
     out << "Load step " << step << " of " << scene.solve.load_factors.size()
         << ", load factor " << factor << std::endl;
-    const std::vector<unsigned int> start = state.active;
+    const State previous = state;
     {
       TimerOutput::Scope scope(timer, "solve");
       state = newton->solve_free(factor);
@@ -150,7 +166,7 @@ namespace lamella
     {
       TimerOutput::Scope scope(timer, "contact");
       if (!gap_rows.empty())
-        state = newton->solve_contact(state, factor, start);
+        state = newton->solve_contact(state, factor, previous);
     }
     Checks checks;
     {

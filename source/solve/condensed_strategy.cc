@@ -1,75 +1,42 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include <lamella/base/exceptions.h>
+#include <lamella/solve/complementarity.h>
 #include <lamella/solve/condensed_strategy.h>
 
-#include <deal.II/lac/lapack_full_matrix.h>
+#include <algorithm>
+#include <set>
 
 namespace lamella
 {
-  using namespace dealii;
+  namespace
+  {
+    constexpr double smallest_softness = 1e-10;
+    // How many rows take part from the start, at least.
+    constexpr std::size_t first_rows = 8;
+
+
+
+    /// Rows that miss the law, the worst first, each with its gap's violation.
+    using Violations = std::vector<std::pair<double, unsigned int>>;
+  } // namespace
+
+
 
   CondensedStrategy::CondensedStrategy(const Structure           &structure,
                                        const std::vector<GapRow> &rows)
-    : structure(structure)
-    , rows(rows)
-    , columns(structure.bodies().size())
+    : ContactStrategy(structure, rows)
+    , compliance(structure, rows)
   {}
 
 
 
-  void
-  CondensedStrategy::add_columns(const std::vector<unsigned int> &active)
-  {
-    for (unsigned int b = 0; b < columns.size(); ++b)
-      {
-        std::vector<std::pair<unsigned int, Row>> fresh;
-        for (const unsigned int r : active)
-          for (const BodyRow &part : rows[r].parts)
-            if (part.body == b && columns[b].column.count(r) == 0)
-              fresh.emplace_back(
-                r, part.row.reduced(structure.reduction(b).constraints()));
-        if (fresh.empty())
-          continue;
-
-        const unsigned int n = structure.bodies()[b]->n_dofs();
-        Columns            block(n, fresh.size());
-        for (unsigned int k = 0; k < fresh.size(); ++k)
-          for (const auto &[dof, weight] : fresh[k].second.entries())
-            block(dof, k) += weight;
-        structure.bodies()[b]->factorisation().forward(block);
-        for (unsigned int k = 0; k < fresh.size(); ++k)
-          {
-            columns[b].column[fresh[k].first] = columns[b].y.size();
-            columns[b].y.emplace_back(&block(0, k), &block(0, k) + n);
-          }
-      }
-
-    for (const unsigned int r : active)
-      if (place.count(r) == 0)
-        {
-          place[r] = known_rows.size();
-          known_rows.push_back(r);
-          compliance.emplace_back();
-          for (const unsigned int other : known_rows)
-            compliance.back().push_back(product(r, other));
-        }
-  }
-
-
-
   double
-  CondensedStrategy::product(const unsigned int row_i,
-                             const unsigned int row_j) const
+  CondensedStrategy::softness(const unsigned int row) const
   {
-    double sum = 0.;
-    for (const BodyColumns &body : columns)
-      {
-        const auto i = body.column.find(row_i), j = body.column.find(row_j);
-        if (i != body.column.end() && j != body.column.end())
-          sum += body.y[i->second] * body.y[j->second];
-      }
-    return sum;
+    return std::max(rows[row].enforcement == Enforcement::exact ?
+                      0. :
+                      numerical_softness(rows[row]),
+                    smallest_softness * compliance(row, row));
   }
 
 
@@ -78,7 +45,7 @@ namespace lamella
   CondensedStrategy::apply_inverse(BlockVector r) const
   {
     structure.condense(r);
-    for (unsigned int b = 0; b < columns.size(); ++b)
+    for (unsigned int b = 0; b < structure.bodies().size(); ++b)
       {
         structure.bodies()[b]->factorisation().solve(r.block(b));
         structure.reduction(b).constraints().distribute(r.block(b));
@@ -100,45 +67,138 @@ namespace lamella
     if (active.empty())
       return;
 
-    add_columns(active);
-    LAPACKFullMatrix<double> system(active.size());
-    for (unsigned int i = 0; i < active.size(); ++i)
+    const std::size_t n = active.size();
+    if (!factor || factorised_for != active)
       {
-        const GapRow &row = rows[active[i]];
-        dlambda[i]        = r_lambda[i] - row.opening(du);
-        for (unsigned int j = 0; j <= i; ++j)
+        compliance.include(active);
+        std::vector<double> system(n * n);
+        for (std::size_t j = 0; j < n; ++j)
           {
-            const unsigned int p = place.at(active[i]), q = place.at(active[j]);
-            system(i, j) = compliance[std::max(p, q)][std::min(p, q)] +
-                           (i == j ? 1. / row.penalty : 0.);
-            system(j, i) = system(i, j);
+            for (std::size_t i = j; i < n; ++i)
+              system[j * n + i] = compliance(active[i], active[j]);
+            system[j * n + j] += softness(active[j]);
           }
+        factor.emplace(std::move(system), n, "The compliance of contact");
+        factorised_for = active;
       }
-    system.set_property(LAPACKSupport::symmetric);
-    try
-      {
-        system.compute_cholesky_factorization();
-      }
-    catch (const ExceptionBase &)
-      {
-        throw NumericsError(
-          "The compliance of the active contact rows is singular: rows depend "
-          "on each other, and the penalty is too hard to tell them apart. Use "
-          "a softer Penalty (auto), and name each pair of surfaces once.");
-      }
-    system.solve(dlambda);
+    std::vector<double> lambda(n);
+    for (std::size_t i = 0; i < n; ++i)
+      lambda[i] = r_lambda[i] - rows[active[i]].opening(du);
+    factor->solve(lambda);
+    std::copy(lambda.begin(), lambda.end(), dlambda.begin());
+    du += compliance.displacement(active, lambda);
+  }
 
-    for (unsigned int b = 0; b < columns.size(); ++b)
+
+
+  void
+  CondensedStrategy::solve_part(const ContactProblem            &problem,
+                                const std::vector<unsigned int> &part,
+                                ContactSolution                 &solution)
+  {
+    // s = g_state + C (lambda - lambda_state) + a lambda +
+    //     (d - a) (lambda - lambda_bar).
+    const std::size_t      n = part.size();
+    ComplementarityProblem small{std::vector<double>(n * n),
+                                 std::vector<double>(n),
+                                 problem.closed};
+    std::vector<bool>      start(n);
+    for (std::size_t i = 0; i < n; ++i)
       {
-        Vector y(structure.bodies()[b]->n_dofs());
-        for (unsigned int i = 0; i < active.size(); ++i)
-          if (const auto found = columns[b].column.find(active[i]);
-              found != columns[b].column.end())
-            y.add(dlambda[i], columns[b].y[found->second]);
-        structure.bodies()[b]->factorisation().backward(y);
-        structure.reduction(b).constraints().distribute(y);
-        du.block(b) += y;
+        const unsigned int r = part[i];
+        const double       d = softness(r);
+        small.q[i] =
+          problem.gap[r] - (d - law_softness(rows[r])) * problem.estimate[r];
+        for (std::size_t j = 0; j < n; ++j)
+          {
+            small.matrix[j * n + i] = compliance(r, part[j]);
+            small.q[i] -= small.matrix[j * n + i] * problem.force[part[j]];
+          }
+        small.matrix[i * n + i] += d;
+        start[i] =
+          std::binary_search(solution.active.begin(), solution.active.end(), r);
       }
+    const ComplementaritySolution found = solve_complementarity(small, start);
+
+    std::vector<double> change(n);
+    solution.active.clear();
+    for (std::size_t i = 0; i < n; ++i)
+      {
+        solution.force[part[i]] = found.lambda[i];
+        change[i]               = found.lambda[i] - problem.force[part[i]];
+        if (found.active[i])
+          solution.active.push_back(part[i]);
+      }
+    solution.du = compliance.displacement(part, change);
+  }
+
+
+
+  namespace
+  {
+    /// The rows that would penetrate at gaps @p g and are not among @p part.
+    Violations
+    violations_outside(const std::vector<unsigned int> &part,
+                       const std::vector<double>       &g,
+                       const double                     closed)
+    {
+      Violations violations;
+      for (unsigned int r = 0; r < g.size(); ++r)
+        if (g[r] < -closed && !std::binary_search(part.begin(), part.end(), r))
+          violations.emplace_back(-g[r], r);
+      std::sort(violations.rbegin(), violations.rend());
+      return violations;
+    }
+  } // namespace
+
+
+
+  ContactSolution
+  CondensedStrategy::settle(const ContactProblem &problem,
+                            const Monitor        &monitor)
+  {
+    ContactSolution solution;
+    solution.du     = structure.zero();
+    solution.force  = problem.force;
+    solution.active = problem.start;
+
+    std::set<unsigned int> part(problem.start.begin(), problem.start.end());
+    for (unsigned int r = 0; r < rows.size(); ++r)
+      if (problem.force[r] != 0. || problem.estimate[r] != 0.)
+        part.insert(r);
+    std::vector<unsigned int> sorted(part.begin(), part.end());
+    Violations wrong = violations_outside(sorted, problem.gap, problem.closed);
+    wrong.resize(std::min(wrong.size(), first_rows));
+    while (!sorted.empty() || !wrong.empty())
+      {
+        for (const auto &[violation, r] : wrong)
+          {
+            part.insert(r);
+            solution.active.push_back(r);
+          }
+        std::sort(solution.active.begin(), solution.active.end());
+        sorted.assign(part.begin(), part.end());
+        compliance.include(sorted);
+        solve_part(problem, sorted, solution);
+
+        std::vector<double> g = problem.gap;
+        for (unsigned int r = 0; r < rows.size(); ++r)
+          g[r] += rows[r].opening(solution.du);
+        wrong = violations_outside(sorted, g, problem.closed);
+        Round round{solution.active.size(), {}, 0.};
+        for (const auto &[violation, r] : wrong)
+          round.changed.push_back(r);
+        round.violation = wrong.empty() ? 0. : wrong.front().first;
+        monitor(round);
+        if (wrong.empty())
+          break;
+        // As many as have proved active, and half of those that take part, so
+        // that the number of rounds stays a logarithm.
+        wrong.resize(std::min(
+          wrong.size(),
+          std::max({first_rows, solution.active.size(), part.size() / 2})));
+      }
+    return solution;
   }
 
 

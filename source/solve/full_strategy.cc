@@ -8,14 +8,17 @@
 #include <deal.II/lac/dynamic_sparsity_pattern.h>
 #include <deal.II/lac/trilinos_vector.h>
 
+#include <algorithm>
+#include <cmath>
+#include <set>
+
 namespace lamella
 {
   using namespace dealii;
 
   FullStrategy::FullStrategy(const Structure           &structure,
                              const std::vector<GapRow> &rows)
-    : structure(structure)
-    , rows(rows)
+    : ContactStrategy(structure, rows)
   {
     for (unsigned int b = 0; b < structure.bodies().size(); ++b)
       {
@@ -67,7 +70,7 @@ namespace lamella
         for (unsigned int i = 0; i < row.size(); ++i)
           for (unsigned int j = 0; j < row.size(); ++j)
             penalties.back()(i, j) =
-              rows[r].penalty * row[i].second * row[j].second;
+              row[i].second * row[j].second / numerical_softness(rows[r]);
         constraints.add_entries_local_to_global(dofs.back(), pattern, false);
       }
 
@@ -98,13 +101,19 @@ namespace lamella
                       BlockVector                     &du,
                       Vector                          &dlambda)
   {
-    if (solver == nullptr || factorised_for != active)
-      factorise(active);
+    std::vector<double> d;
+    for (const unsigned int r : active)
+      d.push_back(numerical_softness(rows[r]));
+    if (solver == nullptr || factorised_for != active || factorised_with != d)
+      {
+        factorise(active);
+        factorised_with = d;
+      }
 
-    // (K + K^p) du = r_u + B^T eps r_lambda.
+    // (K + K^p) du = r_u + B^T r_lambda / d.
     du = r_u == nullptr ? structure.zero() : *r_u;
     for (unsigned int k = 0; k < active.size(); ++k)
-      rows[active[k]].add_to(du, rows[active[k]].penalty * r_lambda[k]);
+      rows[active[k]].add_to(du, r_lambda[k] / d[k]);
     structure.condense(du);
 
     TrilinosWrappers::MPI::Vector x, b;
@@ -121,9 +130,187 @@ namespace lamella
 
     dlambda.reinit(active.size());
     for (unsigned int k = 0; k < active.size(); ++k)
+      dlambda[k] = (r_lambda[k] - rows[active[k]].opening(du)) / d[k];
+  }
+
+
+
+  double
+  FullStrategy::overlap(const ContactProblem &problem,
+                        const unsigned int    r,
+                        const double          gap) const
+  {
+    return (numerical_softness(rows[r]) - law_softness(rows[r])) *
+             problem.estimate[r] -
+           gap;
+  }
+
+
+
+  FullStrategy::Iterate
+  FullStrategy::newton_point(const ContactProblem            &problem,
+                             const std::vector<unsigned int> &active)
+  {
+    BlockVector r_u = structure.zero();
+    for (unsigned int r = 0; r < rows.size(); ++r)
+      if (problem.force[r] != 0.)
+        rows[r].add_to(r_u, -problem.force[r]);
+    Vector r_lambda(active.size()), lambda;
+    for (unsigned int k = 0; k < active.size(); ++k)
+      r_lambda[k] = overlap(problem, active[k], problem.gap[active[k]]);
+
+    Iterate point;
+    solve(active, &r_u, r_lambda, point.du, lambda);
+    point.force.assign(rows.size(), 0.);
+    for (unsigned int k = 0; k < active.size(); ++k)
+      point.force[active[k]] = lambda[k];
+    point.gap = problem.gap;
+    for (unsigned int r = 0; r < rows.size(); ++r)
+      point.gap[r] += rows[r].opening(point.du);
+    return point;
+  }
+
+
+
+  double
+  FullStrategy::slope(const ContactProblem &problem,
+                      const Iterate        &from,
+                      const Iterate        &to,
+                      const double          t) const
+  {
+    // The forces that hold the displacements less those of the law, times the
+    // change of the gaps.
+    double sum = 0.;
+    for (unsigned int r = 0; r < rows.size(); ++r)
       {
-        const GapRow &row = rows[active[k]];
-        dlambda[k]        = row.penalty * (r_lambda[k] - row.opening(du));
+        const double held = from.force[r] + t * (to.force[r] - from.force[r]),
+                     g    = from.gap[r] + t * (to.gap[r] - from.gap[r]);
+        const double law =
+          std::max(0., overlap(problem, r, g)) / numerical_softness(rows[r]);
+        sum += (held - law) * (to.gap[r] - from.gap[r]);
+      }
+    return sum;
+  }
+
+
+
+  double
+  FullStrategy::lowest_point(const ContactProblem &problem,
+                             const Iterate        &from,
+                             const Iterate        &to) const
+  {
+    // The slope is linear between the places where a row opens or closes.
+    std::vector<double> breaks{0.};
+    for (unsigned int r = 0; r < rows.size(); ++r)
+      {
+        const double t =
+          overlap(problem, r, from.gap[r]) / (to.gap[r] - from.gap[r]);
+        if (t > 0. && std::isfinite(t))
+          breaks.push_back(t);
+      }
+    std::sort(breaks.begin(), breaks.end());
+    std::size_t low = 0, high = breaks.size();
+    while (high - low > 1)
+      {
+        const std::size_t middle = (low + high) / 2;
+        (slope(problem, from, to, breaks[middle]) < 0. ? low : high) = middle;
+      }
+    const double a    = breaks[low],
+                 b    = high < breaks.size() ? breaks[high] : 2. * a + 1.;
+    const double at_a = slope(problem, from, to, a),
+                 at_b = slope(problem, from, to, b);
+    return at_a < 0. && at_b > at_a ? a - at_a * (b - a) / (at_b - at_a) : 0.;
+  }
+
+
+
+  Round
+  FullStrategy::compare(const ContactProblem            &problem,
+                        const std::vector<unsigned int> &active,
+                        const std::vector<double>       &gap) const
+  {
+    Round round{active.size(), {}, 0.};
+    for (unsigned int r = 0; r < rows.size(); ++r)
+      {
+        const double over = overlap(problem, r, gap[r]);
+        if (std::abs(over) > problem.closed &&
+            std::binary_search(active.begin(), active.end(), r) != (over > 0.))
+          {
+            round.changed.push_back(r);
+            round.violation = std::max(round.violation, std::abs(over));
+          }
+      }
+    return round;
+  }
+
+
+
+  std::vector<unsigned int>
+  FullStrategy::next_set(const ContactProblem            &problem,
+                         const std::vector<unsigned int> &active,
+                         const std::vector<double>       &gap) const
+  {
+    constexpr std::size_t                        few = 8;
+    std::vector<unsigned int>                    next;
+    std::vector<std::pair<double, unsigned int>> closing;
+    for (unsigned int r = 0; r < rows.size(); ++r)
+      if (const double over = overlap(problem, r, gap[r]); over > 0.)
+        {
+          if (std::binary_search(active.begin(), active.end(), r))
+            next.push_back(r);
+          else if (over > problem.closed)
+            closing.emplace_back(over, r);
+        }
+    std::sort(closing.rbegin(), closing.rend());
+    closing.resize(std::min(closing.size(), std::max(few, active.size())));
+    for (const auto &[over, r] : closing)
+      next.push_back(r);
+    std::sort(next.begin(), next.end());
+    return next;
+  }
+
+
+
+  ContactSolution
+  FullStrategy::settle(const ContactProblem &problem, const Monitor &monitor)
+  {
+    Iterate                   now{structure.zero(), problem.force, problem.gap};
+    std::vector<unsigned int> active = problem.start.empty() ?
+                                         next_set(problem, {}, problem.gap) :
+                                         problem.start;
+    const bool                untouched =
+      active.empty() && std::all_of(problem.force.begin(),
+                                    problem.force.end(),
+                                    [](const double f) { return f == 0.; });
+    if (untouched)
+      return {now.du, now.force, {}};
+
+    // The worst penetrations first settles soonest where few rows of many stay
+    // active; should a set come back, the energy takes over.
+    std::set<std::vector<unsigned int>> visited;
+    while (true)
+      {
+        const Iterate next  = newton_point(problem, active);
+        const Round   round = compare(problem, active, next.gap);
+        monitor(round);
+        if (round.changed.empty())
+          return {next.du, next.force, active};
+        if (visited.insert(active).second)
+          active = next_set(problem, active, next.gap);
+        else
+          {
+            const double t = lowest_point(problem, now, next);
+            now.du.sadd(1. - t, t, next.du);
+            for (unsigned int r = 0; r < rows.size(); ++r)
+              {
+                now.force[r] += t * (next.force[r] - now.force[r]);
+                now.gap[r] += t * (next.gap[r] - now.gap[r]);
+              }
+            active.clear();
+            for (unsigned int r = 0; r < rows.size(); ++r)
+              if (overlap(problem, r, now.gap[r]) > 0.)
+                active.push_back(r);
+          }
       }
   }
 } // namespace lamella

@@ -6,7 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
+#include <limits>
 
 namespace lamella
 {
@@ -17,6 +17,8 @@ namespace lamella
                  ContactStrategy           &strategy,
                  const NewtonParameters    &parameters)
     : progress([](const std::string &) {})
+    , describe(
+        [](const unsigned int row) { return "row " + std::to_string(row); })
     , structure(structure)
     , rows(rows)
     , strategy(strategy)
@@ -65,7 +67,8 @@ namespace lamella
             const GapRow &row    = rows[state.active[i]];
             const double  lambda = state.force[state.active[i]];
             row.add_to(r_u, lambda);
-            r_lambda[i] = -(row.gap(state.u, factor) + lambda / row.penalty);
+            r_lambda[i] =
+              -(row.gap(state.u, factor) + law_softness(row) * lambda);
           }
 
         BlockVector du;
@@ -94,131 +97,140 @@ namespace lamella
 
 
 
-  std::vector<unsigned int>
-  Newton::next_active_set(const State               &state,
-                          const std::vector<double> &g,
-                          const std::size_t          at_once) const
+  ContactProblem
+  Newton::first_problem(const std::vector<double> &free_gaps,
+                        const State               &previous) const
   {
-    // Each change with what speaks for it: a penetration, or the gap that a
-    // pulling force stands for. A gap that is only rounding does not close.
-    const double      closed = 1e-14 * state.u.linfty_norm();
-    std::vector<bool> is_active(rows.size(), false);
+    // Rows that would be open without any contact start open: in unloading they
+    // pull, and pull others in.
+    ContactProblem problem;
+    problem.gap = free_gaps;
+    problem.force.assign(rows.size(), 0.);
+    problem.estimate.assign(rows.size(), 0.);
+    for (const unsigned int r : previous.active)
+      if (free_gaps[r] < 0.)
+        {
+          problem.start.push_back(r);
+          problem.estimate[r] = previous.force[r];
+        }
+    return problem;
+  }
+
+
+
+  Newton::Misses
+  Newton::misses(const State               &state,
+                 const std::vector<double> &g,
+                 const double               closed) const
+  {
+    Misses found;
     for (const unsigned int r : state.active)
-      is_active[r] = true;
-    std::vector<std::pair<double, unsigned int>> to_open, to_close;
+      if (state.force[r] < 0.)
+        found.opening.push_back(r);
+      else if (rows[r].enforcement != Enforcement::penalty)
+        found.gap = std::max(found.gap, std::abs(g[r]));
     for (unsigned int r = 0; r < rows.size(); ++r)
-      if (is_active[r] && state.force[r] <= 0.)
-        to_open.emplace_back(-state.force[r] / rows[r].penalty, r);
-      else if (!is_active[r] && g[r] < -closed)
-        to_close.emplace_back(-g[r], r);
-
-    std::sort(to_close.rbegin(), to_close.rend());
-    if (at_once == 1 && !to_open.empty())
-      {
-        // One change at a time, openings first.
-        to_open = {*std::max_element(to_open.begin(), to_open.end())};
-        to_close.clear();
-      }
-    to_close.resize(std::min(to_close.size(), at_once));
-    for (const auto &[size, r] : to_open)
-      is_active[r] = false;
-    for (const auto &[size, r] : to_close)
-      is_active[r] = true;
-
-    std::vector<unsigned int> active;
-    for (unsigned int r = 0; r < rows.size(); ++r)
-      if (is_active[r])
-        active.push_back(r);
-    return active;
+      if (g[r] < -closed &&
+          !std::binary_search(state.active.begin(), state.active.end(), r))
+        found.closing.push_back(r);
+    return found;
   }
 
 
 
   void
-  Newton::solve_active(const State               &free,
-                       const std::vector<double> &free_gaps,
-                       State                     &state) const
+  Newton::watch(const Round &round, unsigned int &iterations) const
   {
-    // From the free state anew, so that no rounding adds up.
-    Vector r_lambda(state.active.size()), lambda;
-    for (unsigned int i = 0; i < state.active.size(); ++i)
-      r_lambda[i] = -free_gaps[state.active[i]];
-    BlockVector du;
-    strategy.solve(state.active, nullptr, r_lambda, du, lambda);
-    state.u = free.u;
-    state.u += du;
-    state.force.assign(rows.size(), 0.);
-    for (unsigned int i = 0; i < state.active.size(); ++i)
-      state.force[state.active[i]] = lambda[i];
+    ++iterations;
+    progress("iteration " + std::to_string(iterations) + ": " +
+             std::to_string(round.active) + " active rows, " +
+             std::to_string(round.changed.size()) + " to change" +
+             (round.changed.empty() ?
+                "" :
+                ", gaps off by up to " + to_text(round.violation, 3)));
+    if (!round.changed.empty())
+      check_iterations(iterations, round.changed);
+  }
+
+
+
+  void
+  Newton::check_iterations(const unsigned int               iterations,
+                           const std::vector<unsigned int> &changing) const
+  {
+    if (iterations < parameters.max_iterations)
+      return;
+    std::string names;
+    for (unsigned int k = 0; k < changing.size() && k < 3; ++k)
+      names += (k > 0 ? "; " : "") + describe(changing[k]);
+    throw NumericsError(
+      "The contact did not settle in " +
+      std::to_string(parameters.max_iterations) + " iterations; " +
+      std::to_string(changing.size()) + " of " + std::to_string(rows.size()) +
+      " rows keep changing" + (names.empty() ? "" : " (" + names) +
+      (names.empty()       ? "" :
+       changing.size() > 3 ? "; ...)" :
+                             ")") +
+      ". Try a softer penalty, the condensed strategy, a finer mesh at the "
+      "edge of the contact, or more Maximum iterations.");
   }
 
 
 
   State
-  Newton::solve_contact(const State                     &free,
-                        const double                     factor,
-                        const std::vector<unsigned int> &start) const
+  Newton::solve_contact(const State &free,
+                        const double factor,
+                        const State &previous) const
   {
-    const std::vector<double> free_gaps = gaps(free.u, factor);
-    std::size_t               at_once   = parameters.rows_at_once;
+    // Relative to the displacements: what gaps are accurate to, and what is
+    // good enough for rows that rounding does not let close any further.
+    constexpr double accurate = 1e-12, acceptable = 1e-10;
 
-    // Of the rows to start from those that would be open without any contact
-    // are left out: in unloading they pull, and pull others in.
-    State state = free;
-    for (const unsigned int r : start)
-      if (free_gaps[r] < 0.)
-        state.active.push_back(r);
-    if (state.active.empty())
-      state.active = next_active_set(state, free_gaps, at_once);
-
-    // Where the matrix has lost digits the active set is decided on refined
-    // states; elsewhere it is enough that the last one is.
-    const bool lost_digits =
-      !free.free_corrections.empty() && free.free_corrections.front() > 1e-10;
-    std::set<std::vector<unsigned int>> visited;
-    while (!state.active.empty() || state.iterations > 0)
+    State          state   = free;
+    ContactProblem problem = first_problem(gaps(free.u, factor), previous);
+    double         before  = std::numeric_limits<double>::max();
+    while (true)
       {
-        ++state.iterations;
-        visited.insert(state.active);
-        solve_active(free, free_gaps, state);
-        if (lost_digits)
-          state.contact_corrections = refine(state, factor, 1);
-        std::vector<unsigned int> next =
-          next_active_set(state, gaps(state.u, factor), at_once);
-        if (next == state.active && !lost_digits)
-          {
-            state.contact_corrections = refine(state, factor, 1);
-            next = next_active_set(state, gaps(state.u, factor), at_once);
-          }
+        problem.closed = 1e-14 * state.u.linfty_norm();
+        const ContactSolution contact =
+          strategy.settle(problem, [&](const Round &round) {
+            watch(round, state.iterations);
+          });
+        if (state.iterations == 0)
+          return state;
+        state.u += contact.du;
+        state.force               = contact.force;
+        state.active              = contact.active;
+        state.contact_corrections = refine(state, factor, 1);
 
-        std::vector<unsigned int> changed;
-        std::set_symmetric_difference(next.begin(),
-                                      next.end(),
-                                      state.active.begin(),
-                                      state.active.end(),
-                                      std::back_inserter(changed));
-        progress("iteration " + std::to_string(state.iterations) + ": " +
-                 std::to_string(state.active.size()) + " active rows, " +
-                 std::to_string(changed.size()) + " change");
-        if (changed.empty())
-          break;
-        // A set that comes back would come back for ever: from then on one row
-        // changes at a time.
-        at_once =
-          visited.count(next) > 0 ?
-            1 :
-            std::max<std::size_t>(at_once, at_once > 1 ? next.size() : 1);
-        if (state.iterations >= parameters.max_iterations)
-          throw NumericsError(
-            "The contact did not settle in " +
-            std::to_string(parameters.max_iterations) + " iterations; " +
-            std::to_string(changed.size()) + " of " +
-            std::to_string(rows.size()) +
-            " rows keep changing. Try a softer penalty, the condensed strategy, "
-            "a finer mesh at the edge of the contact, or more Maximum "
-            "iterations.");
-        state.active = next;
+        const double size = state.u.linfty_norm();
+        problem.closed =
+          size * std::max(1e-14, state.contact_corrections.back());
+        problem.gap        = gaps(state.u, factor);
+        const Misses found = misses(state, problem.gap, problem.closed);
+        const bool   right = found.opening.empty() && found.closing.empty();
+        const bool   slow  = found.gap > 0.1 * before;
+        if (right && (found.gap <= accurate * size ||
+                      (slow && found.gap <= acceptable * size)))
+          return state;
+        if (slow)
+          strategy.stiffen();
+        before = found.gap;
+
+        std::vector<unsigned int> changing = found.opening;
+        changing.insert(changing.end(),
+                        found.closing.begin(),
+                        found.closing.end());
+        check_iterations(state.iterations, changing);
+        // The estimate must be of forces that push; those of the strategy do.
+        problem.estimate = right ? state.force : contact.force;
+        problem.force    = state.force;
+        problem.start.clear();
+        std::set_difference(state.active.begin(),
+                            state.active.end(),
+                            found.opening.begin(),
+                            found.opening.end(),
+                            std::back_inserter(problem.start));
       }
-    return state;
   }
 } // namespace lamella

@@ -74,7 +74,7 @@ namespace
             std::make_unique<CondensedStrategy>(*structure, contacts[0].rows);
         }
       const Newton newton(*structure, contacts[0].rows, *solver);
-      return newton.solve_contact(newton.solve_free(1.), 1., {});
+      return newton.solve_contact(newton.solve_free(1.), 1.);
     }
 
     std::vector<ContactInterface> contacts;

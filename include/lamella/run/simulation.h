@@ -38,6 +38,9 @@ namespace lamella
     print_validation() const;
 
   private:
+    /// Contact, body and position of the gap row @p row, for messages.
+    std::string
+    describe_row(unsigned int row) const;
     void
     solve_step(const unsigned int step, const double factor);
     void

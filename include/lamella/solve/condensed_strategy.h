@@ -3,20 +3,23 @@
 #ifndef lamella_solve_condensed_strategy_h
 #define lamella_solve_condensed_strategy_h
 
+#include <lamella/base/dense_cholesky.h>
+#include <lamella/solve/compliance.h>
 #include <lamella/solve/contact_strategy.h>
 
-#include <map>
+#include <optional>
 
 namespace lamella
 {
   /**
-   * K is factorised once per body; contact lives on the compliance of the rows
-   * that were ever active,
-   *   C = B K^-1 B^T = Y^T Y,  Y = L^-1 P B^T,
-   * of which only the forward half is computed, a few columns at a time. Each
-   * solve is then one small dense system, (C + diag(1/eps)) dlambda =
-   * r_lambda - B K^-1 r_u, and one backward half, du = K^-1 r_u + P^T L^-T Y
-   * dlambda.
+   * K is factorised once per body; contact lives on the compliance C of the
+   * rows that take part. Each linear solve is then one small dense system,
+   * (C + d) dlambda = r_lambda - B K^-1 r_u, and one backward half.
+   *
+   * The active set is found by row generation: the complementarity problem of
+   * the rows that take part is solved exactly (solve_complementarity()), the
+   * gaps of all others are looked at, the worst of those that penetrate take
+   * part from then on. The rows that take part only become more, so this ends.
    */
   class CondensedStrategy : public ContactStrategy
   {
@@ -32,40 +35,33 @@ namespace lamella
           BlockVector                     &du,
           Vector                          &dlambda) override;
 
+    ContactSolution
+    settle(const ContactProblem &problem, const Monitor &monitor) override;
+
     double
     condition_estimate() const override;
 
   private:
-    /// One body's columns Y of the rows that touch it.
-    struct BodyColumns
-    {
-      std::vector<Vector> y;
-      /// Number of a gap row -> column of y.
-      std::map<unsigned int, unsigned int> column;
-    };
-
-    /// Computes the columns of those of @p active that have none yet, and their
-    /// compliance with all others.
-    void
-    add_columns(const std::vector<unsigned int> &active);
-
-    /// y_i . y_j over all bodies.
+    /// The d of a known row: never less than 1e-10 of the compliance, which
+    /// keeps C + d definite where rows depend on each other.
     double
-    product(const unsigned int row_i, const unsigned int row_j) const;
+    softness(const unsigned int row) const;
+
+    /// Solves @p problem on the rows @p part, beginning with those of them that
+    /// are active in @p solution.
+    void
+    solve_part(const ContactProblem            &problem,
+               const std::vector<unsigned int> &part,
+               ContactSolution                 &solution);
 
     /// K^-1 r of the unconstrained DoFs, expanded.
     BlockVector
     apply_inverse(BlockVector r) const;
 
-    const Structure           &structure;
-    const std::vector<GapRow> &rows;
-    std::vector<BodyColumns>   columns;
-
-    /// The rows that were ever active, their place in the compliance, and its
-    /// lower triangle by rows.
-    std::vector<unsigned int>            known_rows;
-    std::map<unsigned int, unsigned int> place;
-    std::vector<std::vector<double>>     compliance;
+    Compliance compliance;
+    /// C + d of the rows that were active in the last linear solve.
+    std::optional<DenseCholesky> factor;
+    std::vector<unsigned int>    factorised_for;
   };
 } // namespace lamella
 

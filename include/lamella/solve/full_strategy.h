@@ -16,6 +16,12 @@ namespace lamella
    * matrix and factorised by MUMPS whenever the active set changes. What
    * nonlinear bodies will need, and an independent check of the condensed
    * strategy: neither the factorisation nor the compliance is shared.
+   *
+   * The active set is found by Newton's method on the energy
+   *   E(u) = 1/2 u^T K u - f^T u
+   *          + sum 1/2 max(0, (d - a) lambda_bar - g)^2 / d,
+   * convex and piecewise quadratic: each step is followed to the lowest point
+   * on its line, so E falls and no set of rows comes back.
    */
   class FullStrategy : public ContactStrategy
   {
@@ -30,6 +36,9 @@ namespace lamella
           BlockVector                     &du,
           Vector                          &dlambda) override;
 
+    ContactSolution
+    settle(const ContactProblem &problem, const Monitor &monitor) override;
+
     double
     condition_estimate() const override
     {
@@ -37,6 +46,53 @@ namespace lamella
     }
 
   private:
+    /// Where Newton's method stands: displacements since the state of the
+    /// problem, the contact forces that they balance, and the gaps.
+    struct Iterate
+    {
+      BlockVector         du;
+      std::vector<double> force, gap;
+    };
+
+    /// The state that is in balance with all of @p active and no other row in
+    /// contact.
+    Iterate
+    newton_point(const ContactProblem            &problem,
+                 const std::vector<unsigned int> &active);
+
+    /// (d - a) lambda_bar - g of row @p r: its law's force times d where it is
+    /// positive.
+    double
+    overlap(const ContactProblem &problem,
+            const unsigned int    r,
+            const double          gap) const;
+
+    /// The rows whose law says otherwise at @p gap than @p active.
+    Round
+    compare(const ContactProblem            &problem,
+            const std::vector<unsigned int> &active,
+            const std::vector<double>       &gap) const;
+
+    /// What follows from @p active and its gaps: those in tension open, the
+    /// worst of those that penetrate close.
+    std::vector<unsigned int>
+    next_set(const ContactProblem            &problem,
+             const std::vector<unsigned int> &active,
+             const std::vector<double>       &gap) const;
+
+    /// dE/dt at @p t on the line from @p from to @p to.
+    double
+    slope(const ContactProblem &problem,
+          const Iterate        &from,
+          const Iterate        &to,
+          const double          t) const;
+
+    /// The t at which E is lowest on that line.
+    double
+    lowest_point(const ContactProblem &problem,
+                 const Iterate        &from,
+                 const Iterate        &to) const;
+
     /// The DoFs and weights of a gap row in the numbering of the whole scene.
     std::vector<Row::Entry>
     global_row(const GapRow &row) const;
@@ -45,14 +101,12 @@ namespace lamella
     void
     factorise(const std::vector<unsigned int> &active);
 
-    const Structure           &structure;
-    const std::vector<GapRow> &rows;
-
     Constraints                                             constraints;
     dealii::TrilinosWrappers::SparseMatrix                  matrix;
     dealii::SolverControl                                   control;
     std::unique_ptr<dealii::TrilinosWrappers::SolverDirect> solver;
     std::vector<unsigned int>                               factorised_for;
+    std::vector<double>                                     factorised_with;
   };
 } // namespace lamella
 

@@ -30,26 +30,26 @@ namespace lamella
   struct NewtonParameters
   {
     unsigned int max_iterations = 50;
-    /// At most this many rows or as many as are active, whichever is more,
-    /// become active in one iteration: the worst violators first.
-    unsigned int rows_at_once = 8;
     /// Corrections below this, relative, end the refinement.
     double       refinement_tolerance = 1e-13;
     unsigned int max_refinements      = 6;
   };
 
   /**
-   * The Newton loop of one load step. Bodies are linear, so only the active set
-   * is not: each iteration solves the linear problem for the current active
-   * rows exactly, drops those in tension and takes in the worst of those that
-   * penetrate; it ends when nothing changes, also not after the result was
-   * refined against the strain-first residual. A set that comes back makes it
-   * change one row at a time from then on.
+   * The solution of one load step: the linear one first, then contact on top of
+   * it. Bodies are linear, so only the active set is not; the strategy finds
+   * it. What it found is refined against the strain-first residual and the
+   * contact law itself, and looked at again: rows that pull or penetrate after
+   * that send it back to the strategy with better estimates of state and
+   * forces. Rows without penetration (`exact`, `augmented lagrangian`) come out
+   * of the same loop: each refinement and each return takes the forces so far
+   * as the estimate.
    */
   class Newton
   {
   public:
     using Progress = std::function<void(const std::string &)>;
+    using Describe = std::function<std::string(const unsigned int)>;
 
     Newton(const Structure           &structure,
            const std::vector<GapRow> &rows,
@@ -58,45 +58,64 @@ namespace lamella
 
     /// Called with a line of text per iteration.
     Progress progress;
+    /// What a gap row is to the user: contact, body, position.
+    Describe describe;
 
     /// The linear solution at load factor @p factor, no row active.
     State
     solve_free(const double factor) const;
 
     /**
-     * Contact on top of @p free; @p start, if any, are the rows to start from.
-     * Throws NumericsError if the active set does not settle; the message names
-     * how many rows keep changing.
+     * Contact on top of @p free; @p previous, if any, is the state of the load
+     * step before, from whose forces and active rows the search starts. Throws
+     * NumericsError if the active set does not settle; the message names the
+     * rows that keep changing.
      */
     State
-    solve_contact(const State                     &free,
-                  const double                     factor,
-                  const std::vector<unsigned int> &start) const;
+    solve_contact(const State &free,
+                  const double factor,
+                  const State &previous = State()) const;
 
     /// g of each row at load factor @p factor.
     std::vector<double>
     gaps(const BlockVector &u, const double factor) const;
 
   private:
-    /// The active set that follows from @p state with gaps @p g: rows in
-    /// tension open, at most @p at_once of those that penetrate close.
-    std::vector<unsigned int>
-    next_active_set(const State               &state,
-                    const std::vector<double> &g,
-                    const std::size_t          at_once) const;
+    /// What is wrong with a refined state.
+    struct Misses
+    {
+      /// Active rows that pull, and others that penetrate.
+      std::vector<unsigned int> opening, closing;
+      /// The largest gap or penetration of an active row that should have none.
+      double gap = 0.;
+    };
 
-    /// Displacements and forces of @p state for its active rows.
-    void
-    solve_active(const State               &free,
-                 const std::vector<double> &free_gaps,
-                 State                     &state) const;
+    Misses
+    misses(const State               &state,
+           const std::vector<double> &g,
+           const double               closed) const;
+
+    /// The problem that the strategy is to solve first.
+    ContactProblem
+    first_problem(const std::vector<double> &free_gaps,
+                  const State               &previous) const;
 
     /// Corrects @p state against r_u = t f + B^T lambda - integral B^T C (B u)
-    /// and r_lambda = -(g + lambda / eps) until nothing is left to correct.
+    /// and r_lambda = -(g + a lambda) until nothing is left to correct.
     std::vector<double>
     refine(State             &state,
            const double       factor,
            const unsigned int at_least) const;
+
+    /// Counts and reports a round; throws if there were too many.
+    void
+    watch(const Round &round, unsigned int &iterations) const;
+
+    /// Throws NumericsError after too many @p iterations, and names the rows
+    /// that are still @p changing.
+    void
+    check_iterations(const unsigned int               iterations,
+                     const std::vector<unsigned int> &changing) const;
 
     const Structure           &structure;
     const std::vector<GapRow> &rows;

@@ -1,0 +1,357 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <lamella/base/dense_cholesky.h>
+#include <lamella/solve/complementarity.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace lamella
+{
+  namespace
+  {
+    // Of the sum of all terms of an s_i.
+    constexpr double rounding = 1e-14;
+    // Rounds of pivoting before the interior point method, and how many of them
+    // may fail to lower the number of wrong rows.
+    constexpr unsigned int first_rounds = 10, patience = 3;
+    // Of lambda^T s over lambda^T M lambda, where the interior point ends.
+    constexpr double       interior_tolerance      = 1e-14;
+    constexpr unsigned int max_interior_iterations = 60;
+
+
+
+    /// The problem with a unit diagonal and a largest |q_i| of one, and where
+    /// the search for its solution stands.
+    class Search
+    {
+    public:
+      Search(const ComplementarityProblem &problem,
+             const std::vector<bool>      &start);
+
+      /// Pivots until the set is right; false if that takes more than
+      /// @p max_rounds or, without @p single_pivots, does not seem to come to
+      /// an end.
+      bool
+      pivot(const std::size_t max_rounds, const bool single_pivots);
+
+      /// Sets the active set to that of the interior point method.
+      void
+      find_interior();
+
+      ComplementaritySolution
+      solution() const;
+
+    private:
+      /// lambda and s of the active set: M_AA lambda_A = -q_A.
+      void
+      solve_active();
+
+      /// Those whose lambda or s has the wrong sign.
+      std::vector<unsigned int>
+      wrong_rows() const;
+
+      /// s = M x + q.
+      void
+      multiply(const std::vector<double> &x, std::vector<double> &s) const;
+
+      unsigned int            n;
+      std::vector<double>     M, q, tolerance, unit;
+      std::vector<double>     lambda, s;
+      std::vector<bool>       active;
+      ComplementaritySolution counts;
+    };
+
+
+
+    Search::Search(const ComplementarityProblem &problem,
+                   const std::vector<bool>      &start)
+      : n(problem.q.size())
+      , M(problem.matrix)
+      , q(problem.q)
+      , tolerance(n)
+      , unit(n)
+      , lambda(n)
+      , s(n)
+      , active(start)
+    {
+      std::vector<double> scale(n);
+      double              size = 0.;
+      for (unsigned int i = 0; i < n; ++i)
+        {
+          scale[i] = 1. / std::sqrt(M[i * n + i]);
+          size     = std::max(size, std::abs(q[i] * scale[i]));
+        }
+      for (unsigned int i = 0; i < n; ++i)
+        {
+          q[i] *= scale[i] / size;
+          tolerance[i] = problem.tolerance * scale[i] / size;
+          unit[i]      = scale[i] * size;
+          for (unsigned int j = 0; j < n; ++j)
+            M[i * n + j] *= scale[i] * scale[j];
+        }
+    }
+
+
+
+    void
+    Search::multiply(const std::vector<double> &x, std::vector<double> &s) const
+    {
+      s = q;
+      for (unsigned int j = 0; j < n; ++j)
+        if (x[j] != 0.)
+          {
+            const double *const column = M.data() + std::size_t(j) * n;
+            for (unsigned int i = 0; i < n; ++i)
+              s[i] += column[i] * x[j];
+          }
+    }
+
+
+
+    void
+    Search::solve_active()
+    {
+      std::vector<unsigned int> set;
+      for (unsigned int i = 0; i < n; ++i)
+        if (active[i])
+          set.push_back(i);
+      const std::size_t   size = set.size();
+      std::vector<double> block(size * size), x(size);
+      for (std::size_t j = 0; j < size; ++j)
+        {
+          x[j] = -q[set[j]];
+          for (std::size_t i = j; i < size; ++i)
+            block[j * size + i] = M[std::size_t(set[j]) * n + set[i]];
+        }
+      const DenseCholesky factor(std::move(block),
+                                 size,
+                                 "The compliance of the contact rows");
+
+      // Corrected once, so that s carries no more than its own rounding.
+      std::fill(lambda.begin(), lambda.end(), 0.);
+      for (unsigned int pass = 0; pass < 2; ++pass)
+        {
+          factor.solve(x);
+          for (std::size_t i = 0; i < size; ++i)
+            lambda[set[i]] += x[i];
+          multiply(lambda, s);
+          for (std::size_t i = 0; i < size; ++i)
+            x[i] = -s[set[i]];
+        }
+      ++counts.pivot_rounds;
+    }
+
+
+
+    std::vector<unsigned int>
+    Search::wrong_rows() const
+    {
+      double sum = 1.;
+      for (const double l : lambda)
+        sum += std::abs(l);
+      std::vector<unsigned int> wrong;
+      for (unsigned int i = 0; i < n; ++i)
+        if (active[i] ? lambda[i] < 0. : s[i] < -tolerance[i] - rounding * sum)
+          wrong.push_back(i);
+      return wrong;
+    }
+
+
+
+    bool
+    Search::pivot(const std::size_t max_rounds, const bool single_pivots)
+    {
+      std::size_t  fewest = n + 1;
+      unsigned int tries  = patience;
+      for (std::size_t round = 0; round < max_rounds; ++round)
+        {
+          solve_active();
+          std::vector<unsigned int> wrong = wrong_rows();
+          if (wrong.empty())
+            return true;
+          if (wrong.size() < fewest)
+            {
+              fewest = wrong.size();
+              tries  = patience;
+            }
+          else if (tries > 0)
+            --tries;
+          else if (single_pivots)
+            wrong = {wrong.back()};
+          else
+            return false;
+          for (const unsigned int i : wrong)
+            active[i] = !active[i];
+        }
+      return false;
+    }
+
+
+
+    double
+    dot(const std::vector<double> &x, const std::vector<double> &y)
+    {
+      double sum = 0.;
+      for (unsigned int i = 0; i < x.size(); ++i)
+        sum += x[i] * y[i];
+      return sum;
+    }
+
+
+
+    /// The longest step, at most @p step, along @p dx that leaves the positive
+    /// @p x positive.
+    double
+    step_within(const std::vector<double> &x,
+                const std::vector<double> &dx,
+                double                     step)
+    {
+      for (unsigned int i = 0; i < x.size(); ++i)
+        if (dx[i] < 0.)
+          step = std::min(step, -x[i] / dx[i]);
+      return step;
+    }
+
+
+
+    /// Positive lambda and s of the interior point method, or their change.
+    struct Pair
+    {
+      std::vector<double> lambda, s;
+    };
+
+
+
+    /// The Newton direction at @p x towards s = M lambda + q, of which the
+    /// right-hand side is @p exact, and lambda_i s_i = target_i. @p factor is
+    /// that of M + diag(s / lambda).
+    Pair
+    direction(const DenseCholesky       &factor,
+              const Pair                &x,
+              const std::vector<double> &exact,
+              const std::vector<double> &target)
+    {
+      Pair d{exact, x.s};
+      for (unsigned int i = 0; i < x.s.size(); ++i)
+        d.lambda[i] = target[i] / x.lambda[i] - exact[i];
+      factor.solve(d.lambda);
+      for (unsigned int i = 0; i < x.s.size(); ++i)
+        d.s[i] = (target[i] - x.s[i] * d.lambda[i]) / x.lambda[i] - x.s[i];
+      return d;
+    }
+
+
+
+    /// One step of Mehrotra's method: where the Newton direction leads to tells
+    /// how far to aim inside, and its second-order error is taken along. The
+    /// length of the step.
+    double
+    mehrotra_step(std::vector<double>        matrix,
+                  const std::vector<double> &exact,
+                  Pair                      &x)
+    {
+      const unsigned int n = x.s.size();
+      for (unsigned int i = 0; i < n; ++i)
+        matrix[std::size_t(i) * n + i] += x.s[i] / x.lambda[i];
+      const DenseCholesky factor(std::move(matrix),
+                                 n,
+                                 "The compliance of the contact rows");
+      const auto          longest = [&x](const Pair &d, const double at_most) {
+        return step_within(x.s, d.s, step_within(x.lambda, d.lambda, at_most));
+      };
+
+      std::vector<double> target(n, 0.);
+      const Pair          newton = direction(factor, x, exact, target);
+      const double        reach = longest(newton, 1.), mu = dot(x.lambda, x.s);
+      double              left = 0.;
+      for (unsigned int i = 0; i < n; ++i)
+        left += (x.lambda[i] + reach * newton.lambda[i]) *
+                (x.s[i] + reach * newton.s[i]);
+      const double centre = std::pow(left / mu, 3) * mu / n;
+      for (unsigned int i = 0; i < n; ++i)
+        target[i] = centre - newton.lambda[i] * newton.s[i];
+      const Pair   d      = direction(factor, x, exact, target);
+      const double almost = std::max(0.9, 1. - mu / n);
+      const double length =
+        std::min(1., longest(d, std::numeric_limits<double>::max()) * almost);
+      for (unsigned int i = 0; i < n; ++i)
+        {
+          x.lambda[i] += length * d.lambda[i];
+          x.s[i] += length * d.s[i];
+        }
+      return length;
+    }
+
+
+
+    void
+    Search::find_interior()
+    {
+      double largest = 0.;
+      for (unsigned int j = 0; j < n; ++j)
+        {
+          double sum = 0.;
+          for (unsigned int i = 0; i < n; ++i)
+            sum += std::abs(M[std::size_t(j) * n + i]);
+          largest = std::max(largest, sum);
+        }
+      Pair x{std::vector<double>(n, 1. / largest), std::vector<double>(n, 1.)};
+      double length = 1., energy = 0.;
+      do
+        {
+          multiply(x.lambda, s);
+          energy = dot(x.lambda, s) - dot(x.lambda, q);
+          length = mehrotra_step(M, s, x);
+          ++counts.interior_iterations;
+        }
+      while (dot(x.lambda, x.s) > interior_tolerance * energy &&
+             length > 1e-6 &&
+             counts.interior_iterations < max_interior_iterations);
+      for (unsigned int i = 0; i < n; ++i)
+        active[i] = x.lambda[i] > x.s[i];
+    }
+
+
+
+    ComplementaritySolution
+    Search::solution() const
+    {
+      ComplementaritySolution result = counts;
+      result.lambda.resize(n);
+      result.active.resize(n);
+      for (unsigned int i = 0; i < n; ++i)
+        {
+          result.lambda[i] = std::max(0., lambda[i]) * unit[i];
+          result.active[i] = lambda[i] > 0.;
+        }
+      return result;
+    }
+  } // namespace
+
+
+
+  ComplementaritySolution
+  solve_complementarity(const ComplementarityProblem &problem,
+                        const std::vector<bool>      &start)
+  {
+    ComplementaritySolution none;
+    none.lambda.assign(problem.q.size(), 0.);
+    none.active.assign(problem.q.size(), false);
+    if (std::all_of(problem.q.begin(),
+                    problem.q.end(),
+                    [&problem](const double q) {
+                      return q >= -problem.tolerance;
+                    }))
+      return none;
+
+    Search search(problem, start);
+    if (!search.pivot(first_rounds, false))
+      {
+        search.find_interior();
+        search.pivot(10 * problem.q.size() + 100, true);
+      }
+    return search.solution();
+  }
+} // namespace lamella
