@@ -59,6 +59,39 @@ namespace lamella
 
 
 
+  Point<3>
+  Beam::position(const Location::Place &place) const
+  {
+    const unsigned int axis_cell = place.cell / beam_section->n_cells();
+    const Point<2>     x         = beam_section->element()
+                         .evaluate(place.cell % beam_section->n_cells(),
+                                   {place.unit[0], place.unit[2]})
+                         .position;
+    const double begin = beam_axis->cell_begin(axis_cell),
+                 end   = beam_axis->cell_end(axis_cell);
+    return placement.to_scene(
+      {x[0], begin + place.unit[1] * (end - begin), x[1]});
+  }
+
+
+
+  std::array<unsigned int, 3>
+  Beam::recovery_degrees() const
+  {
+    // Kirchhoff's constraint leaves the rotation -w' one degree below w, and
+    // with it the strain of bending.
+    const Theory      &theory  = beam_section->theory();
+    const unsigned int along   = beam_axis->degree(),
+                       section = theory.kind == Theory::Kind::LE ?
+                                   beam_section->element().degree() :
+                                   0;
+    return {{section,
+             theory.kind == Theory::Kind::EBBT ? along - 1 : along,
+             section}};
+  }
+
+
+
   std::vector<std::vector<Row>>
   Beam::rows(const std::vector<Location> &locations,
              const Quantity               quantity,

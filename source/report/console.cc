@@ -89,6 +89,51 @@ namespace lamella
                                                            to_text(v[c], 6));
       return "(" + joined(parts) + ")";
     }
+
+
+
+    /// The units of a product, with a blank before; none where there are none.
+    std::string
+    unit(const std::string &a, const std::string &b = "")
+    {
+      return (a.empty() ? "" : " " + a) + (b.empty() ? "" : " " + b);
+    }
+
+
+
+    void
+    print_contact(std::ostream      &out,
+                  const Summary     &summary,
+                  const unsigned int k)
+    {
+      const ContactInterface &contact = (*summary.contacts)[k];
+      const ContactPair      &pair    = (*summary.pairs)[k];
+      const KuhnTucker       &kkt     = summary.checks.contacts[k];
+      const auto             &change  = summary.status_changes[k].back();
+      const std::string       force   = unit(summary.units.force),
+                        length        = unit(summary.units.length),
+                        work = unit(summary.units.force, summary.units.length);
+
+      out << "  contact " << contact.name << " ("
+          << name_of(pair.discretisation) << ", " << name_of(pair.enforcement)
+          << "): " << kkt.active << " of " << contact.rows.size()
+          << " pairs touch (in this load step " << change.closed << " closed, "
+          << change.opened << " opened)";
+      if (contact.unpaired > 0)
+        out << ", " << contact.unpaired << " points have no partner";
+      out << "\n    force on '" << contact.second_name << "' "
+          << vector_text(kkt.force) << force << "\n    penetration "
+          << to_text(kkt.max_penetration, 3) << length << ", "
+          << to_text(kkt.max_penetration / scene_size(*summary.structure), 2)
+          << " of the scene's size"
+          << (pair.enforcement == Enforcement::penalty ?
+                " (force over penalty, by design)" :
+                "")
+          << "\n    Kuhn-Tucker: gaps hold the contact law to "
+          << to_text(kkt.law_error, 2) << length << ", smallest force "
+          << to_text(kkt.min_force, 4) << force << ", force times open gap "
+          << to_text(kkt.complementarity, 2) << work << "\n";
+    }
   } // namespace
 
 
@@ -126,26 +171,13 @@ namespace lamella
     const Checks     &checks = summary.checks;
     const std::string force =
       summary.units.force.empty() ? "" : " " + summary.units.force;
-    const std::string length =
-      summary.units.length.empty() ? "" : " " + summary.units.length;
 
     out << "\nForces and checks at the last load step:\n";
     for (unsigned int s = 0; s < checks.reactions.size(); ++s)
       out << "  support " << summary.support_names[s] << ": reaction "
           << vector_text(checks.reactions[s]) << force << "\n";
     for (unsigned int k = 0; k < checks.contacts.size(); ++k)
-      {
-        const KuhnTucker       &kkt     = checks.contacts[k];
-        const ContactInterface &contact = (*summary.contacts)[k];
-        out << "  contact " << contact.name << ": " << kkt.active << " of "
-            << contact.rows.size() << " pairs touch, force on '"
-            << contact.second_name << "' " << vector_text(kkt.force) << force
-            << "\n    smallest force " << to_text(kkt.min_force, 4) << force
-            << ", penetration (by design of a penalty) "
-            << to_text(kkt.max_penetration, 3) << length
-            << ", contact law held to " << to_text(kkt.law_error, 2) << length
-            << "\n";
-      }
+      print_contact(out, summary, k);
     out << "  force balance " << to_text(checks.force_balance, 2)
         << ", residual " << to_text(checks.residual, 2) << ", energy balance "
         << to_text(checks.energy_balance, 2) << ", largest rotation "

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <memory>
 
 namespace lamella
 {
@@ -104,13 +105,48 @@ namespace lamella
 
 
 
+  class Recorder::Recoveries
+  {
+  public:
+    Recoveries(const Structure &structure, const BlockVector &u)
+      : structure(structure)
+      , u(u)
+    {}
+
+    StressRecovery &
+    operator()(const unsigned int body, const StressValues values)
+    {
+      std::unique_ptr<StressRecovery> &recovery = all[{body, values}];
+      if (recovery == nullptr)
+        recovery = std::make_unique<StressRecovery>(*structure.bodies()[body],
+                                                    u.block(body),
+                                                    values);
+      return *recovery;
+    }
+
+  private:
+    const Structure   &structure;
+    const BlockVector &u;
+    std::map<std::pair<unsigned int, StressValues>,
+             std::unique_ptr<StressRecovery>>
+      all;
+  };
+
+
+
   void
   Recorder::record(const unsigned int step,
                    const double       factor,
                    const State       &state,
                    const Checks      &checks)
   {
-    record_points(step, state.u);
+    Recoveries recoveries(structure, state.u);
+    record_probes(step, recoveries);
+    jumps.clear();
+    for (unsigned int l = 0; l < lines.size(); ++l)
+      record_line(step, l, recoveries);
+    for (const Cut &cut : cuts)
+      record_cut(step, cut, state.u, recoveries);
     record_contacts(step, factor, state);
     record_history(step, factor, checks);
   }
@@ -132,20 +168,20 @@ namespace lamella
 
 
   void
-  Recorder::record_points(const unsigned int step, const BlockVector &u)
+  Recorder::record_probes(const unsigned int step, Recoveries &recoveries)
   {
     last_probe_samples.clear();
-    const std::string number = std::to_string(step);
     for (unsigned int p = 0; p < probes.size(); ++p)
       {
-        const Body &body = *structure.bodies()[probes[p].body];
+        const Body     &body     = *structure.bodies()[probes[p].body];
+        StressRecovery &recovery = recoveries(probes[p].body, probes[p].stress);
         for (const Location &location : probe_locations[p])
           {
-            const FieldSample sample =
-              body.sample(location, u.block(probes[p].body));
+            const FieldSample sample = recovery.sample(location);
             if (last_probe_samples.size() == p)
               last_probe_samples.push_back(sample);
-            files["probes.csv"] += number + "," + probes[p].name + "," +
+            files["probes.csv"] += std::to_string(step) + "," + probes[p].name +
+                                   "," +
                                    fields_line(body.name(),
                                                location.ply,
                                                location.position,
@@ -153,26 +189,38 @@ namespace lamella
                                    "\n";
           }
       }
-    jumps.clear();
-    for (unsigned int l = 0; l < lines.size(); ++l)
-      record_line(step, l, u);
-    for (const Cut &cut : cuts)
-      {
-        const Body        &body = *structure.bodies()[cut.body];
-        std::string       &file = files["cuts/" + cut.name + ".csv"];
-        const unsigned int n    = cut.samples + 1;
-        const auto         cells =
-          body.cut(cut.position, cut.samples, u.block(cut.body));
-        for (unsigned int c = 0; c < cells.size(); ++c)
-          for (unsigned int k = 0; k < cells[c].samples.size(); ++k)
-            file += number + "," + cut.name + "," + std::to_string(c) + "," +
-                    std::to_string(k % n) + "," + std::to_string(k / n) + "," +
-                    fields_line(body.name(),
-                                cells[c].ply,
-                                cells[c].positions[k],
-                                cells[c].samples[k]) +
-                    "\n";
-      }
+  }
+
+
+
+  void
+  Recorder::record_cut(const unsigned int step,
+                       const Cut         &cut,
+                       const BlockVector &u,
+                       Recoveries        &recoveries)
+  {
+    const Body        &body     = *structure.bodies()[cut.body];
+    StressRecovery    &recovery = recoveries(cut.body, cut.stress);
+    std::string       &file     = files["cuts/" + cut.name + ".csv"];
+    const unsigned int n        = cut.samples + 1;
+    auto cells = body.cut(cut.position, cut.samples, u.block(cut.body));
+    for (unsigned int c = 0; c < cells.size(); ++c)
+      for (unsigned int k = 0; k < cells[c].samples.size(); ++k)
+        {
+          FieldSample    &sample = cells[c].samples[k];
+          const Point<3> &x      = cells[c].positions[k];
+          if (cut.stress != StressValues::element)
+            {
+              const auto here = body.locate({x});
+              for (const Location &location : here.front())
+                if (location.ply == cells[c].ply)
+                  sample = recovery.sample(location);
+            }
+          file += std::to_string(step) + "," + cut.name + "," +
+                  std::to_string(c) + "," + std::to_string(k % n) + "," +
+                  std::to_string(k / n) + "," +
+                  fields_line(body.name(), cells[c].ply, x, sample) + "\n";
+        }
   }
 
 
@@ -180,11 +228,12 @@ namespace lamella
   void
   Recorder::record_line(const unsigned int step,
                         const unsigned int l,
-                        const BlockVector &u)
+                        Recoveries        &recoveries)
   {
-    const Line        &line = lines[l];
-    const Body        &body = *structure.bodies()[line.body];
-    std::string       &file = files["lines/" + line.name + ".csv"];
+    const Line        &line     = lines[l];
+    const Body        &body     = *structure.bodies()[line.body];
+    StressRecovery    &recovery = recoveries(line.body, line.stress);
+    std::string       &file     = files["lines/" + line.name + ".csv"];
     const Tensor<1, 3> d = (line.to - line.from) / line.from.distance(line.to);
 
     InterfaceJump jump{line.name, 0, 0.};
@@ -193,7 +242,7 @@ namespace lamella
     unsigned int  last_ply = 0;
     for (const auto &[s, location] : line_samples[l])
       {
-        const FieldSample sample = body.sample(location, u.block(line.body));
+        const FieldSample sample = recovery.sample(location);
         file +=
           csv(s) + "," + std::to_string(step) + "," + line.name + "," +
           fields_line(body.name(), location.ply, location.position, sample) +
@@ -225,10 +274,14 @@ namespace lamella
                             const double       factor,
                             const State       &state)
   {
+    touching.resize(state.force.size(), false);
+    changes.resize(contacts.size());
     unsigned int row = 0;
-    for (const ContactInterface &contact : contacts)
+    for (unsigned int i = 0; i < contacts.size(); ++i)
       {
-        std::string &file = files["contact_" + contact.name + ".csv"];
+        const ContactInterface &contact = contacts[i];
+        std::string   &file   = files["contact_" + contact.name + ".csv"];
+        StatusChanges &change = changes[i].emplace_back();
         for (unsigned int k = 0; k < contact.rows.size(); ++k, ++row)
           {
             const ContactInterface::Point &point = contact.points[k];
@@ -245,7 +298,11 @@ namespace lamella
                                        force,
                                        force / point.area})
               file += "," + csv(value);
-            file += force > 0. ? ",1\n" : ",0\n";
+            const bool touches = force > 0.;
+            file += touches ? ",1\n" : ",0\n";
+            change.closed += touches && !touching[row];
+            change.opened += !touches && touching[row];
+            touching[row] = touches;
           }
       }
   }

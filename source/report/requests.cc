@@ -77,6 +77,33 @@ namespace lamella
 
 
 
+  namespace
+  {
+    void
+    declare_stress(ParameterHandler &prm)
+    {
+      prm.declare_entry(
+        "Stress",
+        "element",
+        Anything(),
+        "Strains and stresses where elements of one ply meet. element: their "
+        "mean, elsewhere the element's own. nodal: means at nodes, "
+        "interpolated. recovered: superconvergent patch recovery, an order "
+        "more accurate on smooth fields. All within a ply, never across an "
+        "interface.");
+    }
+
+
+
+    StressValues
+    parse_stress(const ParameterHandler &prm, const std::string &what)
+    {
+      return parse_stress_values(prm.get("Stress"), what + "/Stress");
+    }
+  } // namespace
+
+
+
   void
   declare_probe(ParameterHandler &prm)
   {
@@ -84,6 +111,7 @@ namespace lamella
                       "",
                       Anything(),
                       "BODY: x, y, z, a scene position in the body [length].");
+    declare_stress(prm);
     prm.declare_entry("References",
                       "",
                       Anything(),
@@ -104,6 +132,7 @@ namespace lamella
     return {name,
             body,
             position,
+            parse_stress(prm, what),
             parse_references(prm.get("References"), field_names(), what)};
   }
 
@@ -114,6 +143,7 @@ namespace lamella
   {
     prm.declare_entry("From", "", Anything(), "BODY: x, y, z [length].");
     prm.declare_entry("To", "", Anything(), "The same body: x, y, z [length].");
+    declare_stress(prm);
     prm.declare_entry("Samples",
                       "10",
                       Anything(),
@@ -135,7 +165,12 @@ namespace lamella
       throw InputError(what + ": From and To must be on the same body.");
     if (from.distance(to) == 0.)
       throw InputError(what + ": From and To are the same point.");
-    return {name, first, from, to, parse_samples(prm, 2, 100000, what)};
+    return {name,
+            first,
+            from,
+            to,
+            parse_stress(prm, what),
+            parse_samples(prm, 2, 100000, what)};
   }
 
 
@@ -147,6 +182,7 @@ namespace lamella
                       "",
                       Anything(),
                       "BODY: distance from the start of its axis [length].");
+    declare_stress(prm);
     prm.declare_entry("Samples",
                       "8",
                       Anything(),
@@ -166,6 +202,7 @@ namespace lamella
     return {name,
             body,
             to_number(text, what + "/At"),
+            parse_stress(prm, what),
             parse_samples(prm, 1, 100, what)};
   }
 } // namespace lamella

@@ -23,6 +23,56 @@ namespace lamella
 
 
 
+  std::string
+  name_of(const Discretisation discretisation)
+  {
+    switch (discretisation)
+      {
+        case Discretisation::node_to_node:
+          return "node to node";
+        case Discretisation::node_to_surface:
+          return "node to surface";
+        case Discretisation::surface_to_surface:
+          return "surface to surface";
+        case Discretisation::undefined:
+          break;
+      }
+    return "undefined";
+  }
+
+
+
+  std::string
+  name_of(const Enforcement enforcement)
+  {
+    switch (enforcement)
+      {
+        case Enforcement::penalty:
+          return "penalty";
+        case Enforcement::augmented_lagrangian:
+          return "augmented lagrangian";
+        case Enforcement::exact:
+          return "exact";
+        case Enforcement::undefined:
+          break;
+      }
+    return "undefined";
+  }
+
+
+
+  double
+  scene_size(const Structure &structure)
+  {
+    dealii::BoundingBox<3> box = structure.bodies().front()->bounding_box();
+    for (const auto &body : structure.bodies())
+      box.merge_with(body->bounding_box());
+    const auto corners = box.get_boundary_points();
+    return corners.first.distance(corners.second);
+  }
+
+
+
   namespace
   {
     Json
@@ -34,19 +84,33 @@ namespace lamella
 
 
     Json
-    contact_json(const ContactInterface &contact, const KuhnTucker &kkt)
+    contact_json(const Summary &summary, const unsigned int k)
     {
+      const ContactInterface &contact = (*summary.contacts)[k];
+      const KuhnTucker       &kkt     = summary.checks.contacts[k];
       double smallest = contact.rows.front().initial_gap, largest = smallest;
       for (const GapRow &row : contact.rows)
         {
           smallest = std::min(smallest, row.initial_gap);
           largest  = std::max(largest, row.initial_gap);
         }
-      return {{"rows", contact.rows.size()},
+      std::vector<unsigned int> closed, opened;
+      for (const auto &change : summary.status_changes[k])
+        {
+          closed.push_back(change.closed);
+          opened.push_back(change.opened);
+        }
+      return {{"discretisation", name_of((*summary.pairs)[k].discretisation)},
+              {"enforcement", name_of((*summary.pairs)[k].enforcement)},
+              {"rows", contact.rows.size()},
               {"unpaired", contact.unpaired},
               {"active", kkt.active},
+              {"closed", closed},
+              {"opened", opened},
               {"force", to_json(kkt.force)},
               {"max_penetration", kkt.max_penetration},
+              {"max_penetration_relative",
+               kkt.max_penetration / scene_size(*summary.structure)},
               {"min_force", kkt.min_force},
               {"complementarity", kkt.complementarity},
               {"law_error", kkt.law_error},
@@ -81,8 +145,7 @@ namespace lamella
     const bool solved =
       summary.checks.contacts.size() == summary.contacts->size();
     for (unsigned int k = 0; solved && k < summary.contacts->size(); ++k)
-      json["contacts"][(*summary.contacts)[k].name] =
-        contact_json((*summary.contacts)[k], summary.checks.contacts[k]);
+      json["contacts"][(*summary.contacts)[k].name] = contact_json(summary, k);
     for (unsigned int s = 0; s < summary.checks.reactions.size(); ++s)
       json["supports"][summary.support_names[s]]["reaction"] =
         to_json(summary.checks.reactions[s]);

@@ -141,11 +141,16 @@ namespace lamella
 
   void
   write_pvd(const std::string                                 &directory,
+            const std::string                                 &name,
             const std::vector<std::pair<double, std::string>> &files)
   {
     if (files.empty())
       return;
-    std::ofstream file(directory + "/solution.pvd");
+    std::ofstream file(directory + "/" + name + ".pvd");
     DataOutBase::write_pvd_record(file, files);
+    file.close();
+    if (!file)
+      throw InputError("Cannot write " + directory + "/" + name +
+                       ".pvd. Is the disk full?");
   }
 } // namespace lamella

@@ -55,7 +55,11 @@ namespace lamella
     summary.units     = scene.units;
     summary.structure = structure.get();
     summary.contacts  = &contacts;
-    recorder          = std::make_unique<Recorder>(*structure,
+    summary.pairs     = &scene.contacts;
+    if (scene.write_vtu)
+      for (const ContactInterface &contact : contacts)
+        contact_surfaces.emplace_back(contact, *structure);
+    recorder = std::make_unique<Recorder>(*structure,
                                           contacts,
                                           summary.support_names,
                                           scene.probes,
@@ -177,9 +181,9 @@ namespace lamella
     }
     TimerOutput::Scope scope(timer, "output");
     recorder->record(step, factor, state, checks);
+    summary.status_changes = recorder->status_changes();
     if (scene.write_vtu)
-      vtu_files.emplace_back(
-        step, write_vtu(output_directory, step, factor, *structure, state.u));
+      write_vtu_files(step, factor);
     for (const Recorder::InterfaceJump &jump : recorder->interface_jumps())
       summary.interface_jumps[jump.line] = jump.relative;
     summary.checks = checks;
@@ -192,6 +196,24 @@ namespace lamella
                                     "") +
                                  warning);
     summary.condition_estimate = strategy->condition_estimate();
+  }
+
+
+
+  void
+  Simulation::write_vtu_files(const unsigned int step, const double factor)
+  {
+    vtu_files["solution"].emplace_back(
+      step, write_vtu(output_directory, step, factor, *structure, state.u));
+    unsigned int first_row = 0;
+    for (unsigned int k = 0; k < contacts.size(); ++k)
+      {
+        vtu_files["contact_" + contacts[k].name].emplace_back(
+          step,
+          contact_surfaces[k].write_vtu(
+            output_directory, step, factor, state, first_row));
+        first_row += contacts[k].rows.size();
+      }
   }
 
 
@@ -210,7 +232,8 @@ namespace lamella
     {
       TimerOutput::Scope scope(timer, "output");
       recorder->write(directory);
-      write_pvd(directory, vtu_files);
+      for (const auto &[name, files] : vtu_files)
+        write_pvd(directory, name, files);
       for (const auto &[name, section] : sections)
         write_section(directory, name, *section);
       if (!(std::ofstream(directory + "/scene.prm") << scene.resolved))

@@ -7,11 +7,15 @@ Usage: check_vtu.py LAMELLA SCENE.prm WORKDIR
 Decodes the compressed arrays and checks that they are whole: offsets and types
 for each cell (72, Lagrange hexahedra), points and fields for each point; that the
 undeformed positions fill the bodies' boxes; and that the displacement at each
-probe is that of probes.csv, to single precision.
+probe is that of probes.csv, to single precision. Then the contacts' surfaces:
+their quadrilaterals cover the facing surfaces once, their fields are those of
+contact_NAME.csv in doubles, and pressure times area adds up to the force of
+summary.json.
 """
 
 import base64
 import csv
+import json
 import struct
 import subprocess
 import sys
@@ -41,6 +45,66 @@ def check(condition, what):
     if not condition:
         sys.exit(f"FAIL: {what}")
     print(f"ok: {what}")
+
+
+def read_surface(path):
+    """Arrays of a contact's VTU, in text."""
+    piece = ElementTree.parse(path).getroot().find(".//Piece")
+    arrays = {}
+    for array in piece.iter("DataArray"):
+        numbers = [float(word) for word in array.text.split()]
+        n = int(array.get("NumberOfComponents"))
+        arrays[array.get("Name")] = (
+            numbers if n == 1 else
+            [tuple(numbers[k:k + n]) for k in range(0, len(numbers), n)])
+    check(len(arrays["points"]) == int(piece.get("NumberOfPoints")), "all points")
+    check(len(arrays["types"]) == len(arrays["offsets"]) ==
+          int(piece.get("NumberOfCells")), "all cells")
+    check(len(arrays["connectivity"]) == arrays["offsets"][-1], "all corners")
+    return arrays
+
+
+def area_of(a, b, c, d):
+    """Half the cross product of the diagonals."""
+    p, q = ([y - x for x, y in zip(*ends)] for ends in ((a, c), (b, d)))
+    return 0.5 * sum((p[i - 2] * q[i - 1] - p[i - 1] * q[i - 2]) ** 2
+                     for i in range(3)) ** 0.5
+
+
+def check_contact(output, name, contact):
+    collection = ElementTree.parse(output / f"contact_{name}.pvd")
+    files = [entry.get("file") for entry in collection.iter("DataSet")]
+    check(files == [f"contact_{name}_0001.vtu"], f"contact_{name}.pvd")
+    arrays = read_surface(output / files[0])
+    with open(output / f"contact_{name}.csv", newline="") as file:
+        rows = list(csv.DictReader(file))
+    check(len(rows) == len(arrays["points"]), "a point a pair")
+    undeformed = [tuple(x - u for x, u in zip(*both)) for both in
+                  zip(arrays["points"], arrays["displacement"])]
+    check(all(abs(x - float(row[c])) < 1e-13 for at, row in zip(undeformed, rows)
+              for c, x in zip("xyz", at)), "on the first body, displaced")
+    for field, column in (("pressure", "pressure"), ("force", "force"),
+                          ("gap", "gap"), ("initial_gap", "initial_gap"),
+                          ("area", "area"), ("status", "active")):
+        check(all(value == float(row[column])
+                  for value, row in zip(arrays[field], rows)), field)
+    check(all(abs(sum(a * b for a, b in zip(*pair)) - gap) < 1e-13
+              for *pair, gap in zip(arrays["separation"], arrays["normal"],
+                                    arrays["gap"])),
+          "the gap is the separation along the normal")
+    corners = [int(k) for k in arrays["connectivity"]]
+    covered = sum(area_of(*(undeformed[k] for k in corners[4 * i:4 * i + 4]))
+                  for i in range(len(arrays["types"])))
+    check(set(arrays["types"]) == {9} and
+          abs(covered / sum(arrays["area"]) - 1.) < 1e-12,
+          "quadrilaterals cover the surface once")
+    force = [sum(p * a * n[c] for p, a, n in
+                 zip(arrays["pressure"], arrays["area"], arrays["normal"]))
+             for c in range(3)]
+    check(max(abs(a - b) for a, b in zip(force, contact["force"]))
+          < 1e-12 * max(map(abs, force)), "pressure times area is the force")
+    check(len([s for s in arrays["status"] if s]) == contact["active"] ==
+          contact["closed"][0], "active points")
 
 
 def main():
@@ -88,6 +152,9 @@ def main():
         check(max(abs(a - b) for a, b in zip(undeformed[nearest], at)) < 1e-5 and
               max(abs(a - b) for a, b in zip(found, expected)) < 1e-6 * size,
               f"displacement at probe {probe['probe']}")
+    summary = json.loads((output / "summary.json").read_text())
+    for name, contact in summary["contacts"].items():
+        check_contact(output, name, contact)
 
 
 if __name__ == "__main__":

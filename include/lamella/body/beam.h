@@ -78,6 +78,10 @@ namespace lamella
          const Frame                  frame = Frame::scene) const override;
     FieldSample
     sample(const Location &location, const Vector &u) const override;
+    dealii::Point<3>
+    position(const Location::Place &place) const override;
+    std::array<unsigned int, 3>
+    recovery_degrees() const override;
 
     std::vector<std::string>
     surfaces() const override;

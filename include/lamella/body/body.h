@@ -179,6 +179,21 @@ namespace lamella
     virtual FieldSample
     sample(const Location &location, const Vector &u) const = 0;
 
+    /// Where @p place is. With locate() it gives an element's neighbours: those
+    /// that have a place at one of its corners.
+    virtual dealii::Point<3>
+    position(const Location::Place &place) const = 0;
+
+    /**
+     * How the recovery of strains sees an element (report/recovery.h): for each
+     * unit coordinate the degree of the displacements whose derivatives are
+     * best at that many Gauss points. Zero along a coordinate in which one
+     * expansion spans all elements, so that strains are smooth there and leave
+     * nothing to recover: across the section of Taylor theories.
+     */
+    virtual std::array<unsigned int, 3>
+    recovery_degrees() const = 0;
+
     /// Names that the functions below take.
     virtual std::vector<std::string>
     surfaces() const = 0;

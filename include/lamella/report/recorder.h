@@ -63,6 +63,19 @@ namespace lamella
       return jumps;
     }
 
+    /// How many pairs of a contact began and ceased to touch in a load step.
+    struct StatusChanges
+    {
+      unsigned int closed = 0, opened = 0;
+    };
+
+    /// Of each contact in each load step, the first against no contact.
+    const std::vector<std::vector<StatusChanges>> &
+    status_changes() const
+    {
+      return changes;
+    }
+
   private:
     struct LineSample
     {
@@ -72,12 +85,20 @@ namespace lamella
 
     void
     locate_line(const Line &line);
+    /// The recoveries of one load step, by body and kind.
+    class Recoveries;
+
     void
-    record_points(const unsigned int step, const BlockVector &u);
+    record_probes(const unsigned int step, Recoveries &recoveries);
     void
     record_line(const unsigned int step,
                 const unsigned int l,
-                const BlockVector &u);
+                Recoveries        &recoveries);
+    void
+    record_cut(const unsigned int step,
+               const Cut         &cut,
+               const BlockVector &u,
+               Recoveries        &recoveries);
     void
     record_contacts(const unsigned int step,
                     const double       factor,
@@ -100,6 +121,10 @@ namespace lamella
     std::vector<std::vector<LineSample>> line_samples;
     std::vector<FieldSample>             last_probe_samples;
     std::vector<InterfaceJump>           jumps;
+
+    /// Of each gap row, whether it touched at the last step.
+    std::vector<bool>                       touching;
+    std::vector<std::vector<StatusChanges>> changes;
 
     /// Name of a file in the output folder -> its text so far.
     std::map<std::string, std::string> files;

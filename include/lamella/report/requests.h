@@ -3,6 +3,8 @@
 #ifndef lamella_report_requests_h
 #define lamella_report_requests_h
 
+#include <lamella/report/recovery.h>
+
 #include <deal.II/base/parameter_handler.h>
 #include <deal.II/base/point.h>
 
@@ -33,6 +35,7 @@ namespace lamella
     std::string            name;
     unsigned int           body = 0;
     dealii::Point<3>       position;
+    StressValues           stress = StressValues::undefined;
     std::vector<Reference> references;
   };
 
@@ -42,6 +45,7 @@ namespace lamella
     std::string      name;
     unsigned int     body = 0;
     dealii::Point<3> from, to;
+    StressValues     stress = StressValues::undefined;
     /// Points in each ply that the line crosses, both of its sides among them.
     unsigned int samples = 0;
   };
@@ -52,7 +56,8 @@ namespace lamella
     std::string  name;
     unsigned int body = 0;
     /// Distance from the start of the axis.
-    double position = 0.;
+    double       position = 0.;
+    StressValues stress   = StressValues::undefined;
     /// Intervals in each direction of a cell.
     unsigned int samples = 0;
   };

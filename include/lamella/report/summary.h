@@ -4,6 +4,7 @@
 #define lamella_report_summary_h
 
 #include <lamella/base/units.h>
+#include <lamella/report/recorder.h>
 #include <lamella/solve/checks.h>
 
 #include <map>
@@ -19,12 +20,16 @@ namespace lamella
     Units                                units;
     const Structure                     *structure = nullptr;
     const std::vector<ContactInterface> *contacts  = nullptr;
-    std::vector<std::string>             support_names;
+    /// As the scene says them, in the order of contacts.
+    const std::vector<ContactPair> *pairs = nullptr;
+    std::vector<std::string>        support_names;
 
     /// Of each load step.
     std::vector<unsigned int> iterations;
-    Checks                    checks;
-    double                    condition_estimate = 0.;
+    /// Of each contact, of each load step.
+    std::vector<std::vector<Recorder::StatusChanges>> status_changes;
+    Checks                                            checks;
+    double                                            condition_estimate = 0.;
     /// Of the last step; empty if nothing was solved.
     std::vector<double> free_corrections, contact_corrections;
     /// Line -> largest relative jump of the traction at ply interfaces.
@@ -34,6 +39,16 @@ namespace lamella
     /// Phase -> wall seconds.
     std::map<std::string, double> seconds;
   };
+
+  /// As in a scene file: `node to node`, `penalty`, ...
+  std::string
+  name_of(const Discretisation discretisation);
+  std::string
+  name_of(const Enforcement enforcement);
+
+  /// The diagonal of the box around all bodies: what lengths are compared with.
+  double
+  scene_size(const Structure &structure);
 
   /// Writes @p directory/summary.json, keys as fixed in doc/output.md.
   void

@@ -27,9 +27,11 @@ namespace lamella
             const Structure   &structure,
             const BlockVector &u);
 
-  /// Writes solution.pvd, the collection of (load step, file) for ParaView.
+  /// Writes @p name.pvd, the collection of (load step, file) for ParaView, if
+  /// there are @p files.
   void
   write_pvd(const std::string                                 &directory,
+            const std::string                                 &name,
             const std::vector<std::pair<double, std::string>> &files);
 } // namespace lamella
 

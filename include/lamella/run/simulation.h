@@ -3,6 +3,7 @@
 #ifndef lamella_run_simulation_h
 #define lamella_run_simulation_h
 
+#include <lamella/report/contact_surface.h>
 #include <lamella/report/recorder.h>
 #include <lamella/report/summary.h>
 #include <lamella/scene/scene.h>
@@ -44,6 +45,8 @@ namespace lamella
     void
     solve_step(const unsigned int step, const double factor);
     void
+    write_vtu_files(const unsigned int step, const double factor);
+    void
     write_results(const std::string &directory);
 
     // What is to be solved.
@@ -64,10 +67,13 @@ namespace lamella
     Summary                   summary;
     std::unique_ptr<Recorder> recorder;
     /// All sections of the scene, whether a body has them or not.
-    SectionMeshes                               sections;
-    std::string                                 output_directory;
-    bool                                        created_directory = false;
-    std::vector<std::pair<double, std::string>> vtu_files;
+    SectionMeshes               sections;
+    std::string                 output_directory;
+    bool                        created_directory = false;
+    std::vector<ContactSurface> contact_surfaces;
+    /// Name of a collection -> its load steps with their files.
+    std::map<std::string, std::vector<std::pair<double, std::string>>>
+      vtu_files;
   };
 } // namespace lamella
 

@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+// The mesh of a contact's points, and what its file says of them.
+
+#include "fixtures.h"
+
+#include <lamella/report/contact_surface.h>
+
+#include <boost/test/unit_test.hpp>
+
+#include <filesystem>
+#include <fstream>
+
+using namespace lamella;
+using dealii::Point;
+using dealii::Tensor;
+
+namespace
+{
+  /// A block of 2 x 1 LE-2 cells and two B4, at rest: 5 x 7 nodes on its top.
+  std::unique_ptr<Structure>
+  block()
+  {
+    Bodies bodies;
+    bodies.push_back(std::make_unique<Beam>(
+      "block",
+      make_section(rectangle(2., 1., {0.}, 2),
+                   EngineeringConstants::isotropic(1., 0.3),
+                   2),
+      make_axis(3., 2),
+      Placement()));
+    return std::make_unique<Structure>(std::move(bodies),
+                                       std::vector<Support>{clamp("start")},
+                                       std::vector<Load>());
+  }
+
+
+
+  /// Points on @p surface against a rigid plane 0.25 away that comes nearer by
+  /// 0.5; those that @p keep refuses have no partner.
+  ContactInterface
+  against_a_plane(const Structure   &structure,
+                  const std::string &surface,
+                  const std::function<bool(const SurfacePoint &point)> &keep)
+  {
+    ContactInterface contact;
+    contact.name        = "floor";
+    contact.second_name = "plane";
+    for (const SurfacePoint &point :
+         structure.bodies()[0]->surface_points(surface))
+      if (keep(point))
+        {
+          GapRow row;
+          row.initial_gap = 0.25;
+          row.gap_rate    = -0.5;
+          contact.rows.push_back(row);
+          contact.points.push_back({point.position,
+                                    point.position + 0.25 * point.normal,
+                                    point.normal,
+                                    point.area});
+        }
+    return contact;
+  }
+
+
+
+  /// The numbers of the array @p name in the file @p path.
+  std::vector<double>
+  array_of(const std::filesystem::path &path, const std::string &name)
+  {
+    std::ifstream     file(path);
+    const std::string text((std::istreambuf_iterator<char>(file)),
+                           std::istreambuf_iterator<char>());
+    const std::size_t place = text.find("Name=\"" + name + "\"");
+    BOOST_REQUIRE(place != std::string::npos);
+    const std::size_t  begin = text.find('>', place) + 1;
+    std::istringstream numbers(
+      text.substr(begin, text.find('<', begin) - begin));
+    std::vector<double> values;
+    for (double value; numbers >> value;)
+      values.push_back(value);
+    return values;
+  }
+} // namespace
+
+BOOST_AUTO_TEST_SUITE(contact_surface)
+
+BOOST_AUTO_TEST_CASE(a_grid_of_nodes)
+{
+  const auto structure = block();
+  const auto contact =
+    against_a_plane(*structure, "top", [](const auto &) { return true; });
+  const ContactSurface surface(contact, *structure);
+  BOOST_TEST(contact.points.size() == 35u);
+  BOOST_TEST(surface.quadrilaterals().size() == 24u);
+  BOOST_TEST(surface.lone_points().empty());
+}
+
+
+
+BOOST_AUTO_TEST_CASE(points_without_neighbours_stand_alone)
+{
+  // Without the column of nodes x = 1 the first and the last strip are left
+  // (x from 0 to 0.5, from 1.5 to 2); of the row y = 0 only the corner x = 0.
+  const auto structure = block();
+  const auto contact =
+    against_a_plane(*structure, "top", [](const SurfacePoint &p) {
+      return std::abs(p.position[0] - 1.) > 0.1 &&
+             (p.position[1] > 0.1 || p.position[0] < 0.1);
+    });
+  const ContactSurface surface(contact, *structure);
+  BOOST_TEST(surface.quadrilaterals().size() == 2u * 5u);
+  BOOST_REQUIRE(surface.lone_points().size() == 1u);
+  BOOST_TEST(contact.points[surface.lone_points()[0]].first.norm() ==
+             1.); // (0, 0, 1)
+}
+
+
+
+BOOST_AUTO_TEST_CASE(only_faces_of_the_surface)
+{
+  // Cells of one layer have nodes of top and bottom on all their faces; those
+  // inside of the body and its sides are not in contact.
+  const auto structure = block();
+  auto       contact =
+    against_a_plane(*structure, "top", [](const auto &) { return true; });
+  const auto below =
+    against_a_plane(*structure, "bottom", [](const auto &) { return true; });
+  contact.rows.insert(contact.rows.end(), below.rows.begin(), below.rows.end());
+  contact.points.insert(contact.points.end(),
+                        below.points.begin(),
+                        below.points.end());
+  const ContactSurface surface(contact, *structure);
+  BOOST_TEST(surface.quadrilaterals().size() == 48u);
+}
+
+
+
+BOOST_AUTO_TEST_CASE(an_obstacle_that_moves)
+{
+  // The plane has come 0.4 nearer at load factor 0.8: g = 0.25 - 0.4.
+  const auto structure = block();
+  const auto contact =
+    against_a_plane(*structure, "top", [](const auto &) { return true; });
+  State state;
+  state.u = structure->zero();
+  // A motion by 0.01 along x, and one force, of the second contact's row 3.
+  const auto rigid = structure->bodies()[0]->rigid_motions();
+  state.u.block(0).add(0.01, rigid[0]);
+  state.force.assign(40 + contact.rows.size(), 0.);
+  state.force[40 + 3] = 6.;
+  const auto folder   = std::filesystem::temp_directory_path();
+  const auto name     = ContactSurface(contact, *structure)
+                      .write_vtu(folder.string(), 7, 0.8, state, 40);
+  BOOST_TEST(name == "contact_floor_0007.vtu");
+  const auto path = folder / name;
+  const auto gap = array_of(path, "gap"), force = array_of(path, "force"),
+             p = array_of(path, "pressure"), x = array_of(path, "points"),
+             apart   = array_of(path, "separation"),
+             touches = array_of(path, "status");
+  std::filesystem::remove(path);
+  BOOST_REQUIRE(gap.size() == contact.rows.size());
+  for (unsigned int k = 0; k < gap.size(); ++k)
+    {
+      const auto tolerance = boost::test_tools::tolerance(1e-12);
+      BOOST_TEST(gap[k] == -0.15, tolerance);
+      BOOST_TEST(x[3 * k] == contact.points[k].first[0] + 0.01, tolerance);
+      BOOST_TEST(apart[3 * k + 2] == -0.15, tolerance);
+      BOOST_TEST(force[k] == (k == 3 ? 6. : 0.));
+      BOOST_TEST(p[k] == force[k] / contact.points[k].area, tolerance);
+      BOOST_TEST(touches[k] == (k == 3 ? 1. : 0.));
+    }
+}
+
+BOOST_AUTO_TEST_SUITE_END()
