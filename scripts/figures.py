@@ -6,9 +6,12 @@ Usage: figures.py DIR (through scripts/plot, which finds a fitting python3)
 
 No scene is known by name: the data decide which figures there are. A line that
 runs mostly along y (the beams' axis), z (their thickness) or x (their width)
-gives a figure of that kind, a section cut a contour, several load steps a
-force-displacement curve, a contact with more than a few active pairs its
-pressure, and each section its mesh.
+gives a figure of that kind, lines of two bodies that meet one through both, a
+section cut a contour, several load steps a force-displacement curve, and each
+section its mesh. A contact with more than a few active pairs gives its pressure,
+over a patch also as a map, and over the width of a long patch beside the Hertz
+ellipse where the materials in scene.prm are isotropic; cuts through the patch give
+contours around it.
 """
 
 import csv
@@ -29,6 +32,7 @@ from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
 from matplotlib.path import Path as MplPath
 from matplotlib.ticker import MaxNLocator
+from matplotlib.tri import Triangulation
 
 # Okabe and Ito's colours, told apart by colour-blind readers, too.
 COLOURS = ("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9")
@@ -38,6 +42,7 @@ NEGLIGIBLE = 1e-6  # of the largest component: rounding, not worth a panel
 MOST_LINES = 6  # in one panel
 NAMES = {"ux": "$u_x$", "uy": "$u_y$", "uz": "$u_z$"}
 NAMES.update({f"s{a}{b}": rf"$\sigma_{{{a}{b}}}$" for a in "xyz" for b in "xyz"})
+NAMES.update({f"e{a}{a}": rf"$\epsilon_{{{a}{a}}}$" for a in "xyz"})
 
 plt.rcParams.update({
     "font.size": 11, "axes.titlesize": 11, "axes.labelsize": 11,
@@ -132,6 +137,8 @@ class Results:
         self.sections = self.tables(folder.glob("sections/*.csv"))
         history = folder / "history.csv"
         self.history = Table.read(history) if history.exists() else Table((), ())
+        scene = folder / "scene.prm"
+        self.scene = read_scene(scene.read_text()) if scene.exists() else {}
 
     @staticmethod
     def lines_of(path):
@@ -143,6 +150,21 @@ class Results:
     def tables(paths, prefix=""):
         return {path.stem[len(prefix):]: Table.read(path).last_step()
                 for path in sorted(paths)}
+
+
+def read_scene(text):
+    """The entries of a resolved scene, subsections as dictionaries."""
+    path = [{}]
+    for line in text.splitlines():
+        word, _, rest = line.split("#")[0].strip().partition(" ")
+        if word == "subsection":
+            path.append(path[-1].setdefault(rest.strip(), {}))
+        elif word == "end":
+            path.pop()
+        elif word == "set":
+            name, _, value = rest.partition("=")
+            path[-1][name.strip()] = value.strip()
+    return path[0]
 
 
 # ---- units and labels
@@ -180,6 +202,8 @@ class Scale:
 
 
 def unit_of(results, column):
+    if column[0] == "e":
+        return None
     kind = ("stress" if column[0] == "s" or column == "pressure" else
             "force" if column == "force" else "length")
     return results.units.get(kind)
@@ -314,6 +338,9 @@ def across_the_width(results):
 
 def through_the_thickness(results):
     for lines in grouped(results.lines, "z", same_station):
+        if meet(lines):
+            yield file_name(lines, "through_the_contact"), draw_meeting(results, lines)
+            continue
         columns = stresses_to_show([line.table for line in lines])
         if not columns:
             continue
@@ -336,6 +363,39 @@ def through_the_thickness(results):
             row[0].set_ylabel(scale["z"].label("z"))
             row[0].set_title(label_of(line, lines), loc="left")
         yield file_name(lines, "through_the_thickness"), figure
+
+
+def meet(lines):
+    """Whether the lines, the uppermost first, are one through several bodies."""
+    spans = [line.span for line in lines]
+    length = spans[0][1] - spans[-1][0]
+    return (len(lines) > 1 and len({line.body for line in lines}) == len(lines)
+            and all(abs(above[0] - below[1]) < 0.05 * length
+                    for above, below in zip(spans, spans[1:]))
+            and all(abs(line.table["x"][0] - lines[0].table["x"][0]) <= 0.01 * length
+                    for line in lines))
+
+
+def draw_meeting(results, lines):
+    tables = [line.table for line in lines]
+    columns = ["uz", "szz"] + [c for c in stresses_to_show(tables) if c != "szz"]
+    place = {c: Scale(results.units.get("length"), tables[0][c]) for c in "xy"}
+    at = ", ".join(f"{c} = {place[c].number(tables[0][c][0])}" for c in "xy")
+    figure, axes = new_figure(results, f"through the contact at {at}", height=4.6,
+                              columns=len(columns), sharey=True)
+    scale = scales(results, lines, ["z", *columns])
+    for axis, column in zip(axes[0], columns):
+        for k, line in enumerate(lines):
+            draw_pieces(axis, line, scale, column, "z", color=COLOURS[k],
+                        label=label_of(line, lines))
+        for line in lines[1:]:
+            axis.axhline(scale["z"](line.span[1]), color="0.6", linewidth=0.8)
+        axis.set_xlabel(scale[column].label(NAMES[column]))
+        axis.xaxis.set_major_locator(MaxNLocator(4))
+        axis.margins(y=0.01)
+    axes[0, 0].set_ylabel(scale["z"].label("z"))
+    legend_above(axes[0, 0])
+    return figure
 
 
 def shade_plies(axis, line, scale, with_names):
@@ -389,6 +449,9 @@ def section_cuts(results):
             continue
         for body, rows in table.split("body"):
             columns = stresses_to_show([rows])
+            # Soft cores and contacts stretch through the thickness.
+            if magnitude([rows], "ezz") > magnitude([rows], "eyy"):
+                columns.append("ezz")
             several = len(set(table["body"])) > 1
             if columns:
                 yield (f"section_{name}" + (f"_{body}" if several else ""),
@@ -411,8 +474,8 @@ def draw_cut(results, body, table, columns):
         sharex=True, sharey=True)
     figure.set_constrained_layout_pads(h_pad=0.12)
     for axis, column in zip(axes.flat, columns):
-        contour(axis, table, column, scale, Scale(unit_of(results, column),
-                                                  table[column]))
+        contour(axis, [table], column, scale, Scale(unit_of(results, column),
+                                                    table[column]))
         axis.set_aspect(stretch_z / stretch_x)
         axis.grid(False)
     for axis in axes[:, 0]:
@@ -437,9 +500,9 @@ def drawn_larger(factor):
     return "" if factor == 1 else f"\nenlarged {factor} times"
 
 
-def contour(axis, table, column, position, stress):
+def contour(axis, tables, column, position, stress):
     """Cell by cell, so that the jumps between cells stay visible."""
-    values = stress(table[column])
+    values = np.concatenate([stress(table[column]) for table in tables])
     low, high = values.min(), values.max()
     two_signs = low < -0.1 * high and high > -0.1 * low
     if two_signs:
@@ -450,14 +513,15 @@ def contour(axis, table, column, position, stress):
     levels = MaxNLocator(14).tick_values(low, high)
     colours = plt.get_cmap("RdBu_r" if two_signs else "cividis")
     norm = BoundaryNorm(levels, colours.N)
-    for _, cell in table.split("cell"):
-        x, z, v = cell_grids(cell, position, stress, column)
-        shades = axis.contourf(x, z, v, levels, cmap=colours, norm=norm,
-                               antialiased=False)
-        outline = np.r_[0:x.size].reshape(x.shape)
-        edge = np.concatenate([outline[0], outline[1:, -1], outline[-1, -2::-1],
-                               outline[-2::-1, 0]])
-        axis.plot(x.flat[edge], z.flat[edge], color="0.25", linewidth=0.5)
+    for table in tables:
+        for _, cell in table.split("cell"):
+            x, z, v = cell_grids(cell, position, stress, column)
+            shades = axis.contourf(x, z, v, levels, cmap=colours, norm=norm,
+                                   antialiased=False)
+            outline = np.r_[0:x.size].reshape(x.shape)
+            edge = np.concatenate([outline[0], outline[1:, -1],
+                                   outline[-1, -2::-1], outline[-2::-1, 0]])
+            axis.plot(x.flat[edge], z.flat[edge], color="0.25", linewidth=0.5)
     figure = axis.get_figure()
     bar = figure.colorbar(shades, ax=axis, pad=0.02, aspect=14)
     bar.ax.yaxis.set_major_locator(MaxNLocator(6))
@@ -647,35 +711,238 @@ def largest_components(forces):
             if size >= NEGLIGIBLE * largest][:MOST_LINES]
 
 
+# ---- contacts
+
+
+class ContactPatch:
+    """Where a contact touches, in the two coordinates along its surface: across
+    its width (where the gap opens faster, or the patch is narrower) and along."""
+
+    def __init__(self, table):
+        self.table = table
+        self.active = table.where(table["active"] == 1)
+        normal = [np.abs(np.mean(self.active[f"n{c}"])) for c in "xyz"]
+        self.normal = "xyz"[int(np.argmax(normal))]
+        self.plane = [c for c in "xyz" if c != self.normal]
+        self.extent = {c: np.ptp(self.active[c]) for c in self.plane}
+        longest = max(self.extent.values())
+        self.is_patch = all(e > 1e-3 * longest for e in self.extent.values())
+        self.curvature = self.curvatures() if self.is_patch else {}
+        order = sorted(self.plane, key=lambda c: (
+            -self.curvature.get(c, 0.), self.extent[c]))
+        self.across, self.along = order
+
+    def near(self, margin):
+        """The points of the patch and around it, by so many half widths."""
+        inside = np.ones(len(self.table), bool)
+        for c in self.plane:
+            low, high = self.active[c].min(), self.active[c].max()
+            pad = 0.5 * margin * (high - low)
+            inside &= (self.table[c] >= low - pad) & (self.table[c] <= high + pad)
+        return self.table.where(inside)
+
+    def curvatures(self):
+        """Of the initial gap in both directions, 1 / R*; 0 where it is rounding."""
+        near = self.near(2.)
+        terms = [np.ones(len(near))]
+        for c in self.plane:
+            t = (near[c] - self.active[c].mean()) / self.extent[c]
+            terms += [t, t * t]
+        fit = np.linalg.lstsq(np.transpose(terms), near["initial_gap"], rcond=None)[0]
+        bends = {c: 2. * fit[2 * k + 2] for k, c in enumerate(self.plane)}
+        size = max(np.abs(near["initial_gap"]).max(), 1e-300)
+        return {c: b / self.extent[c]**2 if b > 1e-6 * size else 0.
+                for c, b in bends.items()}
+
+    def stations(self):
+        """(position along the patch, the rows there across it), in order."""
+        near = self.near(0.5)
+        step = 1e-6 * self.extent[self.along]
+        places = np.round(near[self.along] / step)
+        for place in np.unique(places):
+            rows = near.where(places == place)
+            yield rows[self.along][0], rows.where(np.argsort(rows[self.across]))
+
+
 def contact_pressure(results):
     for name, table in results.contacts.items():
-        active = table.where(table["active"] == 1) if len(table) else table
-        if len(active) <= 3:
+        if not len(table) or np.sum(table["active"]) <= 3:
             continue
-        column = "pressure" if np.any(active["pressure"]) else "force"
-        extents = {a: np.ptp(active[a]) for a in "xy"}
-        longest = max(extents.values())
-        # Against both directions where the contact is a patch, not a line.
-        directions = [a for a in ("y", "x") if extents[a] > 1e-3 * longest]
-        if not directions:
+        patch = ContactPatch(table)
+        stations = list(patch.stations()) if patch.is_patch else []
+        if any(np.sum(rows["active"]) > 3 for _, rows in stations):
+            yield (f"contact_{name}_pressure",
+                   draw_pressure_across(results, name, patch, stations))
+            yield f"contact_{name}_map", draw_pressure_map(results, name, patch)
+        else:
+            yield f"contact_{name}", draw_pressure_points(results, name, patch)
+
+
+def draw_pressure_points(results, name, patch):
+    active = patch.active
+    directions = [c for c in patch.plane
+                  if patch.extent[c] > 1e-3 * max(patch.extent.values())]
+    figure, axes = new_figure(results, f"pressure in contact {name}", height=3.4,
+                              columns=len(directions), sharey=True)
+    value = Scale(unit_of(results, "pressure"), active["pressure"])
+    for axis, direction in zip(axes[0], directions):
+        place = Scale(results.units.get("length"), active[direction])
+        axis.plot(place(active[direction]), value(active["pressure"]), "o",
+                  markersize=4.5, alpha=0.7, markeredgewidth=0)
+        axis.set_xlabel(place.label(direction))
+        axis.set_ylim(bottom=0)
+        axis.xaxis.set_major_locator(MaxNLocator(5))
+    axes[0, 0].set_ylabel(value.label(f"pressure of the {len(active)} active pairs"))
+    return figure
+
+
+def draw_pressure_across(results, name, patch, stations):
+    """In the middle and at one end of the patch, with the Hertz ellipse of the
+    whole force."""
+    figure, axes = new_figure(
+        results, f"pressure across contact {name}", height=3.8)
+    axis = axes[0, 0]
+    active, length = patch.active, results.units.get("length")
+    value = Scale(unit_of(results, "pressure"), active["pressure"])
+    centre = active[patch.across].mean()
+    place = Scale(length, active[patch.across] - centre)
+    along = Scale(length, active[patch.along])
+    middle = min(stations, key=lambda s: abs(s[0] - np.mean(
+        [stations[0][0], stations[-1][0]])))
+    for k, (at, rows) in enumerate((middle, stations[0])[:len(stations)]):
+        axis.plot(place(rows[patch.across] - centre), value(rows["pressure"]),
+                  marker="o", markersize=4.5, linewidth=1., color=COLOURS[k],
+                  linestyle=DASHES[k], label=f"{patch.along} = {along.number(at)}")
+    hertz = hertz_ellipse(results, name, patch)
+    if hertz:
+        half_width, peak, force = hertz
+        t = np.linspace(-np.pi / 2, np.pi / 2, 200)
+        per_length = "/".join(filter(None, (results.units.get("force"), length)))
+        axis.plot(place(half_width * np.sin(t)), value(peak * np.cos(t)),
+                  color="0.2", linewidth=1.4,
+                  label=f"Hertz, mean force {force:.4g} {per_length}: "
+                  f"a = {place.number(float(f'{half_width:.4g}'))}, "
+                  f"$p_0$ = {value.number(float(f'{peak:.4g}'))}")
+    whole = Scale(length, [centre])
+    offset = (f"{patch.across} − {whole.number(float(f'{centre:.6g}'))}"
+              if abs(centre) > 1e-9 * patch.extent[patch.across] else patch.across)
+    axis.set_xlabel(place.label(offset))
+    axis.set_ylabel(value.label("pressure"))
+    axis.set_ylim(bottom=0)
+    legend_above(axis, fewest=1)
+    return figure
+
+
+def hertz_ellipse(results, name, patch):
+    """(half-width, peak pressure, force per length) of two cylinders with the
+    curvature of the initial gap, or None if this is not that."""
+    curvature = patch.curvature
+    modulus = effective_modulus(results.scene, name)
+    if not modulus or curvature[patch.across] <= 0. or (
+            curvature[patch.along] > 1e-3 * curvature[patch.across]):
+        return None
+    force = np.sum(patch.active["force"]) / np.ptp(patch.table[patch.along])
+    radius = 1. / curvature[patch.across]
+    return (np.sqrt(4. * force * radius / (np.pi * modulus)),
+            np.sqrt(force * modulus / (np.pi * radius)), force)
+
+
+def effective_modulus(scene, contact):
+    """E* of two isotropic bodies (1/E* = sum (1 - nu^2) / E, nothing from a rigid
+    one), or None."""
+    compliance = 0.
+    for side in ("First", "Second"):
+        body = scene.get(f"Contact {contact}", {}).get(side, "").partition(":")[0]
+        if f"Body {body}" not in scene:
             continue
-        figure, axes = new_figure(results, f"{column} in contact {name}", height=3.4,
-                                  columns=len(directions), sharey=True)
-        value = Scale(unit_of(results, column), active[column])
-        for axis, direction in zip(axes[0], directions):
-            place = Scale(results.units.get("length"), active[direction])
-            axis.plot(place(active[direction]), value(active[column]), "o",
-                      markersize=4.5, alpha=0.7, markeredgewidth=0)
-            axis.set_xlabel(place.label(direction))
-            axis.set_ylim(bottom=0)
-            axis.xaxis.set_major_locator(MaxNLocator(5))
-        axes[0, 0].set_ylabel(value.label(
-            f"{column} of the {len(active)} active pairs"))
-        yield f"contact_{name}", figure
+        section = scene.get(f"Section {scene[f'Body {body}']['Section']}", {})
+        names = section.get("Material") or section.get("Ply materials", "")
+        materials = {part.strip() for part in names.split(",")}
+        constants = [scene.get(f"Material {m}", {}).get("Isotropic", "")
+                     for m in materials]
+        if len(constants) != 1 or not constants[0]:
+            return None
+        E, nu = (float(number) for number in constants[0].split(","))
+        compliance += (1. - nu**2) / E
+    return 1. / compliance if compliance else None
+
+
+def draw_pressure_map(results, name, patch):
+    length = results.units.get("length")
+    near = patch.near(0.5)
+    x, y = (near[c] for c in (patch.along, patch.across))
+    scale = Scale(length, x, y)
+    value = Scale(unit_of(results, "pressure"), near["pressure"])
+    figure, axes = new_figure(results, f"pressure in contact {name}", height=3.6)
+    axis = axes[0, 0]
+    # Long patches have long triangles; what is near is so in the picture.
+    triangles = Triangulation((x - x.mean()) / np.ptp(x), (y - y.mean()) / np.ptp(y))
+    shades = axis.tricontourf(Triangulation(scale(x), scale(y), triangles.triangles),
+                              value(near["pressure"]), levels=12, cmap="cividis")
+    axis.plot(scale(x), scale(y), ".", color="0.3", markersize=1.5)
+    bar = figure.colorbar(shades, ax=axis, pad=0.02)
+    bar.set_label(value.label("pressure"))
+    axis.grid(False)
+    axis.set_xlabel(scale.label(patch.along))
+    axis.set_ylabel(scale.label(patch.across))
+    return figure
+
+
+def around_the_contact(results):
+    """Contours in the section around the patch, all bodies cut there."""
+    for name, table in results.contacts.items():
+        if not len(table) or np.sum(table["active"]) <= 3:
+            continue
+        patch = ContactPatch(table)
+        if not patch.is_patch or (patch.across, patch.along) != ("x", "y"):
+            continue
+        half = 2. * patch.extent["x"]
+        centre = [patch.active[c].mean() for c in "xz"]
+        y = patch.active["y"]
+        cuts = defaultdict(list)
+        for cut in results.cuts.values():
+            if len(cut) and y.min() <= cut["y"][0] <= y.max() and (
+                    np.ptp(cut["x"]) > 3. * half):
+                window = cut_window(cut, centre, half)
+                if len(window):
+                    cuts[round(cut["y"][0] / np.ptp(y), 6)].append(window)
+        for tables in cuts.values():
+            yield (f"contact_{name}_section",
+                   draw_around(results, name, tables, centre, half))
+
+
+def cut_window(cut, centre, half):
+    """The cells that reach into the window."""
+    inside = (np.abs(cut["x"] - centre[0]) <= half) & (
+        np.abs(cut["z"] - centre[1]) <= half)
+    return cut.where(np.isin(cut["cell"], np.unique(cut["cell"][inside])))
+
+
+def draw_around(results, name, tables, centre, half):
+    length = results.units.get("length")
+    scale = Scale(length, *[np.ravel(centre) + half])
+    place = Scale(length, tables[0]["y"])
+    columns = ["uz", "szz"]
+    figure, axes = new_figure(
+        results, f"around contact {name}, y = {place.number(tables[0]['y'].mean())}",
+        columns=len(columns), height=2.9, sharey=True)
+    for axis, column in zip(axes[0], columns):
+        shown = [table[column][(np.abs(table["x"] - centre[0]) <= half)
+                               & (np.abs(table["z"] - centre[1]) <= half)]
+                 for table in tables]
+        contour(axis, tables, column, scale, Scale(unit_of(results, column), *shown))
+        axis.set_xlim(*scale([centre[0] - half, centre[0] + half]))
+        axis.set_ylim(*scale([centre[1] - half, centre[1] + half]))
+        axis.set_aspect("equal")
+        axis.grid(False)
+        axis.xaxis.set_major_locator(MaxNLocator(4))
+        axis.set_xlabel(scale.label("x"))
+    axes[0, 0].set_ylabel(scale.label("z"))
+    return figure
 
 
 FIGURES = (along_the_axis, through_the_thickness, across_the_width, section_cuts,
-           load_history, contact_pressure, section_meshes)
+           load_history, contact_pressure, around_the_contact, section_meshes)
 
 
 def main():
