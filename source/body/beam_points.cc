@@ -168,7 +168,7 @@ namespace lamella
     for (const auto &[id, name] :
          beam_section->element().section_mesh().boundaries)
       names.push_back(name);
-    names.insert(names.end(), {"start", "end", "ends"});
+    names.insert(names.end(), {"start", "end", "ends", "all"});
     return names;
   }
 
@@ -229,16 +229,27 @@ namespace lamella
 
   namespace
   {
-    /// For each end of the axis that @p surface has, whether it is the start;
-    /// none for a lateral surface.
-    std::vector<bool>
-    ends_of(const std::string &surface)
+    /// What a surface is made of: for each end of the axis that it has, whether
+    /// it is the start, and the boundaries of the section.
+    struct SurfaceParts
     {
-      if (surface == "ends")
-        return {true, false};
+      std::vector<bool>        ends;
+      std::vector<std::string> boundaries;
+    };
+
+    SurfaceParts
+    parts_of(const std::string &surface, const SectionMesh &section)
+    {
       if (surface == "start" || surface == "end")
-        return {surface == "start"};
-      return {};
+        return {{surface == "start"}, {}};
+      if (surface == "ends")
+        return {{true, false}, {}};
+      if (surface != "all")
+        return {{}, {surface}};
+      SurfaceParts parts{{true, false}, {}};
+      for (const auto &[id, name] : section.boundaries)
+        parts.boundaries.push_back(name);
+      return parts;
     }
   } // namespace
 
@@ -247,21 +258,23 @@ namespace lamella
   std::vector<SurfacePoint>
   Beam::surface_points(const std::string &surface) const
   {
+    const CrossSectionElement &element = beam_section->element();
+    const SurfaceParts        parts = parts_of(surface, element.section_mesh());
     std::vector<SurfacePoint> points;
-    const std::vector<bool>   ends = ends_of(surface);
-    for (const bool at_start : ends)
-      for (const EdgePoint &p : beam_section->element().section_grid())
+    for (const bool at_start : parts.ends)
+      for (const EdgePoint &p : element.section_grid())
         points.push_back(end_point(p, at_start));
-    if (!ends.empty())
-      return points;
 
     const std::vector<double> weights = beam_axis->node_weights();
-    const auto around = beam_section->element().edge_points(surface);
-    for (unsigned int node = 0; node < beam_axis->n_nodes(); ++node)
+    for (const std::string &boundary : parts.boundaries)
       {
-        const auto [cell, eta] = beam_axis->place_of_node(node);
-        for (const EdgePoint &p : around)
-          points.push_back(lateral_point(p, weights[node], cell, eta));
+        const auto around = element.edge_points(boundary);
+        for (unsigned int node = 0; node < beam_axis->n_nodes(); ++node)
+          {
+            const auto [cell, eta] = beam_axis->place_of_node(node);
+            for (const EdgePoint &p : around)
+              points.push_back(lateral_point(p, weights[node], cell, eta));
+          }
       }
     return points;
   }
@@ -271,16 +284,15 @@ namespace lamella
   std::vector<Location>
   Beam::fixing_points(const std::string &surface) const
   {
-    std::vector<Location>   locations;
-    const std::vector<bool> ends = ends_of(surface);
-    for (const bool at_start : ends)
-      for (const EdgePoint &p : beam_section->element().section_points())
+    const CrossSectionElement &element = beam_section->element();
+    const SurfaceParts    parts = parts_of(surface, element.section_mesh());
+    std::vector<Location> locations;
+    for (const bool at_start : parts.ends)
+      for (const EdgePoint &p : element.section_points())
         locations.push_back(end_point(p, at_start).location);
-    if (!ends.empty())
-      return locations;
-
-    for (const SurfacePoint &point : surface_points(surface))
-      locations.push_back(point.location);
+    for (const std::string &boundary : parts.boundaries)
+      for (const SurfacePoint &point : surface_points(boundary))
+        locations.push_back(point.location);
     return locations;
   }
 
@@ -308,42 +320,139 @@ namespace lamella
 
 
 
+  namespace
+  {
+    /// The point at @p unit of @p cell, its weight the determinant of the
+    /// cell's map.
+    EdgePoint
+    point_in_section(const CrossSectionElement &element,
+                     const unsigned int         cell,
+                     const Point<2>            &unit)
+    {
+      const FunctionValues at = element.evaluate(cell, unit);
+      EdgePoint            point;
+      point.position = at.position;
+      point.weight   = determinant(at.jacobian);
+      point.cell     = cell;
+      point.unit     = unit;
+      return point;
+    }
+  } // namespace
+
+
+
   std::vector<SurfacePoint>
   Beam::surface_quadrature(const std::string &surface) const
   {
     // Two points more than the trace needs, for loads that vary.
+    const CrossSectionElement &element = beam_section->element();
+    const SurfaceParts        parts = parts_of(surface, element.section_mesh());
     std::vector<SurfacePoint> points;
-    const std::vector<bool>   ends = ends_of(surface);
-    const QGauss<2>           in_section(beam_section->element().degree() + 3);
-    for (const bool at_start : ends)
+    const QGauss<2>           in_section(element.degree() + 3);
+    for (const bool at_start : parts.ends)
       for (unsigned int cell = 0; cell < beam_section->n_cells(); ++cell)
         for (unsigned int q = 0; q < in_section.size(); ++q)
           {
-            const FunctionValues at =
-              beam_section->element().evaluate(cell, in_section.point(q));
-            EdgePoint p;
-            p.position = at.position;
-            p.weight   = in_section.weight(q) * determinant(at.jacobian);
-            p.cell     = cell;
-            p.unit     = in_section.point(q);
+            EdgePoint p = point_in_section(element, cell, in_section.point(q));
+            p.weight *= in_section.weight(q);
             points.push_back(end_point(p, at_start));
           }
-    if (!ends.empty())
-      return points;
 
     const QGauss<1> along(beam_axis->degree() + 3);
-    const auto      around = beam_section->element().edge_quadrature(
-      surface, beam_section->element().degree() + 3);
-    for (unsigned int cell = 0; cell < beam_axis->n_cells(); ++cell)
-      for (unsigned int q = 0; q < along.size(); ++q)
-        for (const EdgePoint &p : around)
-          points.push_back(
-            lateral_point(p,
-                          along.weight(q) * (beam_axis->cell_end(cell) -
-                                             beam_axis->cell_begin(cell)),
-                          cell,
-                          along.point(q)[0]));
+    for (const std::string &boundary : parts.boundaries)
+      {
+        const auto around =
+          element.edge_quadrature(boundary, element.degree() + 3);
+        for (unsigned int cell = 0; cell < beam_axis->n_cells(); ++cell)
+          for (unsigned int q = 0; q < along.size(); ++q)
+            for (const EdgePoint &p : around)
+              points.push_back(
+                lateral_point(p,
+                              along.weight(q) * (beam_axis->cell_end(cell) -
+                                                 beam_axis->cell_begin(cell)),
+                              cell,
+                              along.point(q)[0]));
+      }
     return points;
+  }
+
+
+
+  void
+  Beam::complete(SurfaceFacet &facet) const
+  {
+    const CrossSectionElement &element = beam_section->element();
+    const bool                 lateral = facet.along_t[1] != 0.;
+    facet.degree_s                     = element.degree();
+    facet.degree_t       = lateral ? beam_axis->degree() : element.degree();
+    facet.trace_degree_s = element.trace_degree();
+    facet.trace_degree_t =
+      lateral ? beam_axis->degree() : element.trace_degree();
+    for (unsigned int k = 0; k < 4; ++k)
+      facet.corners[k] = surface_point(facet, Point<2>(k % 2, k / 2)).position;
+  }
+
+
+
+  std::vector<SurfaceFacet>
+  Beam::surface_facets(const std::string &surface) const
+  {
+    const CrossSectionElement &element = beam_section->element();
+    const SurfaceParts        parts = parts_of(surface, element.section_mesh());
+    const unsigned int        n     = beam_section->n_cells();
+    std::vector<SurfaceFacet> facets;
+    for (const bool at_start : parts.ends)
+      for (unsigned int c = 0; c < n; ++c)
+        {
+          SurfaceFacet facet;
+          facet.cell       = at_start ? c : (beam_axis->n_cells() - 1) * n + c;
+          facet.origin[1]  = at_start ? 0. : 1.;
+          facet.along_s[0] = 1.;
+          facet.along_t[2] = 1.;
+          facets.push_back(facet);
+        }
+    for (const std::string &boundary : parts.boundaries)
+      for (const auto &[c, face] : element.boundary_faces(boundary))
+        for (unsigned int axis_cell = 0; axis_cell < beam_axis->n_cells();
+             ++axis_cell)
+          {
+            const Point<2> begin = face_point(face, 0.),
+                           end   = face_point(face, 1.);
+            SurfaceFacet facet;
+            facet.cell       = axis_cell * n + c;
+            facet.origin     = Point<3>(begin[0], 0., begin[1]);
+            facet.along_s[0] = end[0] - begin[0];
+            facet.along_s[2] = end[1] - begin[1];
+            facet.along_t[1] = 1.;
+            facets.push_back(facet);
+          }
+    for (SurfaceFacet &facet : facets)
+      complete(facet);
+    return facets;
+  }
+
+
+
+  SurfacePoint
+  Beam::surface_point(const SurfaceFacet &facet, const Point<2> &st) const
+  {
+    const CrossSectionElement &element   = beam_section->element();
+    const unsigned int         c         = facet.cell % beam_section->n_cells();
+    const unsigned int         axis_cell = facet.cell / beam_section->n_cells();
+    const Point<3>             unit =
+      facet.origin + st[0] * facet.along_s + st[1] * facet.along_t;
+    if (facet.along_t[1] == 0.)
+      return end_point(point_in_section(element, c, {unit[0], unit[2]}),
+                       facet.origin[1] == 0.);
+    // deal.II's faces of the unit square: x = 0, x = 1, y = 0, y = 1.
+    const unsigned int face = facet.along_s[0] == 0. ?
+                                (facet.origin[0] == 0. ? 0 : 1) :
+                                (facet.origin[2] == 0. ? 2 : 3);
+    return lateral_point(element.edge_point(c, face, st[0]),
+                         beam_axis->cell_end(axis_cell) -
+                           beam_axis->cell_begin(axis_cell),
+                         axis_cell,
+                         unit[1]);
   }
 
 

@@ -3,6 +3,9 @@
 #include <lamella/base/exceptions.h>
 #include <lamella/base/text.h>
 #include <lamella/contact/gap_rows.h>
+#include <lamella/contact/weighted_gaps.h>
+
+#include <algorithm>
 
 namespace lamella
 {
@@ -10,125 +13,416 @@ namespace lamella
 
   namespace
   {
-    /// factor * n . u at @p point.
-    BodyRow
-    normal_displacement(const unsigned int      index,
-                        const std::vector<Row> &displacement,
-                        const Tensor<1, 3>     &n,
-                        const double            factor)
+    // A difference in the number of cells that is none.
+    constexpr double same_grid = 1e-6;
+
+
+
+    /// Adds up rows of one body.
+    class RowSum
     {
-      BodyRow part{index, {}};
-      for (unsigned int c = 0; c < 3; ++c)
-        part.row.add(displacement[c], factor * n[c]);
-      part.row.compress();
-      return part;
+    public:
+      explicit RowSum(const DofIndex n_dofs)
+        : weights(n_dofs, 0.)
+        , is_touched(n_dofs, false)
+      {}
+
+      void
+      add(const Row &row, const double factor)
+      {
+        for (const auto &[dof, weight] : row.entries())
+          {
+            if (!is_touched[dof])
+              touched.push_back(dof);
+            is_touched[dof] = true;
+            weights[dof] += factor * weight;
+          }
+      }
+
+      /// The sum; it begins anew.
+      Row
+      take()
+      {
+        std::sort(touched.begin(), touched.end());
+        Row row;
+        for (const DofIndex dof : touched)
+          {
+            row.add(dof, weights[dof]);
+            weights[dof]    = 0.;
+            is_touched[dof] = false;
+          }
+        touched.clear();
+        return row;
+      }
+
+    private:
+      std::vector<double>   weights;
+      std::vector<bool>     is_touched;
+      std::vector<DofIndex> touched;
+    };
+
+
+
+    /// Of each of @p gaps the row factor sum_k w_k . u(X_k) of the body
+    /// @p index, X_k in @p locations.
+    std::vector<BodyRow>
+    body_rows(const unsigned int              index,
+              const Body                     &body,
+              const std::vector<Location>    &locations,
+              const std::vector<WeightedGap> &gaps,
+              WeightedGap::Weights WeightedGap::*weights,
+              const double                       factor)
+    {
+      const auto           at = body.rows(locations, Quantity::displacement);
+      RowSum               sum(body.n_dofs());
+      std::vector<BodyRow> rows;
+      for (const WeightedGap &gap : gaps)
+        {
+          for (const auto &[k, w] : gap.*weights)
+            for (unsigned int c = 0; c < 3; ++c)
+              sum.add(at[k][c], factor * w[c]);
+          rows.push_back({index, sum.take()});
+        }
+      return rows;
     }
 
 
 
-    LocalStiffness
-    local_stiffness(const SurfacePoint &point)
+    /// The two surfaces of a contact.
+    struct Surfaces
     {
-      return {point.normal_modulus, point.area, point.depth};
+      std::unique_ptr<const MeshSurface>     first, second;
+      std::unique_ptr<const ObstacleSurface> obstacle;
+    };
+
+
+
+    Surfaces
+    make_surfaces(const ContactPair &contact, const Bodies &bodies)
+    {
+      Surfaces surfaces;
+      surfaces.first =
+        std::make_unique<MeshSurface>(*bodies[contact.first.body],
+                                      contact.first.surface);
+      if (contact.obstacle != nullptr)
+        surfaces.obstacle = std::make_unique<ObstacleSurface>(contact.obstacle);
+      else
+        surfaces.second =
+          std::make_unique<MeshSurface>(*bodies[contact.second.body],
+                                        contact.second.surface);
+      return surfaces;
+    }
+
+
+
+    /// Whether the second side has the finer grid where the two face each
+    /// other. Equal grids: the body that comes first, so that it does not
+    /// matter which side is called First.
+    bool
+    second_is_finer(const ContactPair &contact,
+                    const Surfaces    &surfaces,
+                    const double       reach)
+    {
+      const double first =
+                     cells_facing(*surfaces.first, *surfaces.second, reach),
+                   second =
+                     cells_facing(*surfaces.second, *surfaces.first, reach);
+      if (std::abs(first - second) > same_grid * (first + second))
+        return second > first;
+      return contact.second.body < contact.first.body;
+    }
+
+
+
+    bool
+    points_on_second(const ContactPair &contact,
+                     const Surfaces    &surfaces,
+                     const double       reach)
+    {
+      Assert(contact.points_on != PointsOn::undefined,
+             ExcMessage("The side that carries the points was never set."));
+      if (contact.obstacle != nullptr ||
+          contact.discretisation == Discretisation::node_to_node ||
+          contact.points_on == PointsOn::first)
+        return false;
+      return contact.points_on == PointsOn::second ||
+             second_is_finer(contact, surfaces, reach);
     }
 
 
 
     [[noreturn]] void
-    fail_without_pairs(const ContactPair &contact, const Pairing &pairing)
+    fail_without_pairs(const ContactPair &contact,
+                       const Bodies      &bodies,
+                       const double       reach)
     {
-      std::string message = "Contact " + contact.name +
-                            ": no nodes of First and Second face each "
-                            "other (node to node). The nearest two are " +
-                            to_text(pairing.nearest_distance) + " apart";
-      if (pairing.smallest_offset < std::numeric_limits<double>::max())
+      const auto points = [&bodies](const Region &region) {
+        return bodies[region.body]->surface_points(region.surface);
+      };
+      std::string message = "Contact " + contact.name + ": ";
+      if (contact.obstacle != nullptr)
+        throw InputError(message + "nothing of First faces the obstacle '" +
+                         contact.obstacle->name + "' within Search distance " +
+                         to_text(reach) +
+                         ". Check the surface's name and where the obstacle "
+                         "is.");
+      const bool to_node =
+        contact.discretisation == Discretisation::node_to_node;
+      message += to_node ?
+                   "no nodes of First and Second face each other (node to "
+                   "node)" :
+                   "nothing of First and Second faces each other within Search "
+                   "distance " +
+                     to_text(reach);
+      const Pairing pairing = pair_node_to_node(points(contact.first),
+                                                points(contact.second),
+                                                contact.tolerance);
+      message += ". The nearest two nodes are " +
+                 to_text(pairing.nearest_distance) + " apart";
+      if (to_node &&
+          pairing.smallest_offset < std::numeric_limits<double>::max())
         message += ", the best sideways offset between opposed surfaces is " +
                    to_text(pairing.smallest_offset);
-      throw InputError(
-        message + ". Check that First and Second name the surfaces that "
-                  "look at each other, and give both the same nodes (cells "
-                  "across, axis elements, axis nodes).");
+      message += ". Check that First and Second name the surfaces that look at "
+                 "each other";
+      throw InputError(message +
+                       (to_node ?
+                          ", and give both the same nodes (cells across, axis "
+                          "elements, axis nodes), or use surface to surface." :
+                          "."));
     }
 
 
 
-    /// Surfaces that lie behind each other by more than the cells below them
-    /// are deep do not look at each other: they are swapped or misnamed.
-    void
-    check_not_passed(const ContactPair               &contact,
-                     const Pairing                   &pairing,
-                     const std::vector<SurfacePoint> &first,
-                     const std::vector<SurfacePoint> &second)
+    /// Whether one of the two places is in the body (or the obstacle) of the
+    /// other.
+    bool
+    is_inside(const ContactPair &contact,
+              const Bodies      &bodies,
+              const bool         on_second,
+              const DeepPlace   &place)
     {
-      for (const PointPair &pair : pairing.pairs)
-        if (-pair.initial_gap >
-            std::min(first[pair.first].depth, second[pair.second].depth))
+      const Body &carrying =
+        *bodies[(on_second ? contact.second : contact.first).body];
+      if (!carrying.locate({place.opposite})[0].empty())
+        return true;
+      if (contact.obstacle != nullptr)
+        return contains(*contact.obstacle, place.position);
+      const Body &opposing =
+        *bodies[(on_second ? contact.first : contact.second).body];
+      return !opposing.locate({place.position})[0].empty();
+    }
+
+
+
+    /// Places far behind each other either look away from each other through
+    /// their own bodies, and then do not pair, or the bodies lie in each other.
+    void
+    check_not_passed(const ContactPair &contact,
+                     const Bodies      &bodies,
+                     const bool         on_second,
+                     const Gaps        &gaps)
+    {
+      const auto where = [&](const DeepPlace &place) {
+        return "Contact " + contact.name + ": the surface '" +
+               contact.first.surface + "' of First lies " +
+               to_text(place.behind) + " behind '" +
+               (contact.obstacle != nullptr ? contact.obstacle->name :
+                                              contact.second.surface) +
+               "' of Second, at " +
+               to_text(on_second ? place.opposite : place.position);
+      };
+      for (const DeepPlace &place : gaps.too_deep)
+        if (is_inside(contact, bodies, on_second, place))
           throw InputError(
-            "Contact " + contact.name + ": the surface '" +
-            contact.first.surface + "' of First lies " +
-            to_text(-pair.initial_gap) + " behind '" + contact.second.surface +
-            "' of Second, at " + to_text(first[pair.first].position) +
-            ". Name the two surfaces that look at each other, or move the "
-            "bodies apart.");
+            where(place) +
+            ", which is more than the cells there are deep: the "
+            "bodies lie in each other. Move the bodies apart, or "
+            "name the two surfaces that look at each other.");
+      if (gaps.gaps.empty() && !gaps.too_deep.empty())
+        throw InputError(where(gaps.too_deep.front()) +
+                         ". Name the two surfaces that look at each other, or "
+                         "move the bodies apart.");
+    }
+
+
+
+    /// Pairs of nodes in the form of weighted gaps.
+    Gaps
+    node_to_node(const ContactPair &contact,
+                 const Bodies      &bodies,
+                 const double       reach,
+                 ContactInterface  &interface)
+    {
+      const auto first =
+        bodies[contact.first.body]->surface_points(contact.first.surface);
+      const auto second =
+        bodies[contact.second.body]->surface_points(contact.second.surface);
+      const Pairing pairing =
+        pair_node_to_node(first, second, contact.tolerance, reach);
+      interface.unpaired_second = pairing.unpaired_second;
+
+      Gaps result;
+      result.unpaired = pairing.unpaired;
+      for (const PointPair &pair : pairing.pairs)
+        {
+          const SurfacePoint &a = first[pair.first], &b = second[pair.second];
+          if (is_too_deep(pair.initial_gap, a.depth, b.depth))
+            {
+              result.too_deep.push_back(
+                {a.position, b.position, -pair.initial_gap});
+              continue;
+            }
+          const unsigned int k    = result.gaps.size();
+          const double       area = std::min(a.area, b.area);
+          WeightedGap        gap;
+          gap.position         = a.position;
+          gap.opposite         = b.position;
+          gap.normal           = pair.normal;
+          gap.area             = area;
+          gap.gap              = pair.initial_gap;
+          gap.carrying         = {a.normal_modulus, area, a.depth};
+          gap.opposing         = {b.normal_modulus, area, b.depth};
+          gap.carrying_weights = {{k, pair.normal}};
+          gap.opposing_weights = {{k, pair.normal}};
+          result.carrying.push_back(a.location);
+          result.opposing.push_back(b.location);
+          result.gaps.push_back(std::move(gap));
+        }
+      return result;
+    }
+
+
+
+    Gaps
+    find_gaps(const ContactPair &contact,
+              const Bodies      &bodies,
+              const double       reach,
+              ContactInterface  &interface)
+    {
+      if (contact.discretisation == Discretisation::node_to_node)
+        {
+          Assert(contact.obstacle == nullptr,
+                 ExcMessage("An obstacle has no nodes."));
+          return node_to_node(contact, bodies, reach, interface);
+        }
+      const Surfaces surfaces    = make_surfaces(contact, bodies);
+      interface.points_on_second = points_on_second(contact, surfaces, reach);
+      Sides sides;
+      sides.reach         = reach;
+      sides.carrying      = surfaces.first.get();
+      sides.opposing_mesh = surfaces.second.get();
+      if (interface.points_on_second)
+        std::swap(sides.carrying, sides.opposing_mesh);
+      sides.opposing = sides.opposing_mesh;
+      if (contact.obstacle != nullptr)
+        sides.opposing = surfaces.obstacle.get();
+
+      Assert(contact.discretisation != Discretisation::undefined,
+             ExcMessage("The discretisation was never set."));
+      if (contact.discretisation == Discretisation::surface_to_surface)
+        return weighted_gaps(sides);
+      const Region &carrying =
+        interface.points_on_second ? contact.second : contact.first;
+      return pair_node_to_surface(
+        sides, bodies[carrying.body]->surface_points(carrying.surface));
+    }
+
+
+
+    void
+    add_rows(const ContactPair &contact,
+             const Bodies      &bodies,
+             const Gaps        &gaps,
+             ContactInterface  &interface)
+    {
+      const bool    on_second = interface.points_on_second;
+      const Region &carrying  = on_second ? contact.second : contact.first;
+      const Region &opposing  = on_second ? contact.first : contact.second;
+      const auto    own       = body_rows(carrying.body,
+                                 *bodies[carrying.body],
+                                 gaps.carrying,
+                                 gaps.gaps,
+                                 &WeightedGap::carrying_weights,
+                                 -1.);
+      std::vector<BodyRow> other;
+      if (contact.obstacle == nullptr)
+        other = body_rows(opposing.body,
+                          *bodies[opposing.body],
+                          gaps.opposing,
+                          gaps.gaps,
+                          &WeightedGap::opposing_weights,
+                          1.);
+      for (unsigned int k = 0; k < gaps.gaps.size(); ++k)
+        {
+          const WeightedGap &gap = gaps.gaps[k];
+          GapRow             row;
+          row.parts = {own[k]};
+          if (contact.obstacle == nullptr)
+            row.parts.insert(on_second ? row.parts.begin() : row.parts.end(),
+                             other[k]);
+          else
+            row.gap_rate = gap.normal * contact.obstacle->displacement;
+          // Bodies that touch have a gap of rounding only.
+          const double rounding =
+            1e-14 * (gap.position.norm() + gap.opposite.norm());
+          row.initial_gap = std::abs(gap.gap) < rounding ? 0. : gap.gap;
+          row.enforcement = contact.enforcement;
+          row.penalty =
+            row_penalty(contact.penalty, gap.carrying, gap.opposing);
+          interface.rows.push_back(std::move(row));
+          if (on_second)
+            interface.points.push_back(
+              {gap.opposite, gap.position, -gap.normal, gap.area});
+          else
+            interface.points.push_back(
+              {gap.position, gap.opposite, gap.normal, gap.area});
+        }
     }
   } // namespace
+
+
+
+  double
+  automatic_search_distance(const ContactPair &contact, const Bodies &bodies)
+  {
+    // Body::size() is half the largest extension.
+    const double first = 2. * bodies[contact.first.body]->size();
+    return contact.obstacle != nullptr ?
+             first :
+             std::min(first, 2. * bodies[contact.second.body]->size());
+  }
 
 
 
   ContactInterface
   make_interface(const ContactPair &contact, const Bodies &bodies)
   {
-    // The one pairing and the one law that there are so far.
-    Assert(contact.discretisation == Discretisation::node_to_node,
-           ExcNotImplemented());
-    Assert(contact.enforcement == Enforcement::penalty, ExcNotImplemented());
-
-    const Body &first  = *bodies[contact.first.body];
-    const Body &second = *bodies[contact.second.body];
-    check_surface(first, contact.first.surface, "Contact " + contact.name);
-    check_surface(second, contact.second.surface, "Contact " + contact.name);
-    const auto    points_1 = first.surface_points(contact.first.surface);
-    const auto    points_2 = second.surface_points(contact.second.surface);
-    const Pairing pairing =
-      pair_node_to_node(points_1, points_2, contact.tolerance);
-    if (pairing.pairs.empty())
-      fail_without_pairs(contact, pairing);
-
-    std::vector<Location> locations_1, locations_2;
-    for (const PointPair &pair : pairing.pairs)
-      {
-        locations_1.push_back(points_1[pair.first].location);
-        locations_2.push_back(points_2[pair.second].location);
-      }
-    const auto rows_1 = first.rows(locations_1, Quantity::displacement);
-    const auto rows_2 = second.rows(locations_2, Quantity::displacement);
-
-    check_not_passed(contact, pairing, points_1, points_2);
+    const std::string what = "Contact " + contact.name;
+    check_surface(*bodies[contact.first.body], contact.first.surface, what);
+    if (contact.obstacle == nullptr)
+      check_surface(*bodies[contact.second.body], contact.second.surface, what);
 
     ContactInterface interface;
-    interface.name        = contact.name;
-    interface.first_body  = contact.first.body;
-    interface.second_body = contact.second.body;
-    interface.second_name = second.name();
-    interface.unpaired    = pairing.unpaired;
-    for (unsigned int k = 0; k < pairing.pairs.size(); ++k)
-      {
-        const PointPair    &pair = pairing.pairs[k];
-        const SurfacePoint &a    = points_1[pair.first],
-                           &b    = points_2[pair.second];
-        GapRow row;
-        row.parts = {
-          {normal_displacement(contact.first.body, rows_1[k], pair.normal, -1.),
-           normal_displacement(
-             contact.second.body, rows_2[k], pair.normal, 1.)}};
-        row.initial_gap = pair.initial_gap;
-        row.enforcement = contact.enforcement;
-        row.penalty =
-          row_penalty(contact.penalty, local_stiffness(a), local_stiffness(b));
-        interface.rows.push_back(std::move(row));
-        interface.points.push_back(
-          {a.position, b.position, pair.normal, a.area});
-      }
+    interface.name           = contact.name;
+    interface.discretisation = contact.discretisation;
+    interface.first_body     = contact.first.body;
+    if (contact.obstacle == nullptr)
+      interface.second_body = contact.second.body;
+    interface.second_name = contact.obstacle != nullptr ?
+                              contact.obstacle->name :
+                              bodies[contact.second.body]->name();
+
+    const double reach = contact.search_distance ?
+                           *contact.search_distance :
+                           automatic_search_distance(contact, bodies);
+    const Gaps   gaps  = find_gaps(contact, bodies, reach, interface);
+    check_not_passed(contact, bodies, interface.points_on_second, gaps);
+    if (gaps.gaps.empty())
+      fail_without_pairs(contact, bodies, reach);
+    (interface.points_on_second ? interface.unpaired_second :
+                                  interface.unpaired) = gaps.unpaired;
+    add_rows(contact, bodies, gaps, interface);
     return interface;
   }
 } // namespace lamella

@@ -56,4 +56,16 @@ namespace lamella
              meet_plane(obstacle, x, d) :
              meet_cylinder(obstacle, x, d);
   }
+
+
+
+  bool
+  contains(const Obstacle &obstacle, const Point<3> &x)
+  {
+    const Tensor<1, 3> r     = x - obstacle.point;
+    const double       along = r * obstacle.direction;
+    return obstacle.shape == Obstacle::Shape::plane ?
+             along < 0. :
+             (r - along * obstacle.direction).norm() < obstacle.radius;
+  }
 } // namespace lamella

@@ -2,18 +2,114 @@
 
 #include <lamella/contact/pairing.h>
 #include <lamella/contact/search.h>
+#include <lamella/contact/segments.h>
 
+#include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace lamella
 {
   using namespace dealii;
 
+  namespace
+  {
+    // Cosines between a normal and what it is to oppose. Where points touch
+    // nothing but the normals tells whether they face each other; points that
+    // are apart and lie along the averaged normal do, up to a steep angle.
+    constexpr double opposed = 0.5, steep = 0.1;
+
+    // As many nodes of an edge may stand at one place.
+    constexpr unsigned int twins = 3;
+
+
+
+    struct Candidate
+    {
+      PointPair pair;
+      double    cosine = 0.;
+    };
+
+
+
+    /// The pair (i, j) if the two points face each other.
+    std::optional<Candidate>
+    facing(const std::vector<SurfacePoint> &first,
+           const std::vector<SurfacePoint> &second,
+           const unsigned int               i,
+           const unsigned int               j,
+           const double                     tolerance,
+           const double                     reach)
+    {
+      const SurfacePoint &a = first[i], &b = second[j];
+      const Tensor<1, 3>  sum = a.normal - b.normal;
+      if (sum.norm() <= 2. * steep)
+        return {};
+      Candidate candidate;
+      candidate.pair = {i, j, sum / sum.norm(), 0.};
+      // |n_1 - n_2| / 2 is the cosine of the angle between n_1 and n.
+      candidate.cosine           = 0.5 * sum.norm();
+      const Tensor<1, 3> &n      = candidate.pair.normal;
+      const Tensor<1, 3>  d      = b.position - a.position;
+      const double        offset = (d - (d * n) * n).norm();
+      const double close = tolerance * std::sqrt(std::min(a.area, b.area));
+      if (offset > close || d.norm() > reach ||
+          (d.norm() <= close && a.normal * b.normal >= -opposed))
+        return {};
+      candidate.pair.initial_gap = d * n;
+      return candidate;
+    }
+
+
+
+    /// All candidates for the point @p i: among the points nearest to it, or
+    /// else (steep slopes that are apart) among all.
+    void
+    add_candidates(const std::vector<SurfacePoint> &first,
+                   const std::vector<SurfacePoint> &second,
+                   const unsigned int               i,
+                   const std::vector<unsigned int> &nearest,
+                   const double                     tolerance,
+                   const double                     reach,
+                   std::vector<Candidate>          &candidates)
+    {
+      bool found = false;
+      for (const unsigned int j : nearest)
+        if (const auto one = facing(first, second, i, j, tolerance, reach))
+          {
+            candidates.push_back(*one);
+            found = true;
+          }
+      for (unsigned int j = 0; !found && j < second.size(); ++j)
+        if (const auto one = facing(first, second, i, j, tolerance, reach))
+          candidates.push_back(*one);
+    }
+
+
+
+    /// What to tell if nothing pairs.
+    void
+    update_nearest(const SurfacePoint &a,
+                   const SurfacePoint &b,
+                   Pairing            &result)
+    {
+      const Tensor<1, 3> d    = b.position - a.position;
+      result.nearest_distance = std::min(result.nearest_distance, d.norm());
+      if (a.normal * b.normal < -opposed)
+        {
+          const Tensor<1, 3> sum = a.normal - b.normal, n = sum / sum.norm();
+          result.smallest_offset =
+            std::min(result.smallest_offset, (d - (d * n) * n).norm());
+        }
+    }
+  } // namespace
+
+
+
   Pairing
   pair_node_to_node(const std::vector<SurfacePoint> &first,
                     const std::vector<SurfacePoint> &second,
-                    const double                     tolerance)
+                    const double                     tolerance,
+                    const double                     reach)
   {
     std::vector<Point<3>> positions;
     for (const SurfacePoint &point : second)
@@ -23,34 +119,129 @@ namespace lamella
     Pairing result;
     result.nearest_distance = std::numeric_limits<double>::max();
     result.smallest_offset  = std::numeric_limits<double>::max();
+    std::vector<Candidate> candidates;
     for (unsigned int i = 0; i < first.size(); ++i)
       {
-        // Nodes of both surfaces face each other, so the nearest one is it. A
-        // node of an edge may have a twin of another normal at the same place.
-        bool paired = false;
-        for (const unsigned int j : search.nearest(first[i].position, 3))
+        const auto nearest = search.nearest(first[i].position, twins);
+        for (const unsigned int j : nearest)
+          update_nearest(first[i], second[j], result);
+        add_candidates(first, second, i, nearest, tolerance, reach, candidates);
+      }
+    std::stable_sort(candidates.begin(),
+                     candidates.end(),
+                     [](const Candidate &a, const Candidate &b) {
+                       const double p = std::abs(a.pair.initial_gap),
+                                    q = std::abs(b.pair.initial_gap);
+                       return p != q ? p < q : a.cosine > b.cosine;
+                     });
+    std::vector<bool> first_done(first.size(), false),
+      second_done(second.size(), false);
+    for (const Candidate &candidate : candidates)
+      if (!first_done[candidate.pair.first] &&
+          !second_done[candidate.pair.second])
+        {
+          result.pairs.push_back(candidate.pair);
+          first_done[candidate.pair.first]   = true;
+          second_done[candidate.pair.second] = true;
+        }
+    std::sort(result.pairs.begin(),
+              result.pairs.end(),
+              [](const PointPair &a, const PointPair &b) {
+                return a.first < b.first;
+              });
+    result.unpaired        = first.size() - result.pairs.size();
+    result.unpaired_second = second.size() - result.pairs.size();
+    return result;
+  }
+
+
+
+  bool
+  is_too_deep(const double gap, const double depth_1, const double depth_2)
+  {
+    return -gap > std::min(depth_1, depth_2);
+  }
+
+
+
+  double
+  opposing_depth(const Sides &sides, const SurfaceHit &hit)
+  {
+    return sides.opposing_mesh == nullptr ?
+             std::numeric_limits<double>::infinity() :
+             sides.opposing_mesh->facets()[hit.facet].depth;
+  }
+
+
+
+  Gaps
+  pair_node_to_surface(const Sides                     &sides,
+                       const std::vector<SurfacePoint> &points)
+  {
+    Gaps result;
+    for (const SurfacePoint &point : points)
+      {
+        const auto facing = opposing_place(*sides.opposing,
+                                           point.position,
+                                           point.normal,
+                                           sides.reach);
+        if (!facing)
           {
-            const Tensor<1, 3> &n = first[i].normal;
-            const Tensor<1, 3>  d = second[j].position - first[i].position;
-            // Bodies that touch have a gap of rounding only.
-            const double rounding =
-              1e-14 * (first[i].position.norm() + second[j].position.norm());
-            const double gap    = std::abs(d * n) < rounding ? 0. : d * n;
-            const double offset = (d - gap * n).norm();
-            result.nearest_distance =
-              std::min(result.nearest_distance, d.norm());
-            const bool opposed = n * second[j].normal < -0.5;
-            if (opposed)
-              result.smallest_offset = std::min(result.smallest_offset, offset);
-            if (opposed && offset <= tolerance * std::sqrt(first[i].area))
-              {
-                result.pairs.push_back({i, j, n, gap});
-                paired = true;
-                break;
-              }
+            ++result.unpaired;
+            continue;
           }
-        result.unpaired += !paired;
+        const SurfaceHit &hit = facing->hit;
+        if (is_too_deep(hit.distance, point.depth, opposing_depth(sides, hit)))
+          {
+            result.too_deep.push_back(
+              {point.position, hit.position, -hit.distance});
+            continue;
+          }
+        WeightedGap gap;
+        gap.position         = point.position;
+        gap.opposite         = hit.position;
+        gap.normal           = facing->normal;
+        gap.area             = point.area;
+        gap.gap              = hit.distance;
+        gap.carrying         = {point.normal_modulus, point.area, point.depth};
+        gap.opposing         = gap.carrying;
+        gap.carrying_weights = {
+          {static_cast<unsigned int>(result.carrying.size()), facing->normal}};
+        result.carrying.push_back(point.location);
+        if (sides.opposing_mesh != nullptr)
+          {
+            const auto &facet = sides.opposing_mesh->facets()[hit.facet];
+            gap.opposing      = {facet.normal_modulus, point.area, facet.depth};
+            gap.opposing_weights = {
+              {static_cast<unsigned int>(result.opposing.size()),
+               facing->normal}};
+            result.opposing.push_back(sides.opposing_mesh->body()
+                                        .surface_point(facet.side, hit.st)
+                                        .location);
+          }
+        result.gaps.push_back(std::move(gap));
       }
     return result;
+  }
+
+
+
+  double
+  cells_facing(const MeshSurface &a, const MeshSurface &b, const double reach)
+  {
+    double cells = 0.;
+    for (const MeshSurface::Facet &facet : a.facets())
+      {
+        const auto facing =
+          opposing_place(b, facet.centre, facet.normal, reach);
+        const ChordPlane plane(facet.side.corners, facet.normal);
+        double           covered = 0.;
+        for (const Segment &segment :
+             cut(plane, facing ? facing->normal : facet.normal, b, reach))
+          covered += segment.area;
+        cells += std::min(1., covered / plane.area) * facet.side.degree_s *
+                 facet.side.degree_t;
+      }
+    return cells;
   }
 } // namespace lamella

@@ -34,4 +34,83 @@ namespace lamella
       numbers.push_back(point.second);
     return numbers;
   }
+
+
+
+  PointNumbering::PointNumbering(const double tolerance)
+    : tolerance(tolerance)
+  {}
+
+
+
+  std::vector<unsigned int>
+  PointNumbering::at(const Point<3> &x) const
+  {
+    const Point<3>            reach(tolerance, tolerance, tolerance);
+    std::vector<Numbered>     found;
+    std::vector<unsigned int> numbers;
+    tree.query(boost::geometry::index::intersects(
+                 BoundingBox<3>({Point<3>(x - reach), x + reach})),
+               std::back_inserter(found));
+    for (const Numbered &point : found)
+      numbers.push_back(point.second);
+    std::sort(numbers.begin(), numbers.end());
+    return numbers;
+  }
+
+
+
+  unsigned int
+  PointNumbering::add(const Point<3> &x)
+  {
+    const unsigned int next = tree.size();
+    tree.insert(Numbered(x, next));
+    return next;
+  }
+
+
+
+  unsigned int
+  PointNumbering::number(const Point<3> &x)
+  {
+    const std::vector<unsigned int> known = at(x);
+    return known.empty() ? add(x) : known.front();
+  }
+
+
+
+  BoxSearch::BoxSearch(const std::vector<BoundingBox<3>> &boxes)
+  {
+    std::vector<Numbered> numbered;
+    for (unsigned int i = 0; i < boxes.size(); ++i)
+      numbered.emplace_back(boxes[i], i);
+    tree = pack_rtree(numbered);
+  }
+
+
+
+  std::vector<unsigned int>
+  BoxSearch::meeting(const BoundingBox<3> &box) const
+  {
+    std::vector<Numbered>     found;
+    std::vector<unsigned int> numbers;
+    tree.query(boost::geometry::index::intersects(box),
+               std::back_inserter(found));
+    for (const Numbered &one : found)
+      numbers.push_back(one.second);
+    std::sort(numbers.begin(), numbers.end());
+    return numbers;
+  }
+
+
+
+  unsigned int
+  BoxSearch::nearest(const Point<3> &x) const
+  {
+    std::vector<Numbered> found;
+    tree.query(boost::geometry::index::nearest(x, 1),
+               std::back_inserter(found));
+    Assert(!found.empty(), ExcMessage("There are no boxes."));
+    return found.front().second;
+  }
 } // namespace lamella

@@ -96,6 +96,25 @@ namespace lamella
 
 
 
+  EdgePoint
+  CrossSectionElement::edge_point(const unsigned int cell,
+                                  const unsigned int face,
+                                  const double       t) const
+  {
+    EdgePoint point;
+    point.cell     = cell;
+    point.unit     = face_point(face, t);
+    const auto at  = evaluate(cell, point.unit);
+    point.position = at.position;
+    point.normal   = scaled_face_normal(face, at.jacobian);
+    point.weight   = point.normal.norm();
+    point.normal /= point.weight;
+    point.depth = depth(cell, face);
+    return point;
+  }
+
+
+
   std::vector<EdgePoint>
   CrossSectionElement::edge_quadrature(const std::string &boundary,
                                        const unsigned int n) const
@@ -105,16 +124,8 @@ namespace lamella
     for (const auto &[cell, face] : boundary_faces(boundary))
       for (unsigned int q = 0; q < quadrature.size(); ++q)
         {
-          EdgePoint point;
-          point.cell     = cell;
-          point.unit     = face_point(face, quadrature.point(q)[0]);
-          const auto at  = evaluate(cell, point.unit);
-          point.position = at.position;
-          point.normal   = scaled_face_normal(face, at.jacobian);
-          point.weight   = quadrature.weight(q) * point.normal.norm();
-          point.normal /= point.normal.norm();
-          point.depth = depth(cell, face);
-          points.push_back(point);
+          points.push_back(edge_point(cell, face, quadrature.point(q)[0]));
+          points.back().weight *= quadrature.weight(q);
         }
     return points;
   }

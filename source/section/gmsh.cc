@@ -249,7 +249,7 @@ namespace lamella
     {
       static const std::regex        form("[A-Za-z][A-Za-z0-9_-]*");
       const std::vector<std::string> reserved{
-        "start", "end", "ends", "body", "point", "line", "other"};
+        "start", "end", "ends", "all", "body", "point", "line", "other"};
       section.boundaries = {{0, "other"}};
       std::map<int, types::boundary_id> id_of_tag;
       for (const auto &[key, name] : outline.names)

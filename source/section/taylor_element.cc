@@ -46,6 +46,15 @@ namespace lamella
 
 
 
+  unsigned int
+  TaylorElement::trace_degree() const
+  {
+    const unsigned int geometric = geometry.fe().degree;
+    return std::min(geometric * order, order + points_for_curves);
+  }
+
+
+
   Point<2>
   TaylorElement::scaled(const Point<2> &position) const
   {

@@ -7,6 +7,7 @@
 
 #include <lamella/base/exceptions.h>
 #include <lamella/contact/gap_rows.h>
+#include <lamella/contact/pairing.h>
 #include <lamella/contact/search.h>
 
 #include <boost/test/unit_test.hpp>
@@ -242,7 +243,8 @@ BOOST_AUTO_TEST_CASE(tributary_areas)
                                             {"right", 0.4},
                                             {"start", 0.12},
                                             {"end", 0.12},
-                                            {"ends", 0.24}};
+                                            {"ends", 0.24},
+                                            {"all", 3.44}};
   for (const unsigned int degree : {1, 2, 3})
     for (const unsigned int axis_degree : {1, 2, 3})
       {

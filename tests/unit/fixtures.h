@@ -85,7 +85,7 @@ namespace lamella
   {
     std::vector<PrescribedRow> rows;
     for (const std::string &surface : body.surfaces())
-      if (surface != "ends")
+      if (surface != "ends" && surface != "all")
         {
           std::vector<Location> locations;
           for (const SurfacePoint &p : body.surface_points(surface))

@@ -93,6 +93,11 @@ namespace lamella
     body_points() const override;
     std::vector<SurfacePoint>
     surface_quadrature(const std::string &surface) const override;
+    std::vector<SurfaceFacet>
+    surface_facets(const std::string &surface) const override;
+    SurfacePoint
+    surface_point(const SurfaceFacet     &facet,
+                  const dealii::Point<2> &st) const override;
     std::vector<double>
     line_breaks(const dealii::Point<3> &a,
                 const dealii::Point<3> &b) const override;
@@ -198,6 +203,10 @@ namespace lamella
 
     SurfacePoint
     end_point(const EdgePoint &point, const bool at_start) const;
+
+    /// The facet whose unit square @p facet maps to, its corners and degrees.
+    void
+    complete(SurfaceFacet &facet) const;
 
     std::shared_ptr<const Section> beam_section;
     std::shared_ptr<const Axis>    beam_axis;

@@ -73,6 +73,25 @@ namespace lamella
     double normal_modulus = 0., depth = 0.;
   };
 
+  /**
+   * One side of one cell of a body: a piece of its surface that is the image of
+   * the unit square under one polynomial map. The point (s, t) of the square is
+   * the point origin + s along_s + t along_t of the cell's unit cube.
+   */
+  struct SurfaceFacet
+  {
+    unsigned int         cell = 0;
+    dealii::Point<3>     origin;
+    dealii::Tensor<1, 3> along_s, along_t;
+    /// Where (0, 0), (1, 0), (0, 1) and (1, 1) are.
+    std::array<dealii::Point<3>, 4> corners;
+    /// The degree of the expansion in s and in t: what a grid of nodes has.
+    unsigned int degree_s = 0, degree_t = 0;
+    /// Positions and displacements are polynomials of these degrees in s and in
+    /// t: more than the above where a Taylor expansion meets a curved side.
+    unsigned int trace_degree_s = 0, trace_degree_t = 0;
+  };
+
   /// An element of a body for pictures: fields on a grid of (n+1)^3 points, the
   /// first coordinate running fastest.
   struct OutputCell
@@ -194,7 +213,7 @@ namespace lamella
     virtual std::array<unsigned int, 3>
     recovery_degrees() const = 0;
 
-    /// Names that the functions below take.
+    /// Names that the functions below take; `all` is the whole surface.
     virtual std::vector<std::string>
     surfaces() const = 0;
 
@@ -216,6 +235,16 @@ namespace lamella
     /// Integration points of @p surface.
     virtual std::vector<SurfacePoint>
     surface_quadrature(const std::string &surface) const = 0;
+
+    /// The facets that @p surface is made of.
+    virtual std::vector<SurfaceFacet>
+    surface_facets(const std::string &surface) const = 0;
+
+    /// The point of @p facet at (s, t) = @p st; its area is the area per unit
+    /// of the square, |dX/ds x dX/dt|.
+    virtual SurfacePoint
+    surface_point(const SurfaceFacet     &facet,
+                  const dealii::Point<2> &st) const = 0;
 
     /// The parameters in [0, 1], ascending, where the segment from @p a to @p b
     /// crosses from element to element, its ends among them.

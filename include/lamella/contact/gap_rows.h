@@ -6,9 +6,7 @@
 #include <lamella/conditions/region.h>
 #include <lamella/contact/enforcement.h>
 #include <lamella/contact/obstacle.h>
-#include <lamella/contact/pairing.h>
 
-#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
@@ -33,6 +31,16 @@ namespace lamella
     refuse      ///< an error
   };
 
+  /// Which side carries the points of `node to surface` and the hat functions
+  /// of `surface to surface`.
+  enum class PointsOn
+  {
+    undefined,
+    automatic, ///< the side with the finer grid where the two face each other
+    first,
+    second
+  };
+
   /// Two surfaces that may touch, as a scene says it.
   struct ContactPair
   {
@@ -43,12 +51,14 @@ namespace lamella
 
     Discretisation discretisation = Discretisation::undefined;
     Enforcement    enforcement    = Enforcement::undefined;
-    Overclosure    overclosure    = Overclosure::undefined;
+    Overclosure    overclosure    = Overclosure::push_apart;
+    PointsOn       points_on      = PointsOn::automatic;
     Penalty        penalty;
     /// Of facing nodes, see pair_node_to_node().
     double tolerance = 1e-6;
-    /// Points further apart than this along the normal are not paired.
-    double search_distance = std::numeric_limits<double>::infinity();
+    /// Places further apart than this along the normal are not paired; none
+    /// for automatic_search_distance().
+    std::optional<double> search_distance;
   };
 
   /**
@@ -101,25 +111,48 @@ namespace lamella
   {
     struct Point
     {
-      dealii::Point<3>     first, second;
+      /// X_1 and X_2: of `surface to surface` a node of the carrying side and
+      /// the place that it faces.
+      dealii::Point<3> first, second;
+      /// n of the row, outwards from First: the row's force on the second side
+      /// is lambda n, on the first -lambda n. Of `surface to surface` it is the
+      /// mean of n over the row's area, shorter than 1 where surfaces curve.
       dealii::Tensor<1, 3> normal;
       double               area = 0.;
     };
-    std::string  name;
-    unsigned int first_body = 0;
+    std::string    name;
+    Discretisation discretisation = Discretisation::undefined;
+    unsigned int   first_body     = 0;
     /// None where the second is a rigid obstacle.
     std::optional<unsigned int> second_body;
     /// Of the body or the obstacle.
-    std::string         second_name;
-    unsigned int        unpaired = 0;
+    std::string second_name;
+    /// Whether the second side carries the points.
+    bool points_on_second = false;
+    /// Nodes of either side that face nothing (of `node to surface` and
+    /// `surface to surface` those of the side that carries the points alone).
+    unsigned int        unpaired = 0, unpaired_second = 0;
     std::vector<GapRow> rows;
     std::vector<Point>  points;
+    /// What the user should know of this pairing, a sentence each.
+    std::vector<std::string> notes;
   };
 
   /**
+   * How far apart places may lie to be paired if the scene does not say: the
+   * length of the smaller body. Whatever moves by more than that is far outside
+   * of linear kinematics, and rows that never close cost next to nothing.
+   * (How far they may overlap is decided by the depth of the cells below, see
+   * make_interface().)
+   */
+  double
+  automatic_search_distance(const ContactPair &contact, const Bodies &bodies);
+
+  /**
    * Searches, pairs and makes the gap rows of @p contact. Throws InputError if
-   * a surface does not exist or no points face each other (the message gives
-   * the nearest distance).
+   * a surface does not exist, if nothing faces the other side (the message
+   * gives the nearest distance of nodes), if the surfaces look away from each
+   * other or the bodies lie in each other by more than the cells are deep.
    */
   ContactInterface
   make_interface(const ContactPair &contact, const Bodies &bodies);

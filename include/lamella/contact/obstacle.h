@@ -52,6 +52,10 @@ namespace lamella
   meet(const Obstacle             &obstacle,
        const dealii::Point<3>     &x,
        const dealii::Tensor<1, 3> &d);
+
+  /// Whether @p x is in @p obstacle.
+  bool
+  contains(const Obstacle &obstacle, const dealii::Point<3> &x);
 } // namespace lamella
 
 #endif

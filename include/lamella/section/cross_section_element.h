@@ -63,6 +63,15 @@ namespace lamella
     virtual unsigned int
     degree() const = 0;
 
+    /// On a side of a cell positions and functions are polynomials of this
+    /// degree in the side's parameter; with curved sides that may be more than
+    /// degree().
+    virtual unsigned int
+    trace_degree() const
+    {
+      return degree();
+    }
+
     /// Gauss points a direction and cell that integrate products of two
     /// functions exactly (on straight cells).
     virtual unsigned int
@@ -111,6 +120,17 @@ namespace lamella
     std::vector<EdgePoint>
     edge_quadrature(const std::string &boundary, const unsigned int n) const;
 
+    /// The sides of cells, as pairs of cell and face, of the boundary @p name.
+    std::vector<std::pair<unsigned int, unsigned int>>
+    boundary_faces(const std::string &name) const;
+
+    /// The point at the parameter @p t of the side @p face of @p cell, on the
+    /// boundary; its weight is the length per unit of the parameter.
+    EdgePoint
+    edge_point(const unsigned int cell,
+               const unsigned int face,
+               const double       t) const;
+
     const SectionMesh &
     section_mesh() const
     {
@@ -145,10 +165,6 @@ namespace lamella
     FunctionValues
     linear_functions(const dealii::Point<2>     &position,
                      const dealii::Tensor<2, 2> &jacobian) const;
-
-    /// The sides of cells, as pairs of cell and face, of the boundary @p name.
-    std::vector<std::pair<unsigned int, unsigned int>>
-    boundary_faces(const std::string &name) const;
 
     /// Adds a side's share of normal and length to @p point, at whose place the
     /// side's own normal is @p own_normal; marks corners of more than 20

@@ -39,6 +39,8 @@ namespace lamella
     }
 
     unsigned int
+    trace_degree() const override;
+    unsigned int
     n_gauss_points() const override
     {
       return gauss_points;

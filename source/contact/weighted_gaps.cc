@@ -1,0 +1,566 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <lamella/contact/segments.h>
+#include <lamella/contact/weighted_gaps.h>
+
+#include <deal.II/base/quadrature_lib.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace lamella
+{
+  using namespace dealii;
+
+  namespace
+  {
+    // Relative to the hat function's own integral: what faces less of the other
+    // side does so by rounding.
+    constexpr double smallest_share = 1e-8;
+
+    // Of the Gauss rule, for what is not polynomial on curved facets.
+    constexpr unsigned int degrees_for_curves = 2;
+
+    using Vector3 = Tensor<1, 3>;
+
+
+
+    /// Sums the weights of each number, in ascending order.
+    void
+    merge(WeightedGap::Weights &weights)
+    {
+      std::sort(weights.begin(),
+                weights.end(),
+                [](const auto &a, const auto &b) { return a.first < b.first; });
+      unsigned int n = 0;
+      for (unsigned int k = 1; k < weights.size(); ++k)
+        if (weights[k].first == weights[n].first)
+          weights[n].second += weights[k].second;
+        else
+          weights[++n] = weights[k];
+      weights.resize(std::min<std::size_t>(n + 1, weights.size()));
+    }
+
+
+
+    /// Numbers the locations that the weights of all rows refer to from 0 on.
+    std::vector<Location>
+    renumber(std::vector<WeightedGap> &gaps,
+             WeightedGap::Weights WeightedGap::*weights,
+             const MeshSurface                 &surface)
+    {
+      const unsigned int        none = numbers::invalid_unsigned_int;
+      std::vector<unsigned int> place(surface.n_trace_nodes(), none);
+      std::vector<Location>     locations;
+      for (WeightedGap &gap : gaps)
+        for (auto &weight : gap.*weights)
+          {
+            if (place[weight.first] == none)
+              {
+                place[weight.first] = locations.size();
+                locations.push_back(surface.trace_location(weight.first));
+              }
+            weight.first = place[weight.first];
+          }
+      return locations;
+    }
+
+
+
+    class Integrator
+    {
+    public:
+      explicit Integrator(const Sides &sides);
+
+      Gaps
+      run();
+
+    private:
+      /// A cell of the grid of nodes: part of a facet.
+      struct Cell
+      {
+        const MeshSurface::Facet   *facet;
+        Point<2>                    low, high;
+        std::array<unsigned int, 4> nodes;
+      };
+
+      /// What a hat function gathers.
+      struct Node
+      {
+        WeightedGap sums;
+        /// The integral over all of its cells, whatever they face.
+        double full_area = 0.;
+      };
+
+      /// A point of the carrying side.
+      struct CarryingPoint
+      {
+        Point<2> st;
+        Point<3> position;
+        /// Of the continuous field, and the facet's own.
+        Vector3 normal, own_normal;
+        /// |d_s x d_t|.
+        double density;
+      };
+
+      void
+      make_cells();
+      CarryingPoint
+      evaluate(const Cell &cell, const Point<2> &st) const;
+      std::array<double, 4>
+      hats(const Cell &cell, const Point<2> &st) const;
+      void
+      add_full_areas(const Cell &cell);
+      void
+      add_cell(const Cell &cell);
+      void
+      add_cell_against_obstacle(const Cell &cell);
+      void
+      add_segment(const Cell                      &cell,
+                  const ChordPlane                &plane,
+                  const Segment                   &segment,
+                  const std::vector<unsigned int> &candidates,
+                  const bool                       layered);
+      CarryingPoint
+      point_above(const Cell       &cell,
+                  const ChordPlane &plane,
+                  const Point<2>   &p) const;
+      std::optional<Opposition>
+      opposition(const CarryingPoint             &point,
+                 const unsigned int               facet,
+                 const std::vector<unsigned int> &candidates,
+                 const bool                       layered) const;
+      void
+      add_point(const Cell          &cell,
+                const CarryingPoint &point,
+                const double         weight,
+                const Opposition    &opposite);
+      void
+      flush_opposing(const Cell &cell);
+      void
+      flush_carrying(const Cell &cell);
+      void
+      finish(const unsigned int number);
+
+      const Sides       &sides;
+      const MeshSurface &carrying;
+      std::vector<Cell>  cells;
+      std::vector<Node>  nodes;
+      Gaps               result;
+
+      /// Of the current cell: integrals of hat times trace function times n,
+      /// those of the opposing side for one facet at a time.
+      std::vector<Vector3> carrying_sums, opposing_sums;
+      unsigned int         opposing_facet = numbers::invalid_unsigned_int;
+      std::vector<double>  trace;
+    };
+
+
+
+    Integrator::Integrator(const Sides &sides)
+      : sides(sides)
+      , carrying(*sides.carrying)
+    {
+      make_cells();
+    }
+
+
+
+    void
+    Integrator::make_cells()
+    {
+      nodes.resize(carrying.grid_nodes().size());
+      for (const MeshSurface::Facet &facet : carrying.facets())
+        {
+          const GaussLobattoBasis &s = *facet.grid_s, &t = *facet.grid_t;
+          const auto              &numbers = facet.grid_nodes;
+          for (unsigned int j = 0; j + 1 < t.size(); ++j)
+            for (unsigned int i = 0; i + 1 < s.size(); ++i)
+              {
+                const unsigned int k = j * s.size() + i;
+                cells.push_back({&facet,
+                                 Point<2>(s.point(i), t.point(j)),
+                                 Point<2>(s.point(i + 1), t.point(j + 1)),
+                                 {{numbers[k],
+                                   numbers[k + 1],
+                                   numbers[k + s.size()],
+                                   numbers[k + s.size() + 1]}}});
+              }
+        }
+    }
+
+
+
+    Integrator::CarryingPoint
+    Integrator::evaluate(const Cell &cell, const Point<2> &st) const
+    {
+      const auto    place = carrying.map(*cell.facet, st);
+      const Vector3 normal =
+        cell.facet->orientation * cross_product_3d(place.d_s, place.d_t);
+      const double density = normal.norm();
+      return {st,
+              place.position,
+              carrying.smooth_normal(*cell.facet, st),
+              normal / density,
+              density};
+    }
+
+
+
+    std::array<double, 4>
+    Integrator::hats(const Cell &cell, const Point<2> &st) const
+    {
+      const double s = (st[0] - cell.low[0]) / (cell.high[0] - cell.low[0]),
+                   t = (st[1] - cell.low[1]) / (cell.high[1] - cell.low[1]);
+      return {{(1. - s) * (1. - t), s * (1. - t), (1. - s) * t, s * t}};
+    }
+
+
+
+    void
+    Integrator::add_full_areas(const Cell &cell)
+    {
+      const QGauss<2>    rule(3);
+      const Tensor<1, 2> size = cell.high - cell.low;
+      for (unsigned int q = 0; q < rule.size(); ++q)
+        {
+          const Point<2> st(cell.low[0] + rule.point(q)[0] * size[0],
+                            cell.low[1] + rule.point(q)[1] * size[1]);
+          const double   dA =
+            rule.weight(q) * size[0] * size[1] * evaluate(cell, st).density;
+          const auto phi = hats(cell, st);
+          for (unsigned int i = 0; i < 4; ++i)
+            nodes[cell.nodes[i]].full_area += phi[i] * dA;
+        }
+    }
+
+
+
+    void
+    Integrator::add_cell(const Cell &cell)
+    {
+      std::array<Point<3>, 4> corners;
+      for (unsigned int k = 0; k < 4; ++k)
+        corners[k] = carrying
+                       .map(*cell.facet,
+                            Point<2>((k % 2 == 0 ? cell.low : cell.high)[0],
+                                     (k / 2 == 0 ? cell.low : cell.high)[1]))
+                       .position;
+      const CarryingPoint middle =
+        evaluate(cell, cell.low + 0.5 * (cell.high - cell.low));
+      const ChordPlane plane(corners, middle.own_normal);
+
+      const auto facing   = opposing_place(*sides.opposing,
+                                         middle.position,
+                                         middle.normal,
+                                         sides.reach);
+      const auto segments = cut(plane,
+                                facing ? facing->normal : middle.normal,
+                                *sides.opposing_mesh,
+                                sides.reach);
+
+      // Facets that overlap lie behind each other.
+      std::vector<unsigned int> candidates;
+      double                    covered = 0.;
+      for (const Segment &segment : segments)
+        {
+          candidates.push_back(segment.facet);
+          covered += segment.area;
+        }
+      const bool layered = covered > (1. + 1e-6) * plane.area;
+      for (const Segment &segment : segments)
+        add_segment(cell, plane, segment, candidates, layered);
+    }
+
+
+
+    void
+    Integrator::add_cell_against_obstacle(const Cell &cell)
+    {
+      const unsigned int degree = std::max(cell.facet->side.trace_degree_s,
+                                           cell.facet->side.trace_degree_t);
+      const QGauss<2>    rule(degree / 2 + 1 + degrees_for_curves);
+      const Tensor<1, 2> size = cell.high - cell.low;
+      for (unsigned int q = 0; q < rule.size(); ++q)
+        {
+          const CarryingPoint point =
+            evaluate(cell,
+                     Point<2>(cell.low[0] + rule.point(q)[0] * size[0],
+                              cell.low[1] + rule.point(q)[1] * size[1]));
+          const auto opposite = opposing_place(*sides.opposing,
+                                               point.position,
+                                               point.normal,
+                                               sides.reach);
+          if (opposite)
+            add_point(cell,
+                      point,
+                      rule.weight(q) * size[0] * size[1] * point.density,
+                      *opposite);
+        }
+    }
+
+
+
+    void
+    Integrator::add_segment(const Cell                      &cell,
+                            const ChordPlane                &plane,
+                            const Segment                   &segment,
+                            const std::vector<unsigned int> &candidates,
+                            const bool                       layered)
+    {
+      const MeshSurface::Facet &other =
+        sides.opposing_mesh->facets()[segment.facet];
+      const SurfaceFacet &a = cell.facet->side, &b = other.side;
+      // A hat function is of degree 2 on triangles.
+      const unsigned int degree =
+        2 +
+        std::max(a.trace_degree_s + a.trace_degree_t,
+                 b.trace_degree_s + b.trace_degree_t) +
+        (cell.facet->is_affine && other.is_affine ? 0 : degrees_for_curves);
+      const Quadrature<2> &rule    = triangle_rule(degree);
+      const Polygon       &corners = segment.polygon;
+      for (unsigned int k = 1; k + 1 < corners.size(); ++k)
+        {
+          const Tensor<1, 2> along  = corners[k] - corners[0],
+                             across = corners[k + 1] - corners[0];
+          const double twice_area = along[0] * across[1] - along[1] * across[0];
+          for (unsigned int q = 0; q < rule.size() && twice_area > 0.; ++q)
+            {
+              const CarryingPoint point =
+                point_above(cell,
+                            plane,
+                            corners[0] + rule.point(q)[0] * along +
+                              rule.point(q)[1] * across);
+              const auto opposite =
+                opposition(point, segment.facet, candidates, layered);
+              if (opposite)
+                add_point(cell,
+                          point,
+                          rule.weight(q) * twice_area /
+                            (point.own_normal * plane.normal),
+                          *opposite);
+            }
+        }
+    }
+
+
+
+    Integrator::CarryingPoint
+    Integrator::point_above(const Cell       &cell,
+                            const ChordPlane &plane,
+                            const Point<2>   &p) const
+    {
+      constexpr unsigned int max_iterations = 20;
+      constexpr double       small          = 1e-14;
+
+      Point<2> st = cell.low + 0.5 * (cell.high - cell.low);
+      for (unsigned int k = 0; k < max_iterations; ++k)
+        {
+          const auto         place = carrying.map(*cell.facet, st);
+          const Tensor<1, 2> r =
+            p - plane.project(place.position, plane.normal);
+          const double s1 = place.d_s * plane.e1, s2 = place.d_s * plane.e2,
+                       t1 = place.d_t * plane.e1, t2 = place.d_t * plane.e2,
+                       determinant = s1 * t2 - t1 * s2;
+          const Point<2> step((t2 * r[0] - t1 * r[1]) / determinant,
+                              (s1 * r[1] - s2 * r[0]) / determinant);
+          st += step;
+          if (cell.facet->is_affine || step.norm() < small)
+            break;
+        }
+      return evaluate(cell, st);
+    }
+
+
+
+    std::optional<Opposition>
+    Integrator::opposition(const CarryingPoint             &point,
+                           const unsigned int               facet,
+                           const std::vector<unsigned int> &candidates,
+                           const bool                       layered) const
+    {
+      const MeshSurface              &mesh = *sides.opposing_mesh;
+      const std::vector<unsigned int> own{facet};
+      const auto on_own = opposing_place(SurfacePart(mesh, own),
+                                         point.position,
+                                         point.normal,
+                                         sides.reach);
+      // Next to the edge of a curved facet the neighbour's segment may begin a
+      // little earlier or later than the facet.
+      if (!on_own)
+        return opposing_place(SurfacePart(mesh, candidates),
+                              point.position,
+                              point.normal,
+                              sides.reach);
+      if (layered)
+        {
+          const auto   nearest  = mesh.meet_among(candidates,
+                                               point.position,
+                                               on_own->normal,
+                                               sides.reach);
+          const double rounding = 1e-9 * mesh.body().size();
+          if (nearest && std::abs(nearest->distance) + rounding <
+                           std::abs(on_own->hit.distance))
+            return {};
+        }
+      return on_own;
+    }
+
+
+
+    void
+    Integrator::add_point(const Cell          &cell,
+                          const CarryingPoint &point,
+                          const double         weight,
+                          const Opposition    &opposite)
+    {
+      const double depth = opposing_depth(sides, opposite.hit);
+      if (is_too_deep(opposite.hit.distance, cell.facet->depth, depth))
+        {
+          result.too_deep.push_back(
+            {point.position, opposite.hit.position, -opposite.hit.distance});
+          return;
+        }
+
+      const auto phi = hats(cell, point.st);
+      for (unsigned int i = 0; i < 4; ++i)
+        {
+          WeightedGap &sums  = nodes[cell.nodes[i]].sums;
+          const double share = phi[i] * weight;
+          sums.area += share;
+          sums.gap += share * opposite.hit.distance;
+          sums.normal += share * opposite.normal;
+          sums.carrying.normal_modulus += share * cell.facet->normal_modulus;
+          sums.carrying.depth += share * cell.facet->depth;
+          if (sides.opposing_mesh != nullptr)
+            {
+              const MeshSurface::Facet &other =
+                sides.opposing_mesh->facets()[opposite.hit.facet];
+              sums.opposing.normal_modulus += share * other.normal_modulus;
+              sums.opposing.depth += share * other.depth;
+            }
+        }
+
+      const auto add = [&](std::vector<Vector3> &sums) {
+        const unsigned int n = trace.size();
+        sums.resize(4 * n);
+        for (unsigned int i = 0; i < 4; ++i)
+          for (unsigned int j = 0; j < n; ++j)
+            sums[i * n + j] += (phi[i] * weight * trace[j]) * opposite.normal;
+      };
+      carrying.evaluate_trace(*cell.facet, point.st, trace);
+      add(carrying_sums);
+      if (sides.opposing_mesh == nullptr)
+        return;
+      if (opposite.hit.facet != opposing_facet)
+        flush_opposing(cell);
+      opposing_facet = opposite.hit.facet;
+      sides.opposing_mesh->evaluate_trace(
+        sides.opposing_mesh->facets()[opposing_facet], opposite.hit.st, trace);
+      add(opposing_sums);
+    }
+
+
+
+    void
+    Integrator::flush_opposing(const Cell &cell)
+    {
+      if (opposing_sums.empty())
+        return;
+      const auto &numbers =
+        sides.opposing_mesh->facets()[opposing_facet].trace_nodes;
+      for (unsigned int i = 0; i < 4; ++i)
+        for (unsigned int j = 0; j < numbers.size(); ++j)
+          nodes[cell.nodes[i]].sums.opposing_weights.emplace_back(
+            numbers[j], opposing_sums[i * numbers.size() + j]);
+      opposing_sums.clear();
+    }
+
+
+
+    void
+    Integrator::flush_carrying(const Cell &cell)
+    {
+      if (carrying_sums.empty())
+        return;
+      const auto &numbers = cell.facet->trace_nodes;
+      for (unsigned int i = 0; i < 4; ++i)
+        for (unsigned int j = 0; j < numbers.size(); ++j)
+          nodes[cell.nodes[i]].sums.carrying_weights.emplace_back(
+            numbers[j], carrying_sums[i * numbers.size() + j]);
+      carrying_sums.clear();
+    }
+
+
+
+    void
+    Integrator::finish(const unsigned int number)
+    {
+      Node        &node = nodes[number];
+      WeightedGap &gap  = node.sums;
+      if (gap.area <= smallest_share * node.full_area)
+        {
+          ++result.unpaired;
+          return;
+        }
+      gap.position = carrying.grid_nodes()[number].position;
+      gap.gap /= gap.area;
+      gap.normal /= gap.area;
+      for (LocalStiffness *side : {&gap.carrying, &gap.opposing})
+        {
+          side->area = gap.area;
+          side->normal_modulus /= gap.area;
+          side->depth /= gap.area;
+        }
+      if (sides.opposing_mesh == nullptr)
+        gap.opposing = gap.carrying;
+      for (auto *weights : {&gap.carrying_weights, &gap.opposing_weights})
+        {
+          merge(*weights);
+          for (auto &[number, weight] : *weights)
+            weight /= gap.area;
+        }
+      const auto facing = opposing_place(*sides.opposing,
+                                         gap.position,
+                                         carrying.grid_nodes()[number].normal,
+                                         sides.reach);
+      gap.opposite =
+        facing ? facing->hit.position : gap.position + gap.gap * gap.normal;
+      result.gaps.push_back(std::move(gap));
+    }
+
+
+
+    Gaps
+    Integrator::run()
+    {
+      for (const Cell &cell : cells)
+        {
+          add_full_areas(cell);
+          if (sides.opposing_mesh != nullptr)
+            add_cell(cell);
+          else
+            add_cell_against_obstacle(cell);
+          flush_carrying(cell);
+          flush_opposing(cell);
+        }
+      for (unsigned int k = 0; k < nodes.size(); ++k)
+        finish(k);
+      result.carrying =
+        renumber(result.gaps, &WeightedGap::carrying_weights, carrying);
+      if (sides.opposing_mesh != nullptr)
+        result.opposing = renumber(result.gaps,
+                                   &WeightedGap::opposing_weights,
+                                   *sides.opposing_mesh);
+      return std::move(result);
+    }
+  } // namespace
+
+
+
+  Gaps
+  weighted_gaps(const Sides &sides)
+  {
+    return Integrator(sides).run();
+  }
+} // namespace lamella
