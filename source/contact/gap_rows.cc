@@ -247,6 +247,56 @@ namespace lamella
 
 
 
+    /// Nodes without a partner that face the other surface all the same.
+    unsigned int
+    count_facing(const std::vector<SurfacePoint> &points,
+                 const std::vector<bool>         &is_paired,
+                 const MeshSurface               &other,
+                 const double                     reach)
+    {
+      unsigned int count = 0;
+      for (unsigned int k = 0; k < points.size(); ++k)
+        if (!is_paired[k] &&
+            opposing_place(other, points[k].position, points[k].normal, reach))
+          ++count;
+      return count;
+    }
+
+
+
+    /// Notes where nodes do not face nodes.
+    void
+    note_unpaired(const ContactPair               &contact,
+                  const Bodies                    &bodies,
+                  const std::vector<SurfacePoint> &first,
+                  const std::vector<SurfacePoint> &second,
+                  const Pairing                   &pairing,
+                  const double                     reach,
+                  ContactInterface                &interface)
+    {
+      std::vector<bool> first_paired(first.size(), false),
+        second_paired(second.size(), false);
+      for (const PointPair &pair : pairing.pairs)
+        {
+          first_paired[pair.first]   = true;
+          second_paired[pair.second] = true;
+        }
+      const Surfaces     surfaces = make_surfaces(contact, bodies);
+      const unsigned int of_first =
+        count_facing(first, first_paired, *surfaces.second, reach);
+      const unsigned int of_second =
+        count_facing(second, second_paired, *surfaces.first, reach);
+      if (of_first + of_second > 0)
+        interface.notes.push_back(
+          "contact " + contact.name + ": " + std::to_string(of_first) +
+          " nodes of First and " + std::to_string(of_second) +
+          " of Second face the other surface, but none of its nodes, and can "
+          "pass through it. Use Discretisation = surface to surface, or give "
+          "both surfaces the same nodes");
+    }
+
+
+
     /// Pairs of nodes in the form of weighted gaps.
     Gaps
     node_to_node(const ContactPair &contact,
@@ -261,6 +311,10 @@ namespace lamella
       const Pairing pairing =
         pair_node_to_node(first, second, contact.tolerance, reach);
       interface.unpaired_second = pairing.unpaired_second;
+      if (!pairing.pairs.empty() &&
+          pairing.unpaired + pairing.unpaired_second > 0)
+        note_unpaired(
+          contact, bodies, first, second, pairing, reach, interface);
 
       Gaps result;
       result.unpaired = pairing.unpaired;
@@ -276,11 +330,13 @@ namespace lamella
           const unsigned int k    = result.gaps.size();
           const double       area = std::min(a.area, b.area);
           WeightedGap        gap;
-          gap.position         = a.position;
-          gap.opposite         = b.position;
-          gap.normal           = pair.normal;
-          gap.area             = area;
-          gap.gap              = pair.initial_gap;
+          gap.position = a.position;
+          gap.opposite = b.position;
+          gap.normal   = pair.normal;
+          gap.area     = area;
+          gap.gap      = pair.initial_gap;
+          gap.angle =
+            2. * std::asin(std::min(1., 0.5 * (a.normal + b.normal).norm()));
           gap.carrying         = {a.normal_modulus, area, a.depth};
           gap.opposing         = {b.normal_modulus, area, b.depth};
           gap.carrying_weights = {{k, pair.normal}};
@@ -373,11 +429,36 @@ namespace lamella
           interface.rows.push_back(std::move(row));
           if (on_second)
             interface.points.push_back(
-              {gap.opposite, gap.position, -gap.normal, gap.area});
+              {gap.opposite, gap.position, -gap.normal, gap.area, gap.angle});
           else
             interface.points.push_back(
-              {gap.position, gap.opposite, gap.normal, gap.area});
+              {gap.position, gap.opposite, gap.normal, gap.area, gap.angle});
         }
+    }
+
+
+
+    void
+    remove_overclosure(const ContactPair &contact, ContactInterface &interface)
+    {
+      Assert(contact.overclosure != Overclosure::undefined,
+             ExcMessage("What becomes of an overlap was never set."));
+      if (contact.overclosure == Overclosure::push_apart)
+        return;
+      unsigned int deepest = 0;
+      for (unsigned int k = 0; k < interface.rows.size(); ++k)
+        if (interface.rows[k].initial_gap < interface.rows[deepest].initial_gap)
+          deepest = k;
+      const double gap = interface.rows[deepest].initial_gap;
+      if (gap < 0. && contact.overclosure == Overclosure::refuse)
+        throw InputError("Contact " + contact.name +
+                         "/Overclosure = error: the bodies overlap from the "
+                         "start by up to " +
+                         to_text(-gap) + ", at " +
+                         to_text(interface.points[deepest].first) +
+                         ". Move them apart, or choose push apart or adjust.");
+      for (GapRow &row : interface.rows)
+        row.initial_gap = std::max(0., row.initial_gap);
     }
   } // namespace
 
@@ -409,6 +490,7 @@ namespace lamella
     interface.first_body     = contact.first.body;
     if (contact.obstacle == nullptr)
       interface.second_body = contact.second.body;
+    interface.obstacle    = contact.obstacle;
     interface.second_name = contact.obstacle != nullptr ?
                               contact.obstacle->name :
                               bodies[contact.second.body]->name();
@@ -423,6 +505,7 @@ namespace lamella
     (interface.points_on_second ? interface.unpaired_second :
                                   interface.unpaired) = gaps.unpaired;
     add_rows(contact, bodies, gaps, interface);
+    remove_overclosure(contact, interface);
     return interface;
   }
 } // namespace lamella

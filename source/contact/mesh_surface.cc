@@ -76,7 +76,9 @@ namespace lamella
       }
     if (!hit || change > accepted || n1 * hit->normal > -opposed)
       return {};
-    return Opposition{*hit, n};
+    // |n_1 - n_2| = 2 cos(angle / 2), |n_1 + n_2| = 2 sin(angle / 2).
+    return Opposition{
+      *hit, n, 2. * std::asin(std::min(1., 0.5 * (n1 + hit->normal).norm()))};
   }
 
 

@@ -203,6 +203,7 @@ namespace lamella
         gap.normal           = facing->normal;
         gap.area             = point.area;
         gap.gap              = hit.distance;
+        gap.angle            = facing->angle;
         gap.carrying         = {point.normal_modulus, point.area, point.depth};
         gap.opposing         = gap.carrying;
         gap.carrying_weights = {

@@ -16,7 +16,7 @@ namespace lamella
   {
     // Relative to the hat function's own integral: what faces less of the other
     // side does so by rounding.
-    constexpr double smallest_share = 1e-8;
+    constexpr double smallest_share = 1e-12;
 
     // Of the Gauss rule, for what is not polynomial on curved facets.
     constexpr unsigned int degrees_for_curves = 2;
@@ -88,6 +88,9 @@ namespace lamella
       struct Node
       {
         WeightedGap sums;
+        /// The largest value of the hat function where the other side was met:
+        /// that place stands for what the node faces.
+        double nearest = 0.;
         /// The integral over all of its cells, whatever they face.
         double full_area = 0.;
       };
@@ -425,8 +428,15 @@ namespace lamella
       const auto phi = hats(cell, point.st);
       for (unsigned int i = 0; i < 4; ++i)
         {
-          WeightedGap &sums  = nodes[cell.nodes[i]].sums;
+          Node        &node  = nodes[cell.nodes[i]];
+          WeightedGap &sums  = node.sums;
           const double share = phi[i] * weight;
+          if (phi[i] > node.nearest)
+            {
+              node.nearest  = phi[i];
+              sums.opposite = opposite.hit.position;
+              sums.angle    = opposite.angle;
+            }
           sums.area += share;
           sums.gap += share * opposite.hit.distance;
           sums.normal += share * opposite.normal;
@@ -524,8 +534,11 @@ namespace lamella
                                          gap.position,
                                          carrying.grid_nodes()[number].normal,
                                          sides.reach);
-      gap.opposite =
-        facing ? facing->hit.position : gap.position + gap.gap * gap.normal;
+      if (facing)
+        {
+          gap.opposite = facing->hit.position;
+          gap.angle    = facing->angle;
+        }
       result.gaps.push_back(std::move(gap));
     }
 

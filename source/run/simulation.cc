@@ -2,6 +2,7 @@
 
 #include <lamella/base/exceptions.h>
 #include <lamella/base/text.h>
+#include <lamella/contact/assumptions.h>
 #include <lamella/report/console.h>
 #include <lamella/report/section_table.h>
 #include <lamella/report/validation.h>
@@ -43,6 +44,7 @@ namespace lamella
                           contacts.back().rows.begin(),
                           contacts.back().rows.end());
         }
+      check_conflicts(contacts, structure->bodies());
     }
     TimerOutput::Scope scope(timer, "setup");
     for (const Support &support : scene.supports)
@@ -52,6 +54,10 @@ namespace lamella
     for (const std::string &warning :
          torques_left_out(scene.loads, structure->bodies()))
       summary.warnings.push_back(warning);
+    for (const ContactInterface &contact : contacts)
+      summary.warnings.insert(summary.warnings.end(),
+                              contact.notes.begin(),
+                              contact.notes.end());
     summary.units     = scene.units;
     summary.structure = structure.get();
     summary.contacts  = &contacts;

@@ -33,6 +33,7 @@ namespace lamella
         {"Bodies", "Body"},
         {"Supports", "Support"},
         {"Loads", "Load"},
+        {"Obstacles", "Obstacle"},
         {"Contacts", "Contact"},
         {"Probes", "Probe"},
         {"Lines", "Line"},
@@ -144,6 +145,8 @@ namespace lamella
               declare_support(prm);
             else if (kind == "Load")
               declare_load(prm);
+            else if (kind == "Obstacle")
+              declare_obstacle(prm);
             else if (kind == "Contact")
               declare_contact(prm);
             else if (kind == "Probe")
@@ -187,6 +190,13 @@ namespace lamella
                                  "' stands there twice.");
             }
         }
+      for (const std::string &name : names["Obstacles"])
+        for (const std::string &body : names["Bodies"])
+          if (name == body)
+            throw InputError("Obstacles = " + prm.get("Obstacles") + ": '" +
+                             name +
+                             "' is the name of a body, too. Rename one of "
+                             "the two.");
       for (const char *list : {"Materials", "Sections", "Bodies"})
         if (names[list].empty())
           throw InputError(std::string(list) +
@@ -283,10 +293,11 @@ namespace lamella
       };
       const ContactPair &last = contacts.back();
       for (auto other = contacts.begin(); other + 1 != contacts.end(); ++other)
-        if ((same(other->first, last.first) &&
-             same(other->second, last.second)) ||
-            (same(other->first, last.second) &&
-             same(other->second, last.first)))
+        if (other->obstacle == last.obstacle &&
+            ((same(other->first, last.first) &&
+              (last.obstacle != nullptr || same(other->second, last.second))) ||
+             (last.obstacle == nullptr && same(other->first, last.second) &&
+              same(other->second, last.first))))
           throw InputError("Contact " + last.name +
                            ": pairs the same surfaces as Contact " +
                            other->name + ". Keep one of the two.");
@@ -349,6 +360,31 @@ namespace lamella
 
 
 
+    /// Probes, lines and cuts; @p in enters a subsection and parses it.
+    template <typename In>
+    void
+    resolve_requests(ParameterHandler &prm,
+                     const In         &in,
+                     const Names      &names,
+                     Scene            &scene)
+    {
+      const auto &bodies = names.at("Bodies");
+      for (const std::string &name : names.at("Probes"))
+        in("Probe " + name, [&](const std::string &) {
+          scene.probes.push_back(parse_probe(prm, name, bodies));
+        });
+      for (const std::string &name : names.at("Lines"))
+        in("Line " + name, [&](const std::string &) {
+          scene.lines.push_back(parse_line(prm, name, bodies));
+        });
+      for (const std::string &name : names.at("Cuts"))
+        in("Cut " + name, [&](const std::string &) {
+          scene.cuts.push_back(parse_cut(prm, name, bodies));
+        });
+    }
+
+
+
     /// The second pass, over what @p prm has parsed.
     Scene
     resolve(ParameterHandler &prm, const Names &names, const SceneText &text)
@@ -400,25 +436,19 @@ namespace lamella
         in("Load " + name, [&](const std::string &) {
           scene.loads.push_back(parse_load(prm, name, bodies));
         });
+      for (const std::string &name : names.at("Obstacles"))
+        in("Obstacle " + name, [&](const std::string &) {
+          scene.obstacles.push_back(parse_obstacle(prm, name));
+        });
       for (const std::string &name : names.at("Contacts"))
         in("Contact " + name, [&](const std::string &what) {
-          scene.contacts.push_back(parse_contact(prm, name, bodies));
+          scene.contacts.push_back(
+            parse_contact(prm, name, bodies, scene.obstacles));
           check_contact_is_new(scene.contacts);
           scene.contact_references[name] =
             parse_references(prm.get("References"), resultant, what);
         });
-      for (const std::string &name : names.at("Probes"))
-        in("Probe " + name, [&](const std::string &) {
-          scene.probes.push_back(parse_probe(prm, name, bodies));
-        });
-      for (const std::string &name : names.at("Lines"))
-        in("Line " + name, [&](const std::string &) {
-          scene.lines.push_back(parse_line(prm, name, bodies));
-        });
-      for (const std::string &name : names.at("Cuts"))
-        in("Cut " + name, [&](const std::string &) {
-          scene.cuts.push_back(parse_cut(prm, name, bodies));
-        });
+      resolve_requests(prm, in, names, scene);
       return scene;
     }
   } // namespace

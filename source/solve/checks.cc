@@ -324,10 +324,6 @@ namespace lamella
           ", " + to_text(100. * kkt.max_penetration / displacement, 2) +
           " % of the displacements: a result of the penalty as "
           "much as of the bodies");
-      if (contact.unpaired > 0)
-        warnings.push_back(what + std::to_string(contact.unpaired) +
-                           " nodes of First face no node of Second and cannot "
-                           "touch");
       double smallest = 0.;
       for (const GapRow &row : contact.rows)
         smallest = std::min(smallest, row.initial_gap);

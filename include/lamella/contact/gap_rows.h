@@ -119,12 +119,16 @@ namespace lamella
       /// mean of n over the row's area, shorter than 1 where surfaces curve.
       dealii::Tensor<1, 3> normal;
       double               area = 0.;
+      /// Between the normals of the two sides (n_1 and -n_2), in rad.
+      double angle = 0.;
     };
     std::string    name;
     Discretisation discretisation = Discretisation::undefined;
     unsigned int   first_body     = 0;
     /// None where the second is a rigid obstacle.
     std::optional<unsigned int> second_body;
+    /// That obstacle, else null.
+    std::shared_ptr<const Obstacle> obstacle;
     /// Of the body or the obstacle.
     std::string second_name;
     /// Whether the second side carries the points.

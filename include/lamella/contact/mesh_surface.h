@@ -52,6 +52,8 @@ namespace lamella
     SurfaceHit hit;
     /// n below; the gap is hit.distance.
     dealii::Tensor<1, 3> normal;
+    /// Between n_1 and -n_2, in rad.
+    double angle = 0.;
   };
 
   /**

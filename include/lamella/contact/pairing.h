@@ -60,7 +60,9 @@ namespace lamella
     /// lambda times it.
     dealii::Tensor<1, 3> normal;
     double               area = 0., gap = 0.;
-    LocalStiffness       carrying, opposing;
+    /// Between n_1 and -n_2 at the point, in rad.
+    double         angle = 0.;
+    LocalStiffness carrying, opposing;
     /// w_j and v_k by numbers of locations in Gaps.
     using Weights = std::vector<std::pair<unsigned int, dealii::Tensor<1, 3>>>;
     Weights carrying_weights, opposing_weights;

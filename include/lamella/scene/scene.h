@@ -9,7 +9,7 @@
 #include <lamella/conditions/load.h>
 #include <lamella/conditions/stabilisation.h>
 #include <lamella/conditions/support.h>
-#include <lamella/contact/gap_rows.h>
+#include <lamella/contact/parameters.h>
 #include <lamella/report/requests.h>
 #include <lamella/scene/scene_text.h>
 #include <lamella/section/shapes.h>
@@ -47,6 +47,7 @@ namespace lamella
 
     std::vector<Support>     supports;
     std::vector<Load>        loads;
+    Obstacles                obstacles;
     std::vector<ContactPair> contacts;
     SolveParameters          solve;
 

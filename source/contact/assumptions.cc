@@ -1,0 +1,225 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <lamella/base/exceptions.h>
+#include <lamella/base/text.h>
+#include <lamella/contact/assumptions.h>
+#include <lamella/contact/search.h>
+
+#include <cmath>
+
+namespace lamella
+{
+  using namespace dealii;
+
+  namespace
+  {
+    using Points = std::vector<ContactInterface::Point>;
+
+    /// The point of @p point on the body @p body of @p interface.
+    const Point<3> &
+    on_body(const ContactInterface        &interface,
+            const ContactInterface::Point &point,
+            const unsigned int             body)
+    {
+      return interface.first_body == body ? point.first : point.second;
+    }
+
+
+
+    bool
+    same_bodies(const ContactInterface &a, const ContactInterface &b)
+    {
+      if (!a.second_body || !b.second_body)
+        return !a.second_body && !b.second_body &&
+               a.first_body == b.first_body && a.second_name == b.second_name;
+      return (a.first_body == b.first_body &&
+              *a.second_body == *b.second_body) ||
+             (a.first_body == *b.second_body && *a.second_body == b.first_body);
+    }
+
+
+
+    /// Places of @p a that @p b holds apart, too, from nearly the same place.
+    std::vector<Point<3>>
+    shared_places(const ContactInterface &a,
+                  const ContactInterface &b,
+                  const Bodies           &bodies)
+    {
+      const unsigned int    body      = a.first_body;
+      const double          tolerance = 1e-9 * bodies[body]->size();
+      std::vector<Point<3>> positions, shared;
+      for (const ContactInterface::Point &point : b.points)
+        positions.push_back(on_body(b, point, body));
+      const PointSearch search(positions);
+      for (const ContactInterface::Point &point : a.points)
+        for (const unsigned int k : search.nearest(point.first, 1))
+          {
+            const bool      turned = b.first_body != body;
+            const Point<3> &partner =
+              turned ? b.points[k].first : b.points[k].second;
+            if (positions[k].distance(point.first) < tolerance &&
+                partner.distance(point.second) < std::sqrt(point.area) &&
+                (turned ? -1. : 1.) * point.normal * b.points[k].normal > 0.5)
+              shared.push_back(point.first);
+          }
+      return shared;
+    }
+
+
+
+    /// Whether @p points lie on a line, up to @p tolerance.
+    bool
+    are_collinear(const std::vector<Point<3>> &points, const double tolerance)
+    {
+      Point<3> far = points.front();
+      for (const Point<3> &point : points)
+        if (point.distance(points.front()) > far.distance(points.front()))
+          far = point;
+      const double length = far.distance(points.front());
+      if (length <= tolerance)
+        return true;
+      const Tensor<1, 3> d = (far - points.front()) / length;
+      for (const Point<3> &point : points)
+        {
+          const Tensor<1, 3> r = point - points.front();
+          if ((r - (r * d) * d).norm() > tolerance)
+            return false;
+        }
+      return true;
+    }
+  } // namespace
+
+
+
+  void
+  check_conflicts(const std::vector<ContactInterface> &interfaces,
+                  const Bodies                        &bodies)
+  {
+    const auto is_weighted = [](const ContactInterface &interface) {
+      return interface.discretisation == Discretisation::surface_to_surface;
+    };
+    for (unsigned int i = 0; i < interfaces.size(); ++i)
+      for (unsigned int j = 0; j < i; ++j)
+        {
+          const ContactInterface &a = interfaces[i], &b = interfaces[j];
+          if (!same_bodies(a, b))
+            continue;
+          const std::vector<Point<3>> shared = shared_places(a, b, bodies);
+          if (shared.empty() ||
+              (is_weighted(a) && is_weighted(b) &&
+               are_collinear(shared, 1e-6 * bodies[a.first_body]->size())))
+            continue;
+          throw InputError(
+            "Contact " + a.name + ": pairs the same points as Contact " +
+            b.name + ", " + std::to_string(shared.size()) +
+            " in all, the first on body '" + bodies[a.first_body]->name() +
+            "' at " + to_text(shared.front()) +
+            ". Name surfaces that have no nodes in common, or keep one of the "
+            "two contacts.");
+        }
+  }
+
+
+
+  namespace
+  {
+    std::vector<Tensor<1, 3>>
+    displacements(const Body                  &body,
+                  const std::vector<Point<3>> &points,
+                  const Vector                &u,
+                  const std::string           &what)
+    {
+      const auto rows =
+        body.rows(locate_all(body, points, what), Quantity::displacement);
+      std::vector<Tensor<1, 3>> result(points.size());
+      for (unsigned int k = 0; k < points.size(); ++k)
+        for (unsigned int c = 0; c < 3; ++c)
+          result[k][c] = rows[k][c](u);
+      return result;
+    }
+  } // namespace
+
+
+
+  Sliding
+  largest_sliding(const ContactInterface          &interface,
+                  const Bodies                    &bodies,
+                  const BlockVector               &u,
+                  const double                     factor,
+                  const std::vector<unsigned int> &active)
+  {
+    const std::string     what = "Contact " + interface.name;
+    std::vector<Point<3>> first, second;
+    for (const unsigned int k : active)
+      {
+        first.push_back(interface.points[k].first);
+        second.push_back(interface.points[k].second);
+      }
+    const auto                u_1 = displacements(*bodies[interface.first_body],
+                                   first,
+                                   u.block(interface.first_body),
+                                   what);
+    std::vector<Tensor<1, 3>> u_2(active.size());
+    if (interface.second_body)
+      u_2 = displacements(*bodies[*interface.second_body],
+                          second,
+                          u.block(*interface.second_body),
+                          what);
+    else
+      u_2.assign(active.size(), factor * interface.obstacle->displacement);
+
+    Sliding worst;
+    for (unsigned int k = 0; k < active.size(); ++k)
+      {
+        const ContactInterface::Point &point = interface.points[active[k]];
+        const Tensor<1, 3>             n = point.normal / point.normal.norm(),
+                           d             = u_2[k] - u_1[k];
+        const double along               = (d - (d * n) * n).norm();
+        const double spacing             = std::sqrt(point.area);
+        if (worst.spacing == 0. ||
+            along / spacing > worst.distance / worst.spacing)
+          worst = {along, spacing, point.first};
+      }
+    return worst;
+  }
+
+
+
+  std::vector<std::string>
+  broken_assumptions(const ContactInterface          &interface,
+                     const Bodies                    &bodies,
+                     const BlockVector               &u,
+                     const double                     factor,
+                     const std::vector<unsigned int> &active)
+  {
+    constexpr double large_sliding = 0.1, large_angle = 5. / 180. * numbers::PI;
+
+    std::vector<std::string> notes;
+    if (active.empty())
+      return notes;
+    const Sliding sliding =
+      largest_sliding(interface, bodies, u, factor, active);
+    if (sliding.distance > large_sliding * sliding.spacing)
+      notes.push_back("contact " + interface.name +
+                      ": the bodies slide along each other by " +
+                      to_text(sliding.distance, 3) + " at " +
+                      to_text(sliding.position) + ", " +
+                      to_text(sliding.distance / sliding.spacing, 2) +
+                      " times the spacing of points there: pairs are those of "
+                      "the start, so forces act off their place by as much");
+    unsigned int worst = active.front();
+    for (const unsigned int k : active)
+      if (interface.points[k].angle > interface.points[worst].angle)
+        worst = k;
+    const double angle = interface.points[worst].angle;
+    if (angle > large_angle)
+      notes.push_back(
+        "contact " + interface.name + ": normals of the two sides are " +
+        to_text(180. / numbers::PI * angle, 2) + " degrees off each other at " +
+        to_text(interface.points[worst].first) +
+        ", where the bodies touch: contact goes far around a "
+        "curve for the small displacements that linear "
+        "kinematics describes, or its mesh is coarse");
+    return notes;
+  }
+} // namespace lamella
