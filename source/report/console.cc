@@ -115,12 +115,15 @@ namespace lamella
                         work = unit(summary.units.force, summary.units.length);
 
       out << "  contact " << contact.name << " ("
-          << name_of(pair.discretisation) << ", " << name_of(pair.enforcement)
-          << "): " << kkt.active << " of " << contact.rows.size()
-          << " pairs touch (in this load step " << change.closed << " closed, "
-          << change.opened << " opened)";
-      if (contact.unpaired > 0)
-        out << ", " << contact.unpaired << " points have no partner";
+          << name_of(contact.discretisation) << ", "
+          << name_of(pair.enforcement) << "): " << kkt.active << " of "
+          << contact.rows.size() << " pairs touch (in this load step "
+          << change.closed << " closed, " << change.opened << " opened)";
+      for (const auto &[side, n] :
+           {std::make_pair("First", contact.unpaired),
+            std::make_pair("Second", contact.unpaired_second)})
+        if (n > 0)
+          out << ", " << n << " points of " << side << " have no partner";
       out << "\n    force on '" << contact.second_name << "' "
           << vector_text(kkt.force) << force << "\n    penetration "
           << to_text(kkt.max_penetration, 3) << length << ", "

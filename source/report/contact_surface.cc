@@ -19,8 +19,6 @@ namespace lamella
 
   namespace
   {
-    using Points = std::vector<ContactInterface::Point>;
-
     /// A face of an element: element, unit coordinate across it, which side.
     using Face = std::tuple<unsigned int, unsigned int, bool>;
 
@@ -54,17 +52,19 @@ namespace lamella
 
 
 
-    /// Whether the points' normals are those of the quadrilateral: a face
-    /// inside of the body may have points on its edges, too.
+    /// Whether the normals of @p contact's points are those of a quadrilateral
+    /// between @p positions: a face inside of the body may have points on its
+    /// edges, too.
     bool
     lies_in_surface(const ContactSurface::Quadrilateral &quad,
-                    const Points                        &points)
+                    const std::vector<Point<3>>         &positions,
+                    const ContactInterface              &contact)
     {
       const Tensor<1, 3> normal =
-        cross_product_3d(points[quad[2]].first - points[quad[0]].first,
-                         points[quad[3]].first - points[quad[1]].first);
+        cross_product_3d(positions[quad[2]] - positions[quad[0]],
+                         positions[quad[3]] - positions[quad[1]]);
       for (const unsigned int k : quad)
-        if (std::abs(normal * points[k].normal) < 0.5 * normal.norm())
+        if (std::abs(normal * contact.points[k].normal) < 0.5 * normal.norm())
           return false;
       return true;
     }
@@ -74,7 +74,8 @@ namespace lamella
     /// Adds the quadrilaterals between neighbouring points of @p grid.
     void
     add_quadrilaterals(const FaceGrid                             &grid,
-                       const Points                               &points,
+                       const std::vector<Point<3>>                &positions,
+                       const ContactInterface                     &contact,
                        std::vector<ContactSurface::Quadrilateral> &quads)
     {
       std::set<long> s_values, t_values;
@@ -95,7 +96,7 @@ namespace lamella
               continue;
             const ContactSurface::Quadrilateral quad{
               {a->second, b->second, c->second, d->second}};
-            if (lies_in_surface(quad, points))
+            if (lies_in_surface(quad, positions, contact))
               quads.push_back(quad);
           }
     }
@@ -130,14 +131,24 @@ namespace lamella
         first.push_back(point.first);
         second.push_back(point.second);
       }
-    const Bodies &bodies    = structure.bodies();
-    const auto    locations = bodies[contact.first_body]->locate(first);
-    first_places            = first_of(locations);
+    const Bodies &bodies        = structure.bodies();
+    const auto    first_located = bodies[contact.first_body]->locate(first);
+    first_places                = first_of(first_located);
+    auto carrying               = first_located;
     if (contact.second_body)
-      second_places = first_of(bodies[*contact.second_body]->locate(second));
+      {
+        const auto second_located =
+          bodies[*contact.second_body]->locate(second);
+        second_places = first_of(second_located);
+        if (contact.points_on_second)
+          carrying = second_located;
+      }
 
-    for (const auto &[face, grid] : points_on_faces(locations))
-      add_quadrilaterals(grid, contact.points, quads);
+    for (const auto &[face, grid] : points_on_faces(carrying))
+      add_quadrilaterals(grid,
+                         contact.points_on_second ? second : first,
+                         contact,
+                         quads);
     std::set<unsigned int> in_quads;
     for (const Quadrilateral &quad : quads)
       in_quads.insert(quad.begin(), quad.end());

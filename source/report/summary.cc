@@ -100,10 +100,11 @@ namespace lamella
           closed.push_back(change.closed);
           opened.push_back(change.opened);
         }
-      return {{"discretisation", name_of((*summary.pairs)[k].discretisation)},
+      return {{"discretisation", name_of(contact.discretisation)},
               {"enforcement", name_of((*summary.pairs)[k].enforcement)},
               {"rows", contact.rows.size()},
               {"unpaired", contact.unpaired},
+              {"unpaired_second", contact.unpaired_second},
               {"active", kkt.active},
               {"closed", closed},
               {"opened", opened},

@@ -172,4 +172,56 @@ BOOST_AUTO_TEST_CASE(an_obstacle_that_moves)
     }
 }
 
+
+
+BOOST_AUTO_TEST_CASE(points_of_the_second_side)
+{
+  // A coarse block on a fine one, which carries the points: its grid, on
+  // positions of the coarse one, is the mesh.
+  const auto   steel = EngineeringConstants::isotropic(1., 0.3);
+  Bodies       bodies;
+  const double angle = 0.3;
+  const auto   place = [angle](const double z) {
+    return Placement::from_directions({0.1, 0.2, z},
+                                      Point<3>(std::sin(angle),
+                                               std::cos(angle),
+                                               0.),
+                                      Point<3>(0., 0., 1.));
+  };
+  bodies.push_back(
+    std::make_unique<Beam>("coarse",
+                           make_section(rectangle(2., 1.), steel, 2),
+                           make_axis(3., 1),
+                           place(1.5)));
+  bodies.push_back(
+    std::make_unique<Beam>("fine",
+                           make_section(rectangle(2., 1., {0.}, 3), steel, 2),
+                           make_axis(3., 2),
+                           place(0.)));
+  const Structure structure(std::move(bodies),
+                            {{"clamp",
+                              {{0, Region::Kind::surface, "top", {}},
+                               {1, Region::Kind::surface, "bottom", {}}},
+                              {{0., 0., 0.}}}},
+                            {});
+  ContactPair     pair;
+  pair.name        = "middle";
+  pair.first       = {0, Region::Kind::surface, "bottom", {}};
+  pair.second      = {1, Region::Kind::surface, "top", {}};
+  pair.enforcement = Enforcement::penalty;
+  pair.penalty     = {PenaltyKind::per_area, 1.};
+  pair.points_on   = PointsOn::second;
+  for (const Discretisation discretisation :
+       {Discretisation::node_to_surface, Discretisation::surface_to_surface})
+    {
+      pair.discretisation            = discretisation;
+      const ContactInterface contact = make_interface(pair, structure.bodies());
+      BOOST_REQUIRE(contact.points_on_second);
+      const ContactSurface surface(contact, structure);
+      BOOST_TEST(contact.points.size() == 7u * 7u);
+      BOOST_TEST(surface.quadrilaterals().size() == 6u * 6u);
+      BOOST_TEST(surface.lone_points().empty());
+    }
+}
+
 BOOST_AUTO_TEST_SUITE_END()

@@ -14,10 +14,10 @@
 namespace lamella
 {
   /**
-   * The mesh that the points of a contact form on the first body: where points
-   * lie on a grid on a face of an element, as nodes of a Lagrange body and
-   * grids of Taylor bodies do, neighbours span quadrilaterals. Points that are
-   * in none (partners missing around them, points of a segment) stand alone.
+   * The mesh that the points of a contact form: where those of the side that
+   * carries them lie on a grid on a face of an element, as nodes of a Lagrange
+   * body and grids of Taylor bodies do, neighbours span quadrilaterals. Points
+   * in none (with no paired neighbours) stand alone.
    */
   class ContactSurface
   {
