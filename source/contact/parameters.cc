@@ -15,9 +15,9 @@ namespace lamella
 
   namespace
   {
-    // The penetration that this leaves is a thousandth of what the cells below
-    // the contact are compressed by; doc/contact.md shows the plateau it is on.
-    constexpr double automatic_multiple = 1000.;
+    // The penetration that this leaves is a millionth of what the cells below
+    // the contact are compressed by; doc/penalty.md shows the plateau it is on.
+    constexpr double automatic_multiple = 1e6;
   } // namespace
 
 
@@ -73,7 +73,7 @@ namespace lamella
                       "auto",
                       Anything(),
                       "auto, or a positive number in the unit of Penalty per. "
-                      "auto is 1000 times the local stiffness E_n A / h of the "
+                      "auto is 1e6 times the local stiffness E_n A / h of the "
                       "softer side of each pair.");
     prm.declare_entry("Penalty per",
                       "area",
