@@ -464,7 +464,7 @@ def draw_cut(results, body, table, columns):
     place = Scale(length, table["y"])
     width, height = np.ptp(table["x"]), np.ptp(table["z"])
     stretch_x, stretch_z = exaggeration(width, height)
-    panel = WIDTH * 0.78 * (height * stretch_z) / (width * stretch_x)
+    panel = WIDTH * 0.7 * (height * stretch_z) / (width * stretch_x)
     # A tall section has its panels side by side, a wide one above each other.
     wide = width * stretch_x >= height * stretch_z
     rows, cols = (len(columns), 1) if wide else (1, len(columns))
@@ -513,6 +513,13 @@ def contour(axis, tables, column, position, stress):
     levels = MaxNLocator(14).tick_values(low, high)
     colours = plt.get_cmap("RdBu_r" if two_signs else "cividis")
     norm = BoundaryNorm(levels, colours.N)
+    # Known limits: without, each cell makes matplotlib look through all others.
+    for limits, name in ((axis.set_xlim, "x"), (axis.set_ylim, "z")):
+        along = np.concatenate([position(table[name]) for table in tables])
+        margin = 0.02 * np.ptp(along)
+        limits(along.min() - margin, along.max() + margin)
+    axis.autoscale(False)
+    outlines = []
     for table in tables:
         for _, cell in table.split("cell"):
             x, z, v = cell_grids(cell, position, stress, column)
@@ -521,7 +528,8 @@ def contour(axis, tables, column, position, stress):
             outline = np.r_[0:x.size].reshape(x.shape)
             edge = np.concatenate([outline[0], outline[1:, -1],
                                    outline[-1, -2::-1], outline[-2::-1, 0]])
-            axis.plot(x.flat[edge], z.flat[edge], color="0.25", linewidth=0.5)
+            outlines.append(np.column_stack([x.flat[edge], z.flat[edge]]))
+    axis.add_collection(LineCollection(outlines, colors="0.25", linewidths=0.5))
     figure = axis.get_figure()
     bar = figure.colorbar(shades, ax=axis, pad=0.02, aspect=14)
     bar.ax.yaxis.set_major_locator(MaxNLocator(6))
@@ -742,15 +750,17 @@ class ContactPatch:
         return self.table.where(inside)
 
     def curvatures(self):
-        """Of the initial gap in both directions, 1 / R*; 0 where it is rounding."""
+        """Of the gap between the points of the pairs (that of a row may be a mean
+        over its neighbourhood) in both directions, 1 / R*; 0 where it is rounding."""
         near = self.near(2.)
+        gap = sum((near[f"{c}2"] - near[c]) * near[f"n{c}"] for c in "xyz")
         terms = [np.ones(len(near))]
         for c in self.plane:
             t = (near[c] - self.active[c].mean()) / self.extent[c]
             terms += [t, t * t]
-        fit = np.linalg.lstsq(np.transpose(terms), near["initial_gap"], rcond=None)[0]
+        fit = np.linalg.lstsq(np.transpose(terms), gap, rcond=None)[0]
         bends = {c: 2. * fit[2 * k + 2] for k, c in enumerate(self.plane)}
-        size = max(np.abs(near["initial_gap"]).max(), 1e-300)
+        size = max(np.abs(gap).max(), 1e-300)
         return {c: b / self.extent[c]**2 if b > 1e-6 * size else 0.
                 for c, b in bends.items()}
 
@@ -809,7 +819,8 @@ def draw_pressure_across(results, name, patch, stations):
     along = Scale(length, active[patch.along])
     middle = min(stations, key=lambda s: abs(s[0] - np.mean(
         [stations[0][0], stations[-1][0]])))
-    for k, (at, rows) in enumerate((middle, stations[0])[:len(stations)]):
+    shown = [middle] if middle[0] == stations[0][0] else [middle, stations[0]]
+    for k, (at, rows) in enumerate(shown):
         axis.plot(place(rows[patch.across] - centre), value(rows["pressure"]),
                   marker="o", markersize=4.5, linewidth=1., color=COLOURS[k],
                   linestyle=DASHES[k], label=f"{patch.along} = {along.number(at)}")
@@ -857,7 +868,10 @@ def effective_modulus(scene, contact):
             continue
         section = scene.get(f"Section {scene[f'Body {body}']['Section']}", {})
         names = section.get("Material") or section.get("Ply materials", "")
-        materials = {part.strip() for part in names.split(",")}
+        # A section that names none has the one of the scene.
+        materials = ({part.strip() for part in names.split(",")} if names else
+                     {key.partition(" ")[2] for key in scene
+                      if key.startswith("Material ")})
         constants = [scene.get(f"Material {m}", {}).get("Isotropic", "")
                      for m in materials]
         if len(constants) != 1 or not constants[0]:
