@@ -176,28 +176,24 @@ BOOST_AUTO_TEST_CASE(an_obstacle_that_moves)
 
 BOOST_AUTO_TEST_CASE(points_of_the_second_side)
 {
-  // A coarse block on a fine one, which carries the points: its grid, on
-  // positions of the coarse one, is the mesh.
-  const auto   steel = EngineeringConstants::isotropic(1., 0.3);
-  Bodies       bodies;
-  const double angle = 0.3;
-  const auto   place = [angle](const double z) {
-    return Placement::from_directions({0.1, 0.2, z},
-                                      Point<3>(std::sin(angle),
-                                               std::cos(angle),
-                                               0.),
-                                      Point<3>(0., 0., 1.));
-  };
+  // A coarse block on a fine one that is turned below it and carries the
+  // points: its grid, on positions of the coarse one, is the mesh.
+  const auto steel = EngineeringConstants::isotropic(1., 0.3);
+  Bodies     bodies;
   bodies.push_back(
     std::make_unique<Beam>("coarse",
-                           make_section(rectangle(2., 1.), steel, 2),
-                           make_axis(3., 1),
-                           place(1.5)));
-  bodies.push_back(
-    std::make_unique<Beam>("fine",
-                           make_section(rectangle(2., 1., {0.}, 3), steel, 2),
-                           make_axis(3., 2),
-                           place(0.)));
+                           make_section(rectangle(6., 1.), steel, 2),
+                           make_axis(6., 1),
+                           Placement::from_directions({-3., -3., 1.5},
+                                                      Point<3>(0., 1., 0.),
+                                                      Point<3>(0., 0., 1.))));
+  bodies.push_back(std::make_unique<Beam>(
+    "fine",
+    make_section(rectangle(2., 1., {0.}, 3), steel, 2),
+    make_axis(3., 2),
+    Placement::from_directions({-1., -1.5, 0.},
+                               Point<3>(std::sin(0.3), std::cos(0.3), 0.),
+                               Point<3>(0., 0., 1.))));
   const Structure structure(std::move(bodies),
                             {{"clamp",
                               {{0, Region::Kind::surface, "top", {}},

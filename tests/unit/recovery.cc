@@ -13,6 +13,8 @@
 #include <lamella/report/recovery.h>
 #include <lamella/section/shapes.h>
 
+#include <deal.II/base/quadrature_lib.h>
+
 #include <deal.II/grid/grid_generator.h>
 
 #include <boost/test/unit_test.hpp>
@@ -251,6 +253,39 @@ BOOST_AUTO_TEST_CASE(one_layer_fixes_one_degree_less_across_it)
                            StressValues::recovered,
                            square) == 0.01 / 6.,
              boost::test_tools::tolerance(1e-9));
+}
+
+
+
+BOOST_AUTO_TEST_CASE(distorted_layers_do_not_amplify)
+{
+  // Two Gauss points across a layer whose upper side is not quite parallel tell
+  // a parabola across it only through the distortion: rough values of size one
+  // must not come back a hundred times as large.
+  const dealii::QGauss<3> gauss(2);
+  for (const double slope : {0., 1e-8, 1e-3, 0.02})
+    {
+      std::vector<PatchPoint> points;
+      Tensor<2, 3>            frame;
+      for (const unsigned int d : {0, 1, 2})
+        frame[d][d] = 1.;
+      for (const double x : {-1., 0.})
+        for (const double y : {-1., 0.})
+          for (const Point<3> &q : gauss.get_points())
+            {
+              PatchPoint point;
+              point.position =
+                Point<3>(x + q[0],
+                         y + q[1],
+                         q[2] * (1. + slope * (x + q[0]) * (y + q[1])));
+              point.values[0] = points.size() % 3 - 1.;
+              points.push_back(point);
+            }
+      const PatchFit fit(points, {frame}, {{2, 2, 2}});
+      for (const double x : {-1., 0., 1.})
+        for (const double z : {0., 0.5, 1.})
+          BOOST_TEST(std::abs(fit({x, 0.3, z})[0]) < 10.);
+    }
 }
 
 
