@@ -194,6 +194,15 @@ namespace lamella
 
 
 
+    bool
+    is_in(const Body &body, const Point<3> &x)
+    {
+      return body.bounding_box().point_inside(x) &&
+             !body.locate({x})[0].empty();
+    }
+
+
+
     /// Whether one of the two places is in the body (or the obstacle) of the
     /// other.
     bool
@@ -204,13 +213,12 @@ namespace lamella
     {
       const Body &carrying =
         *bodies[(on_second ? contact.second : contact.first).body];
-      if (!carrying.locate({place.opposite})[0].empty())
+      if (is_in(carrying, place.opposite))
         return true;
       if (contact.obstacle != nullptr)
         return contains(*contact.obstacle, place.position);
-      const Body &opposing =
-        *bodies[(on_second ? contact.first : contact.second).body];
-      return !opposing.locate({place.position})[0].empty();
+      return is_in(*bodies[(on_second ? contact.first : contact.second).body],
+                   place.position);
     }
 
 
@@ -374,6 +382,10 @@ namespace lamella
       if (contact.obstacle != nullptr)
         sides.opposing = surfaces.obstacle.get();
 
+      if (sides.opposing_mesh != nullptr)
+        (interface.points_on_second ? interface.unpaired :
+                                      interface.unpaired_second) =
+          nodes_facing_nothing(*sides.opposing_mesh, *sides.carrying, reach);
       Assert(contact.discretisation != Discretisation::undefined,
              ExcMessage("The discretisation was never set."));
       if (contact.discretisation == Discretisation::surface_to_surface)

@@ -28,6 +28,15 @@ namespace lamella
 
 
 
+    /// Points closer than this, a length, are one but for rounding.
+    double
+    same_place(const Body &body)
+    {
+      return 1e-12 * (10. * body.size() + body.centre().norm());
+    }
+
+
+
     /// (n_1 - n_2) / |n_1 - n_2|, unless the normals look the same way.
     std::optional<Tensor<1, 3>>
     averaged_normal(const Tensor<1, 3> &n1, const Tensor<1, 3> &n2)
@@ -160,7 +169,7 @@ namespace lamella
   MeshSurface::MeshSurface(const Body &body, const std::string &surface)
     : surface_body(body)
   {
-    PointNumbering numbering(1e-9 * body.size());
+    PointNumbering numbering(same_place(body));
     for (const SurfaceFacet &side : body.surface_facets(surface))
       {
         all_facets.emplace_back();
@@ -209,7 +218,7 @@ namespace lamella
   void
   MeshSurface::number_grid_nodes()
   {
-    PointNumbering numbering(1e-9 * surface_body.size());
+    PointNumbering numbering(same_place(surface_body));
     for (Facet &facet : all_facets)
       for (unsigned int j = 0; j < facet.grid_t->size(); ++j)
         for (unsigned int i = 0; i < facet.grid_s->size(); ++i)

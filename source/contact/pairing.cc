@@ -227,6 +227,19 @@ namespace lamella
 
 
 
+  unsigned int
+  nodes_facing_nothing(const MeshSurface     &a,
+                       const OpposingSurface &b,
+                       const double           reach)
+  {
+    unsigned int count = 0;
+    for (const MeshSurface::GridNode &node : a.grid_nodes())
+      count += !opposing_place(b, node.position, node.normal, reach);
+    return count;
+  }
+
+
+
   double
   cells_facing(const MeshSurface &a, const MeshSurface &b, const double reach)
   {

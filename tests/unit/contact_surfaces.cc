@@ -14,6 +14,7 @@
 #include <boost/test/unit_test.hpp>
 
 #include <cmath>
+#include <functional>
 #include <map>
 #include <random>
 
@@ -590,9 +591,15 @@ BOOST_AUTO_TEST_CASE(overlaps_of_crossed_strips)
 
 namespace
 {
-  /// The integral of the bilinear hat function of the grid's node at @p node.
+  /// The integral of @p f times the bilinear hat function of the grid's node at
+  /// @p node.
   double
-  hat_area(const Body &body, const std::string &surface, const Point<3> &node)
+  hat_integral(
+    const Body                                        &body,
+    const std::string                                 &surface,
+    const Point<3>                                    &node,
+    const std::function<double(const SurfacePoint &)> &f =
+      [](const SurfacePoint &) { return 1.; })
   {
     const dealii::QGauss<2> rule(6);
     double                  sum = 0.;
@@ -614,19 +621,49 @@ namespace
                 for (unsigned int q = 0; q < rule.size(); ++q)
                   {
                     const double x = rule.point(q)[0], y = rule.point(q)[1];
+                    const SurfacePoint point = body.surface_point(
+                      facet, {s.point(i) + x * ds, t.point(j) + y * dt});
                     sum += rule.weight(q) * ds * dt * (right ? x : 1. - x) *
-                           (up ? y : 1. - y) *
-                           body
-                             .surface_point(facet,
-                                            {s.point(i) + x * ds,
-                                             t.point(j) + y * dt})
-                             .area;
+                           (up ? y : 1. - y) * point.area * f(point);
                   }
               }
       }
     return sum;
   }
 } // namespace
+
+
+
+BOOST_AUTO_TEST_CASE(each_row_is_an_average)
+{
+  // Row by row, on the side that carries them: -1/A_i int phi_i n . u_1 dA,
+  // where all of the face lies above the other one.
+  const Placement &placement = placements.back();
+  for (const Theory &theory : {layer_wise(2), layer_wise(3), taylor(2)})
+    {
+      const Bodies bodies =
+        crossed_strips(placement, 30., 0.8, 1., 2, 1, theory);
+      ContactPair contact =
+        pair_of("bottom", "top", Discretisation::surface_to_surface);
+      contact.points_on     = PointsOn::first;
+      const auto  interface = make_interface(contact, bodies);
+      BlockVector u         = zero(bodies);
+      u.block(0)            = any_displacement(*bodies[0]);
+      for (unsigned int k = 0; k < interface.rows.size(); ++k)
+        {
+          const auto  &point = interface.points[k];
+          const double area  = hat_integral(*bodies[0], "bottom", point.first);
+          const double sum   = hat_integral(
+            *bodies[0], "bottom", point.first, [&](const SurfacePoint &p) {
+              return p.normal *
+                     displacement(*bodies[0], p.location, u.block(0));
+            });
+          BOOST_TEST(std::abs(point.area / area - 1.) < 1e-11);
+          BOOST_TEST(std::abs(interface.rows[k].opening(u) + sum / area) <
+                     1e-11 * u.linfty_norm());
+        }
+    }
+}
 
 
 
@@ -711,7 +748,7 @@ BOOST_AUTO_TEST_CASE(weighted_gaps_of_curved_bodies)
             BOOST_TEST(
               std::abs(
                 interface.points[k].area /
-                  hat_area(*bodies[0], "arc", interface.points[k].first) -
+                  hat_integral(*bodies[0], "arc", interface.points[k].first) -
                 1.) < 1e-8);
         }
     }

@@ -133,8 +133,8 @@ namespace lamella
     std::string second_name;
     /// Whether the second side carries the points.
     bool points_on_second = false;
-    /// Nodes of either side that face nothing (of `node to surface` and
-    /// `surface to surface` those of the side that carries the points alone).
+    /// Nodes of either side that face nothing of the other: of `node to node`
+    /// no node.
     unsigned int        unpaired = 0, unpaired_second = 0;
     std::vector<GapRow> rows;
     std::vector<Point>  points;

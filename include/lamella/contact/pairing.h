@@ -113,6 +113,12 @@ namespace lamella
   pair_node_to_surface(const Sides                     &sides,
                        const std::vector<SurfacePoint> &points);
 
+  /// Nodes of the grid of @p a that face no place of @p b.
+  unsigned int
+  nodes_facing_nothing(const MeshSurface     &a,
+                       const OpposingSurface &b,
+                       const double           reach);
+
   /// Grid cells (degree_s x degree_t a facet) of @p a that face @p b, parts of
   /// facets counted by area.
   double
