@@ -140,6 +140,32 @@ def penalty():
            "full: force off auto by", "iterations"], rows)
 
 
+def cost():
+    """A run with contact over one linear solution of the same bodies."""
+    rows = []
+    for across, deep, along in ((2, 8, 9), (6, 4, 8), (10, 4, 16), (10, 8, 16)):
+        mesh = [f"Section block/Cells across={across}",
+                f"Section block/Cells per ply={deep}"] + axis(along)
+        for strategy in ("condensed", "full"):
+            run = Run("../tests/scenes/pressed_blocks.prm",
+                      mesh + [f"Contact strategy={strategy}"])
+            seconds = run.summary["seconds"]
+            if strategy == "condensed":
+                # What the bodies cost by themselves.
+                linear = sum(seconds[phase] for phase in
+                             ("setup", "assembly", "factorisation", "solve"))
+                rows.append([run.summary["dofs"],
+                             run.summary["contacts"]["faces"]["active"],
+                             f"{linear:.2f}"])
+            whole = sum(seconds[phase] for phase in
+                        ("setup", "assembly", "factorisation", "solve", "contact"))
+            rows[-1] += [sum(run.summary["iterations"]), f"{seconds['contact']:.2f}",
+                         f"{whole / linear:.2f}"]
+    table(["DoFs", "active rows", "linear solution [s]",
+           "condensed: iterations", "contact [s]", "run / linear",
+           "full: iterations", "contact [s]", "run / linear"], rows)
+
+
 def phases():
     """Whole-process seconds with all output, the fastest and the slowest of five."""
     runs = [Run("laminated_beams.prm", [], vtu=True) for _ in range(5)]
@@ -272,7 +298,7 @@ def draw_stability(lengths, curves):
 
 
 def main():
-    tables = {f.__name__: f for f in (variants, shear, penalty, phases, theories,
+    tables = {f.__name__: f for f in (variants, shear, penalty, cost, phases, theories,
                                       stability)}
     unknown = [name for name in sys.argv[1:] if name not in tables]
     if unknown:

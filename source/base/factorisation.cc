@@ -22,8 +22,8 @@ namespace lamella
 
       void
       solve(Vector &x) const override;
-      void
-      forward(Columns &y) const override;
+      HalfSolvedRows
+      half_solved_rows() const override;
       void
       backward(Vector &x) const override;
 
@@ -40,9 +40,9 @@ namespace lamella
       }
 
     private:
-      /// The data of @p x, n_columns of them, run through one CHOLMOD system.
+      /// @p x run through one CHOLMOD system.
       void
-      apply(const int system, double *x, const std::size_t n_columns) const;
+      apply(const int system, Vector &x) const;
 
       // CHOLMOD writes into its workspace while solving.
       mutable cholmod_common common;
@@ -139,16 +139,14 @@ namespace lamella
 
 
     void
-    CholmodFactorisation::apply(const int         system,
-                                double           *x,
-                                const std::size_t n_columns) const
+    CholmodFactorisation::apply(const int system, Vector &x) const
     {
       cholmod_dense b{};
       b.nrow  = factor->n;
-      b.ncol  = n_columns;
+      b.ncol  = 1;
       b.d     = factor->n;
-      b.nzmax = b.nrow * b.ncol;
-      b.x     = x;
+      b.nzmax = b.nrow;
+      b.x     = x.begin();
       b.xtype = CHOLMOD_REAL;
       b.dtype = CHOLMOD_DOUBLE;
 
@@ -156,7 +154,7 @@ namespace lamella
       if (y == nullptr)
         throw NumericsError("CHOLMOD could not solve with a factor: out of "
                             "memory. Use a coarser mesh or a lower order.");
-      std::memcpy(x, y->x, sizeof(double) * b.nzmax);
+      std::memcpy(x.begin(), y->x, sizeof(double) * b.nzmax);
       cholmod_l_free_dense(&y, &common);
     }
 
@@ -165,16 +163,28 @@ namespace lamella
     void
     CholmodFactorisation::solve(Vector &x) const
     {
-      apply(CHOLMOD_A, x.begin(), 1);
+      apply(CHOLMOD_A, x);
     }
 
 
 
-    void
-    CholmodFactorisation::forward(Columns &y) const
+    HalfSolvedRows
+    CholmodFactorisation::half_solved_rows() const
     {
-      apply(CHOLMOD_P, &y(0, 0), y.n());
-      apply(CHOLMOD_L, &y(0, 0), y.n());
+      const auto index = [](const void *const array) {
+        return static_cast<const std::int64_t *>(array);
+      };
+      static_assert(sizeof(SuiteSparse_long) == sizeof(std::int64_t));
+      SupernodalFactor view;
+      view.n            = factor->n;
+      view.n_supernodes = factor->nsuper;
+      view.column       = index(factor->super);
+      view.first_row    = index(factor->pi);
+      view.first_entry  = index(factor->px);
+      view.row          = index(factor->s);
+      view.entry        = static_cast<const double *>(factor->x);
+      view.permutation  = index(factor->Perm);
+      return HalfSolvedRows(view);
     }
 
 
@@ -182,8 +192,8 @@ namespace lamella
     void
     CholmodFactorisation::backward(Vector &x) const
     {
-      apply(CHOLMOD_Lt, x.begin(), 1);
-      apply(CHOLMOD_Pt, x.begin(), 1);
+      apply(CHOLMOD_Lt, x);
+      apply(CHOLMOD_Pt, x);
     }
   } // namespace
 

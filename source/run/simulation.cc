@@ -201,6 +201,9 @@ namespace lamella
                                     "load step " + std::to_string(step) + ": " :
                                     "") +
                                  warning);
+    if (step == scene.solve.load_factors.size())
+      for (const std::string &warning : strategy->warnings())
+        summary.warnings.push_back(warning);
     summary.condition_estimate = strategy->condition_estimate();
   }
 

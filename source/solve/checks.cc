@@ -22,6 +22,8 @@ namespace lamella
     constexpr double large_penetration = 1e-3;
     // Of all energy in stabilising springs.
     constexpr double worth_failing = 0.1, worth_saying = 1e-3;
+    // Of the displacements; rows that average this much of the gap away.
+    constexpr double large_averaging = 1e-2;
     // What displacements and gaps of a trusted result may be off by.
     constexpr double sound = 1e-6;
     // Forces come out of displacements that are held in doubles, which leaves
@@ -127,37 +129,134 @@ namespace lamella
 
 
 
-    KuhnTucker
-    check_contact(const ContactInterface    &contact,
-                  const std::vector<double> &force,
-                  const unsigned int         first_row,
-                  const BlockVector         &u,
-                  const double               factor)
+    /// Force and moment about the scene's origin of the load vector @p f.
+    std::pair<Tensor<1, 3>, Tensor<1, 3>>
+    wrench(const Body &body, const std::vector<Vector> &rigid, const Vector &f)
     {
-      KuhnTucker kkt;
-      kkt.min_force = std::numeric_limits<double>::max();
+      Tensor<1, 3> force, moment;
+      for (unsigned int c = 0; c < 3; ++c)
+        {
+          force[c]  = f * rigid[c];
+          moment[c] = f * rigid[3 + c];
+        }
+      moment += cross_product_3d(body.centre(), force);
+      return {force, moment};
+    }
+
+
+
+    /// The point nearest to @p mean of the line on which @p force has the
+    /// moment @p moment about the origin (up to a couple along it).
+    Point<3>
+    line_of_action(const Tensor<1, 3> &force,
+                   const Tensor<1, 3> &moment,
+                   const Point<3>     &mean)
+    {
+      const Tensor<1, 3> arm =
+        cross_product_3d(force, moment) / force.norm_square();
+      return Point<3>(arm + (mean * force / force.norm_square()) * force);
+    }
+
+
+
+    /// Between the points of a pair, none if they overlap.
+    double
+    gap_of(const ContactInterface::Point &pair)
+    {
+      return std::max(0.,
+                      (pair.second - pair.first) *
+                        (pair.normal / pair.normal.norm()));
+    }
+
+
+
+    /// What the rows say of gaps and forces, each for itself.
+    void
+    check_rows(const ContactInterface    &contact,
+               const std::vector<double> &force,
+               const unsigned int         first_row,
+               const BlockVector         &u,
+               const double               factor,
+               KuhnTucker                &kkt)
+    {
+      double smallest = std::numeric_limits<double>::max(), largest = 0.;
       for (unsigned int k = 0; k < contact.rows.size(); ++k)
         {
-          const double lambda = force[first_row + k];
-          const double g      = contact.rows[k].gap(u, factor);
-          kkt.max_penetration = std::max(kkt.max_penetration, -g);
+          const GapRow &row    = contact.rows[k];
+          const double  lambda = force[first_row + k];
+          const double  g      = row.gap(u, factor);
+          kkt.max_penetration  = std::max(kkt.max_penetration, -g);
           kkt.law_error =
             std::max(kkt.law_error,
-                     lambda == 0. ?
-                       -g :
-                       std::abs(g + lambda / contact.rows[k].penalty));
+                     lambda == 0. ? -g :
+                                    std::abs(g + law_softness(row) * lambda));
           kkt.complementarity =
             std::max(kkt.complementarity, std::max(g, 0.) * std::abs(lambda));
+          largest = std::max(largest, std::abs(lambda));
           if (lambda != 0.)
             {
               ++kkt.active;
-              kkt.force += lambda * contact.points[k].normal;
-              kkt.min_force = std::min(kkt.min_force, lambda);
+              kkt.averaged_away = std::max(kkt.averaged_away,
+                                           contact.rows[k].initial_gap -
+                                             gap_of(contact.points[k]));
+              smallest          = std::min(smallest, lambda);
             }
         }
       if (kkt.active == 0)
-        kkt.min_force = 0.;
-      return kkt;
+        return;
+      const double size = u.linfty_norm();
+      kkt.min_force     = smallest;
+      kkt.violation     = std::max({kkt.law_error / size,
+                                    -smallest / largest,
+                                    kkt.complementarity / (size * largest)});
+    }
+
+
+
+    /// Force, moment and centre of pressure; adds the forces to the bodies'
+    /// resultants.
+    void
+    add_contact_forces(const Structure                        &structure,
+                       const std::vector<std::vector<Vector>> &rigid,
+                       const ContactInterface                 &contact,
+                       const double *const                     lambda,
+                       KuhnTucker                             &kkt,
+                       std::vector<Resultants>                &on_body)
+    {
+      BlockVector  load = structure.zero();
+      Tensor<1, 3> mean;
+      double       weight = 0.;
+      for (unsigned int k = 0; k < contact.rows.size(); ++k)
+        if (lambda[k] != 0.)
+          {
+            contact.rows[k].add_to(load, lambda[k]);
+            mean += lambda[k] * contact.points[k].first;
+            weight += lambda[k];
+          }
+      const unsigned int first  = contact.first_body,
+                         second = contact.second_body.value_or(first);
+      const auto on             = [&](const unsigned int b) {
+        return wrench(*structure.bodies()[b], rigid[b], load.block(b));
+      };
+      const auto [force_1, moment_1] = on(first);
+      const auto [force_2, moment_2] = on(second);
+      on_body[first].add(force_1);
+      const bool second_deforms = contact.second_body.has_value();
+      if (second_deforms)
+        on_body[second].add(force_2);
+      // A theory without a turn about its axis sees no torque about it.
+      const bool from_second =
+        second_deforms &&
+        structure.bodies()[second]->missing_motions().size() <=
+          structure.bodies()[first]->missing_motions().size();
+      kkt.force  = from_second ? force_2 : -force_1;
+      kkt.moment = from_second ? moment_2 : -moment_1;
+      if (kkt.force.norm() == 0.)
+        return;
+      if (second_deforms)
+        kkt.imbalance = (force_1 + force_2).norm() / kkt.force.norm();
+      kkt.centre_of_pressure =
+        line_of_action(kkt.force, kkt.moment, Point<3>(mean / weight));
     }
 
 
@@ -193,16 +292,23 @@ namespace lamella
     checks.reactions.resize(n_supports);
     std::vector<Resultants> on_body(structure.bodies().size());
 
-    // Contact forces, resultants from the geometry and work from the rows.
+    std::vector<std::vector<Vector>> rigid;
+    for (const auto &body : structure.bodies())
+      rigid.push_back(body->rigid_motions());
+
     BlockVector  contact_load = structure.zero();
     unsigned int first_row    = 0;
     for (const ContactInterface &contact : contacts)
       {
-        checks.contacts.push_back(
-          check_contact(contact, state.force, first_row, state.u, factor));
-        if (contact.second_body)
-          on_body[*contact.second_body].add(checks.contacts.back().force);
-        on_body[contact.first_body].add(-checks.contacts.back().force);
+        KuhnTucker kkt;
+        check_rows(contact, state.force, first_row, state.u, factor, kkt);
+        add_contact_forces(structure,
+                           rigid,
+                           contact,
+                           state.force.data() + first_row,
+                           kkt,
+                           on_body);
+        checks.contacts.push_back(kkt);
         for (unsigned int k = 0; k < contact.rows.size(); ++k)
           contact.rows[k].add_to(contact_load, state.force[first_row + k]);
         first_row += contact.rows.size();
@@ -221,12 +327,11 @@ namespace lamella
 
     for (unsigned int b = 0; b < structure.bodies().size(); ++b)
       {
-        const Body &body  = *structure.bodies()[b];
-        const auto  rigid = body.rigid_motions();
+        const Body &body = *structure.bodies()[b];
         add_load_resultant(
-          body, rigid, structure.load().block(b), factor, on_body[b]);
+          body, rigid[b], structure.load().block(b), factor, on_body[b]);
         checks.stabilisation_energy +=
-          add_springs(structure, b, rigid, state.u.block(b), on_body[b]);
+          add_springs(structure, b, rigid[b], state.u.block(b), on_body[b]);
         // What is not a number must not be lost in a maximum.
         const double unbalanced = on_body[b].sum.norm();
         if (unbalanced != 0.)
@@ -294,8 +399,9 @@ namespace lamella
           "The contact conditions do not hold: the smallest force is " +
           to_text(contact.min_force) +
           ", and gaps miss the contact law by up to " +
-          to_text(contact.law_error, 3) +
-          ". Try the condensed strategy or a softer penalty.");
+          to_text(contact.law_error, 3) + " (relative violation " +
+          to_text(contact.violation, 3) +
+          "). Try the condensed strategy or a softer penalty.");
     if (!std::isfinite(checks.max_rotation) || !std::isfinite(checks.energy))
       throw NumericsError("The solution is not a finite number. Check the "
                           "loads and the materials.");
@@ -323,7 +429,16 @@ namespace lamella
           what + "bodies penetrate by " + to_text(kkt.max_penetration, 3) +
           ", " + to_text(100. * kkt.max_penetration / displacement, 2) +
           " % of the displacements: a result of the penalty as "
-          "much as of the bodies");
+          "much as of the bodies; raise it, or take Enforcement = exact");
+      if (kkt.averaged_away > large_averaging * displacement)
+        warnings.push_back(
+          what + "gaps averaged over elements are up to " +
+          to_text(kkt.averaged_away, 3) +
+          " wider than those at their points, " +
+          to_text(100. * kkt.averaged_away / displacement, 2) +
+          " % of the displacements: the mesh is too coarse there for how the "
+          "surfaces curve. Refine it where they touch, or take Discretisation "
+          "= node to surface");
       double smallest = 0.;
       for (const GapRow &row : contact.rows)
         smallest = std::min(smallest, row.initial_gap);

@@ -8,71 +8,74 @@ namespace lamella
                          const std::vector<GapRow> &rows)
     : structure(structure)
     , rows(rows)
-    , columns(structure.bodies().size())
-  {}
+    , place(rows.size(), dealii::numbers::invalid_unsigned_int)
+  {
+    for (const auto &body : structure.bodies())
+      bodies.push_back({body->factorisation().half_solved_rows(), {}});
+  }
 
 
 
   void
   Compliance::include(const std::vector<unsigned int> &wanted)
   {
-    for (unsigned int b = 0; b < columns.size(); ++b)
-      {
-        std::vector<std::pair<unsigned int, Row>> fresh;
-        for (const unsigned int r : wanted)
-          for (const BodyRow &part : rows[r].parts)
-            if (part.body == b && columns[b].column.count(r) == 0)
-              fresh.emplace_back(
-                r, part.row.reduced(structure.reduction(b).constraints()));
-        if (fresh.empty())
-          continue;
-
-        const unsigned int n = structure.bodies()[b]->n_dofs();
-        Columns            block(n, fresh.size());
-        for (unsigned int k = 0; k < fresh.size(); ++k)
-          for (const auto &[dof, weight] : fresh[k].second.entries())
-            block(dof, k) += weight;
-        structure.bodies()[b]->factorisation().forward(block);
-        for (unsigned int k = 0; k < fresh.size(); ++k)
-          {
-            columns[b].column[fresh[k].first] = columns[b].y.size();
-            columns[b].y.emplace_back(&block(0, k), &block(0, k) + n);
-          }
-      }
-
+    std::vector<unsigned int> fresh;
     for (const unsigned int r : wanted)
-      if (place.count(r) == 0)
+      if (!knows(r))
         {
-          place[r] = known_rows.size();
-          known_rows.push_back(r);
-          entries.emplace_back();
-          for (const unsigned int other : known_rows)
-            entries.back().push_back(product(r, other));
+          place[r] = entries.size();
+          entries.emplace_back(entries.size() + 1, 0.);
+          fresh.push_back(r);
         }
-  }
 
-
-
-  double
-  Compliance::product(const unsigned int row_i, const unsigned int row_j) const
-  {
-    double sum = 0.;
-    for (const BodyColumns &body : columns)
+    for (unsigned int b = 0; b < bodies.size(); ++b)
       {
-        const auto i = body.column.find(row_i), j = body.column.find(row_j);
-        if (i != body.column.end() && j != body.column.end())
-          sum += body.y[i->second] * body.y[j->second];
+        const unsigned int first = bodies[b].half_solved.size();
+        std::vector<Row>   reduced;
+        for (const unsigned int r : fresh)
+          for (const BodyRow &part : rows[r].parts)
+            if (part.body == b)
+              {
+                reduced.push_back(
+                  part.row.reduced(structure.reduction(b).constraints()));
+                bodies[b].place.push_back(place[r]);
+              }
+        bodies[b].half_solved.append(reduced);
+
+        const std::vector<double> products =
+          bodies[b].half_solved.products(first);
+        const std::vector<unsigned int> &at = bodies[b].place;
+        const std::size_t                n  = at.size() - first;
+        for (unsigned int j = 0; j < at.size(); ++j)
+          for (unsigned int i = first; i < at.size(); ++i)
+            if (at[j] <= at[i])
+              entries[at[i]][at[j]] += products[j * n + i - first];
       }
-    return sum;
   }
 
 
 
   double
-  Compliance::operator()(const unsigned int i, const unsigned int j) const
+  Compliance::diagonal(const unsigned int row) const
   {
-    const unsigned int p = place.at(i), q = place.at(j);
-    return entries[std::max(p, q)][std::min(p, q)];
+    return entries[place[row]].back();
+  }
+
+
+
+  std::vector<double>
+  Compliance::among(const std::vector<unsigned int> &of) const
+  {
+    const std::size_t   n = of.size();
+    std::vector<double> matrix(n * n);
+    for (std::size_t j = 0; j < n; ++j)
+      for (std::size_t i = j; i < n; ++i)
+        {
+          const unsigned int p = place[of[i]], q = place[of[j]];
+          const double       entry = entries[std::max(p, q)][std::min(p, q)];
+          matrix[j * n + i] = matrix[i * n + j] = entry;
+        }
+    return matrix;
   }
 
 
@@ -81,13 +84,16 @@ namespace lamella
   Compliance::displacement(const std::vector<unsigned int> &of,
                            const std::vector<double>       &lambda) const
   {
-    BlockVector u = structure.zero();
-    for (unsigned int b = 0; b < columns.size(); ++b)
+    BlockVector         u = structure.zero();
+    std::vector<double> force(entries.size(), 0.);
+    for (unsigned int i = 0; i < of.size(); ++i)
+      force[place[of[i]]] = lambda[i];
+    for (unsigned int b = 0; b < bodies.size(); ++b)
       {
-        for (unsigned int i = 0; i < of.size(); ++i)
-          if (const auto found = columns[b].column.find(of[i]);
-              found != columns[b].column.end())
-            u.block(b).add(lambda[i], columns[b].y[found->second]);
+        std::vector<double> of_body;
+        for (const unsigned int p : bodies[b].place)
+          of_body.push_back(force[p]);
+        u.block(b) = bodies[b].half_solved.combination(of_body);
         structure.bodies()[b]->factorisation().backward(u.block(b));
         structure.reduction(b).constraints().distribute(u.block(b));
       }

@@ -10,14 +10,14 @@ namespace lamella
 {
   namespace
   {
-    constexpr double smallest_softness = 1e-10;
+    // Of the row's compliance, and of 1/penalty for a row between points that
+    // supports hold, which has none.
+    constexpr double smallest_softness = 1e-10, smallest_of_given = 1e-8;
     // How many rows take part from the start, at least.
     constexpr std::size_t first_rows = 8;
 
 
 
-    /// Rows that miss the law, the worst first, each with its gap's violation.
-    using Violations = std::vector<std::pair<double, unsigned int>>;
   } // namespace
 
 
@@ -33,10 +33,11 @@ namespace lamella
   double
   CondensedStrategy::softness(const unsigned int row) const
   {
-    return std::max(rows[row].enforcement == Enforcement::exact ?
-                      0. :
-                      numerical_softness(rows[row]),
-                    smallest_softness * compliance(row, row));
+    const double given = numerical_softness(rows[row]),
+                 least = std::max(smallest_softness * compliance.diagonal(row),
+                                  smallest_of_given * given);
+    return rows[row].enforcement == Enforcement::exact ? least :
+                                                         std::max(given, least);
   }
 
 
@@ -68,18 +69,18 @@ namespace lamella
       return;
 
     const std::size_t n = active.size();
-    if (!factor || factorised_for != active)
+    compliance.include(active);
+    std::vector<double> d;
+    for (const unsigned int r : active)
+      d.push_back(softness(r));
+    if (!factor || factorised_for != active || factorised_with != d)
       {
-        compliance.include(active);
-        std::vector<double> system(n * n);
-        for (std::size_t j = 0; j < n; ++j)
-          {
-            for (std::size_t i = j; i < n; ++i)
-              system[j * n + i] = compliance(active[i], active[j]);
-            system[j * n + j] += softness(active[j]);
-          }
+        std::vector<double> system = compliance.among(active);
+        for (std::size_t i = 0; i < n; ++i)
+          system[i * n + i] += d[i];
         factor.emplace(std::move(system), n, "The compliance of contact");
-        factorised_for = active;
+        factorised_for  = active;
+        factorised_with = d;
       }
     std::vector<double> lambda(n);
     for (std::size_t i = 0; i < n; ++i)
@@ -99,7 +100,7 @@ namespace lamella
     // s = g_state + C (lambda - lambda_state) + a lambda +
     //     (d - a) (lambda - lambda_bar).
     const std::size_t      n = part.size();
-    ComplementarityProblem small{std::vector<double>(n * n),
+    ComplementarityProblem small{compliance.among(part),
                                  std::vector<double>(n),
                                  problem.closed};
     std::vector<bool>      start(n);
@@ -110,10 +111,7 @@ namespace lamella
         small.q[i] =
           problem.gap[r] - (d - law_softness(rows[r])) * problem.estimate[r];
         for (std::size_t j = 0; j < n; ++j)
-          {
-            small.matrix[j * n + i] = compliance(r, part[j]);
-            small.q[i] -= small.matrix[j * n + i] * problem.force[part[j]];
-          }
+          small.q[i] -= small.matrix[j * n + i] * problem.force[part[j]];
         small.matrix[i * n + i] += d;
         start[i] =
           std::binary_search(solution.active.begin(), solution.active.end(), r);
@@ -136,20 +134,57 @@ namespace lamella
 
   namespace
   {
-    /// The rows that would penetrate at gaps @p g and are not among @p part.
+    using Violations = std::vector<std::pair<double, unsigned int>>;
+
+
+
+    /// The rows with gaps @p g below @p limit that are not among @p part.
     Violations
-    violations_outside(const std::vector<unsigned int> &part,
-                       const std::vector<double>       &g,
-                       const double                     closed)
+    rows_below(const double                     limit,
+               const std::vector<unsigned int> &part,
+               const std::vector<double>       &g)
     {
-      Violations violations;
+      Violations found;
       for (unsigned int r = 0; r < g.size(); ++r)
-        if (g[r] < -closed && !std::binary_search(part.begin(), part.end(), r))
-          violations.emplace_back(-g[r], r);
-      std::sort(violations.rbegin(), violations.rend());
-      return violations;
+        if (g[r] < limit && !std::binary_search(part.begin(), part.end(), r))
+          found.emplace_back(-g[r], r);
+      std::sort(found.rbegin(), found.rend());
+      return found;
+    }
+
+
+
+    Round
+    round_of(const ContactSolution &solution, const Violations &wrong)
+    {
+      Round round{solution.active.size(),
+                  {},
+                  wrong.empty() ? 0. : wrong.front().first};
+      for (const auto &[violation, r] : wrong)
+        round.changed.push_back(r);
+      return round;
     }
   } // namespace
+
+
+
+  CondensedStrategy::Violations
+  CondensedStrategy::touching_rows(const ContactProblem            &problem,
+                                   const std::vector<unsigned int> &part,
+                                   const std::vector<double>       &g) const
+  {
+    constexpr double closed_by_others = 100.;
+    Violations       touching =
+      rows_below(closed_by_others * problem.closed, part, g);
+    touching.erase(std::remove_if(touching.begin(),
+                                  touching.end(),
+                                  [this](const auto &found) {
+                                    return law_softness(rows[found.second]) >
+                                           0.;
+                                  }),
+                   touching.end());
+    return touching;
+  }
 
 
 
@@ -162,41 +197,44 @@ namespace lamella
     solution.force  = problem.force;
     solution.active = problem.start;
 
-    std::set<unsigned int> part(problem.start.begin(), problem.start.end());
+    std::set<unsigned int> start(problem.start.begin(), problem.start.end());
     for (unsigned int r = 0; r < rows.size(); ++r)
       if (problem.force[r] != 0. || problem.estimate[r] != 0.)
-        part.insert(r);
-    std::vector<unsigned int> sorted(part.begin(), part.end());
-    Violations wrong = violations_outside(sorted, problem.gap, problem.closed);
-    wrong.resize(std::min(wrong.size(), first_rows));
-    while (!sorted.empty() || !wrong.empty())
+        start.insert(r);
+    if (start.empty() && rows_below(-problem.closed, {}, problem.gap).empty())
+      return solution;
+    // Rows that once took part cost next to nothing.
+    for (unsigned int r = 0; r < rows.size(); ++r)
+      if (compliance.knows(r))
+        start.insert(r);
+    std::vector<unsigned int> part(start.begin(), start.end());
+    Violations joining = rows_below(-problem.closed, part, problem.gap);
+    joining.resize(std::min(joining.size(), first_rows));
+
+    bool all_that_touch = false;
+    while (true)
       {
-        for (const auto &[violation, r] : wrong)
-          {
-            part.insert(r);
-            solution.active.push_back(r);
-          }
-        std::sort(solution.active.begin(), solution.active.end());
-        sorted.assign(part.begin(), part.end());
-        compliance.include(sorted);
-        solve_part(problem, sorted, solution);
+        for (const auto &[violation, r] : joining)
+          for (std::vector<unsigned int> *set : {&part, &solution.active})
+            set->insert(std::upper_bound(set->begin(), set->end(), r), r);
+        compliance.include(part);
+        solve_part(problem, part, solution);
 
         std::vector<double> g = problem.gap;
         for (unsigned int r = 0; r < rows.size(); ++r)
           g[r] += rows[r].opening(solution.du);
-        wrong = violations_outside(sorted, g, problem.closed);
-        Round round{solution.active.size(), {}, 0.};
-        for (const auto &[violation, r] : wrong)
-          round.changed.push_back(r);
-        round.violation = wrong.empty() ? 0. : wrong.front().first;
-        monitor(round);
-        if (wrong.empty())
+        joining = rows_below(-problem.closed, part, g);
+        monitor(round_of(solution, joining));
+        if (joining.empty() && !all_that_touch && !solution.active.empty())
+          {
+            joining        = touching_rows(problem, part, g);
+            all_that_touch = true;
+          }
+        else
+          joining.resize(
+            std::min(joining.size(), std::max(first_rows, part.size())));
+        if (joining.empty())
           break;
-        // As many as have proved active, and half of those that take part, so
-        // that the number of rounds stays a logarithm.
-        wrong.resize(std::min(
-          wrong.size(),
-          std::max({first_rows, solution.active.size(), part.size() / 2})));
       }
     return solution;
   }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <lamella/base/exceptions.h>
+#include <lamella/base/text.h>
 #include <lamella/solve/full_strategy.h>
 
 #include <deal.II/base/index_set.h>
@@ -10,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <set>
 
 namespace lamella
@@ -108,6 +110,7 @@ namespace lamella
       {
         factorise(active);
         factorised_with = d;
+        measure_hardness(active);
       }
 
     // (K + K^p) du = r_u + B^T r_lambda / d.
@@ -131,6 +134,52 @@ namespace lamella
     dlambda.reinit(active.size());
     for (unsigned int k = 0; k < active.size(); ++k)
       dlambda[k] = (r_lambda[k] - rows[active[k]].opening(du)) / d[k];
+  }
+
+
+
+  void
+  FullStrategy::measure_hardness(const std::vector<unsigned int> &active)
+  {
+    for (const unsigned int r : active)
+      {
+        double softness = 0.;
+        for (const BodyRow &part : rows[r].parts)
+          {
+            const Matrix &K = structure.bodies()[part.body]->stiffness();
+            const Row     free =
+              part.row.reduced(structure.reduction(part.body).constraints());
+            for (const auto &[dof, weight] : free.entries())
+              softness += weight * weight / K.diag_element(dof);
+          }
+        const double penalty = 1. / numerical_softness(rows[r]);
+        if (softness * penalty > hardest)
+          {
+            hardest         = softness * penalty;
+            hardest_penalty = penalty;
+          }
+      }
+  }
+
+
+
+  std::vector<std::string>
+  FullStrategy::warnings() const
+  {
+    // Rounding leaves an error of about N t eps / k (Nour-Omid and Wriggers,
+    // 1987), least together with the penalty's own k / eps at k / sqrt(N t).
+    const double t = std::numeric_limits<double>::epsilon(),
+                 n = structure.n_dofs(), rounding = n * t * hardest;
+    if (rounding < 1e-4)
+      return {};
+    return {"the penalty " + to_text(hardest_penalty, 3) + " is " +
+            to_text(hardest, 2) +
+            " times the stiffness of the DoFs it acts on; in K + K^p of " +
+            std::to_string(structure.n_dofs()) +
+            " DoFs double precision holds about " +
+            to_text(hardest_penalty / hardest / std::sqrt(n * t), 2) +
+            " best, and what was found may be off by " + to_text(rounding, 1) +
+            ": take a softer Penalty or the condensed strategy"};
   }
 
 

@@ -127,8 +127,10 @@ namespace lamella
     for (const unsigned int r : state.active)
       if (state.force[r] < 0.)
         found.opening.push_back(r);
-      else if (rows[r].enforcement != Enforcement::penalty)
-        found.gap = std::max(found.gap, std::abs(g[r]));
+      else
+        found.gap =
+          std::max(found.gap,
+                   std::abs(g[r] + law_softness(rows[r]) * state.force[r]));
     for (unsigned int r = 0; r < rows.size(); ++r)
       if (g[r] < -closed &&
           !std::binary_search(state.active.begin(), state.active.end(), r))
@@ -201,6 +203,7 @@ namespace lamella
         state.u += contact.du;
         state.force               = contact.force;
         state.active              = contact.active;
+        State settled             = state;
         state.contact_corrections = refine(state, factor, 1);
 
         const double size = state.u.linfty_norm();
@@ -213,24 +216,32 @@ namespace lamella
         if (right && (found.gap <= accurate * size ||
                       (slow && found.gap <= acceptable * size)))
           return state;
-        if (slow)
-          strategy.stiffen();
-        before = found.gap;
 
+        if (!right)
+          {
+            // Only the strategy's forces are sure to push: with them alone the
+            // next round starts, if the state that they cause is not good
+            // enough as it is. It is where rows depend on each other and
+            // rounding moves forces among them, also below zero.
+            settled.active.clear();
+            settled.contact_corrections = refine(settled, factor, 1);
+            settled.active              = contact.active;
+            state                       = std::move(settled);
+            problem.gap                 = gaps(state.u, factor);
+            const Misses left = misses(state, problem.gap, acceptable * size);
+            if (left.closing.empty() && left.gap <= acceptable * size)
+              return state;
+          }
         std::vector<unsigned int> changing = found.opening;
         changing.insert(changing.end(),
                         found.closing.begin(),
                         found.closing.end());
         check_iterations(state.iterations, changing);
-        // The estimate must be of forces that push; those of the strategy do.
-        problem.estimate = right ? state.force : contact.force;
-        problem.force    = state.force;
-        problem.start.clear();
-        std::set_difference(state.active.begin(),
-                            state.active.end(),
-                            found.opening.begin(),
-                            found.opening.end(),
-                            std::back_inserter(problem.start));
+        if (slow)
+          strategy.stiffen();
+        before           = found.gap;
+        problem.estimate = problem.force = state.force;
+        problem.start                    = state.active;
       }
   }
 } // namespace lamella

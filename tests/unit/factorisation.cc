@@ -127,34 +127,55 @@ BOOST_AUTO_TEST_CASE(solve)
 
 
 
+namespace
+{
+  /// A functional with entries in every @p step-th DoF from @p first on.
+  Row
+  functional(const unsigned int n,
+             const unsigned int first,
+             const unsigned int step)
+  {
+    Row row;
+    for (unsigned int i = first; i < n; i += step)
+      row.add(i, std::cos(1. + first + 2. * i));
+    return row;
+  }
+
+
+
+  /// b_a A^-1 b_c.
+  double
+  compliance(const Case &c, const Row &a, const Row &b)
+  {
+    double sum = 0.;
+    for (const auto &[i, weight_i] : a.entries())
+      for (const auto &[j, weight_j] : b.entries())
+        sum += weight_i * c.inverse(i, j) * weight_j;
+    return sum;
+  }
+} // namespace
+
 BOOST_AUTO_TEST_CASE(halves_make_the_whole)
 {
+  // backward(Y lambda) = A^-1 B^T lambda.
   for (const Case &c : cases())
     {
-      const Sparse A(c.n, c.entry);
-      const auto   factor = factorise(A.matrix, "the matrix");
-
-      // backward(forward(b)) = A^-1 b, for two columns at once.
-      Columns y(c.n, 2);
+      const Sparse   A(c.n, c.entry);
+      const auto     factor = factorise(A.matrix, "the matrix");
+      HalfSolvedRows rows   = factor->half_solved_rows();
+      const Row      a = functional(c.n, 0, 1), b = functional(c.n, c.n / 2, 3);
+      rows.append({a});
+      rows.append({b});
+      BOOST_TEST(rows.size() == 2);
+      Vector x = rows.combination({2., -3.});
+      factor->backward(x);
       for (unsigned int i = 0; i < c.n; ++i)
         {
-          y(i, 0) = 1. + i;
-          y(i, 1) = i == 0 ? 1. : 0.;
-        }
-      factor->forward(y);
-      for (unsigned int k = 0; k < 2; ++k)
-        {
-          Vector x(c.n);
-          for (unsigned int i = 0; i < c.n; ++i)
-            x[i] = y(i, k);
-          factor->backward(x);
-          for (unsigned int i = 0; i < c.n; ++i)
-            {
-              double due = 0.;
-              for (unsigned int j = 0; j < c.n; ++j)
-                due += c.inverse(i, j) * (k == 0 ? 1. + j : j == 0 ? 1. : 0.);
-              BOOST_TEST(std::abs(x[i] - due) < 1e-10);
-            }
+          Row unit;
+          unit.add(i, 1.);
+          const double due =
+            2. * compliance(c, unit, a) - 3. * compliance(c, unit, b);
+          BOOST_TEST(std::abs(x[i] - due) < 1e-10);
         }
     }
 }
@@ -163,32 +184,31 @@ BOOST_AUTO_TEST_CASE(halves_make_the_whole)
 
 BOOST_AUTO_TEST_CASE(compliance_of_rows)
 {
-  // B A^-1 B^T = Y^T Y with Y = L^-1 P B^T.
+  // B A^-1 B^T = Y^T Y with Y = L^-1 P B^T, in two batches of rows with few
+  // entries and with many; the chain has a deep elimination tree.
   for (const Case &c : cases())
     {
-      const Sparse A(c.n, c.entry);
-      const auto   factor = factorise(A.matrix, "the matrix");
-      const auto   B      = [](const unsigned int row, const unsigned int i) {
-        return std::cos(1. + row + 2. * i);
-      };
-      constexpr unsigned int rows = 3;
-      Columns                Y(c.n, rows);
-      for (unsigned int i = 0; i < c.n; ++i)
-        for (unsigned int row = 0; row < rows; ++row)
-          Y(i, row) = B(row, i);
-      factor->forward(Y);
-      for (unsigned int a = 0; a < rows; ++a)
-        for (unsigned int b = 0; b < rows; ++b)
-          {
-            double found = 0., due = 0.;
-            for (unsigned int i = 0; i < c.n; ++i)
-              {
-                found += Y(i, a) * Y(i, b);
-                for (unsigned int j = 0; j < c.n; ++j)
-                  due += B(a, i) * c.inverse(i, j) * B(b, j);
-              }
-            BOOST_TEST(std::abs(found - due) < 1e-11 * (1. + std::abs(due)));
-          }
+      const Sparse           A(c.n, c.entry);
+      const auto             factor = factorise(A.matrix, "the matrix");
+      const std::vector<Row> all{functional(c.n, 0, c.n),
+                                 functional(c.n, c.n / 3, 2),
+                                 functional(c.n, c.n - 1, 1),
+                                 functional(c.n, 0, 1),
+                                 functional(c.n, c.n / 2, c.n)};
+      HalfSolvedRows         rows = factor->half_solved_rows();
+      rows.append({all[0], all[1]});
+      const std::vector<double> before = rows.products(0);
+      rows.append({all[2], all[3], all[4]});
+      const std::vector<double> after = rows.products(2);
+      for (unsigned int j = 0; j < 5; ++j)
+        for (unsigned int i = 0; i < 5; ++i)
+          if (i >= 2 || j < 2)
+            {
+              const double due = compliance(c, all[i], all[j]),
+                           found =
+                             i < 2 ? before[2 * j + i] : after[3 * j + i - 2];
+              BOOST_TEST(std::abs(found - due) < 1e-11 * (1. + std::abs(due)));
+            }
     }
 }
 

@@ -108,6 +108,15 @@ BOOST_AUTO_TEST_CASE(two_cubes_pressure_and_penetration)
   const double force = p * side * side;
   BOOST_TEST(std::abs(checks.contacts[0].force[2] / -force - 1.) < 1e-10);
   BOOST_TEST(std::abs(checks.reactions[1][2] / force - 1.) < 1e-10);
+  // It acts in the middle of the face, and has a moment about the origin.
+  const Point<3> middle(0.5 * side, 0.5 * side, side + gap);
+  BOOST_TEST(checks.contacts[0].centre_of_pressure.distance(middle) <
+             1e-10 * side);
+  const dealii::Tensor<1, 3> moment =
+    Point<3>(-0.5 * side * force, 0.5 * side * force, 0.);
+  BOOST_TEST((checks.contacts[0].moment - moment).norm() < 1e-10 * force);
+  BOOST_TEST(checks.contacts[0].imbalance < 1e-12);
+  BOOST_TEST(checks.contacts[0].violation < 1e-12);
   BOOST_TEST(std::abs(checks.reactions[0][2] / -force - 1.) < 1e-10);
   BOOST_TEST(std::abs(checks.energy / (p * p / E * side * side * side) - 1.) <
              1e-10);
@@ -137,6 +146,24 @@ BOOST_AUTO_TEST_CASE(condensed_and_full_agree)
   BOOST_TEST(difference.linfty_norm() < 1e-10 * full.u.linfty_norm());
   for (unsigned int i = 0; i < full.force.size(); ++i)
     BOOST_TEST(std::abs(condensed.force[i] - full.force[i]) < 1e-10);
+}
+
+
+
+BOOST_AUTO_TEST_CASE(a_penalty_beyond_rounding_is_told)
+{
+  // N t eps / k: some 1e-10 here, and a thousandth with a penalty of 1e12.
+  for (const double factor : {1., 1e12})
+    {
+      TwoCubes scene(press);
+      for (GapRow &row : scene.contacts[0].rows)
+        row.penalty *= factor;
+      FullStrategy strategy(*scene.structure, scene.contacts[0].rows);
+      BlockVector  u;
+      Vector       lambda;
+      strategy.solve({0, 1, 2}, nullptr, Vector(3), u, lambda);
+      BOOST_TEST(strategy.warnings().size() == (factor == 1. ? 0u : 1u));
+    }
 }
 
 

@@ -11,48 +11,23 @@
 //   c = (72 E I g / q)^(1/4),
 // so the floor carries q (l - 2 c) + 2 q c / 3 = q (l - 4 c / 3) in all.
 
-#include "fixtures.h"
+#include "contact_fixture.h"
 
 #include <lamella/solve/checks.h>
-#include <lamella/solve/full_strategy.h>
-#include <lamella/solve/parameters.h>
 
 #include <boost/test/unit_test.hpp>
 
-#include <algorithm>
 
 using namespace lamella;
 using dealii::Point;
 
 namespace
 {
-  /// What a strategy is given; lengths and forces in units of the scene.
-  struct Units
+  /// One metre and one newton in the units of a scene.
+  struct UnitSystem
   {
     double length = 1., force = 1.;
   };
-
-  /// A row that keeps @p point of the body @p body at least @p gap (signed,
-  /// from below) over a rigid floor.
-  GapRow
-  above_floor(const Bodies      &bodies,
-              const Point<3>    &point,
-              const double       gap,
-              const Enforcement  enforcement,
-              const double       penalty,
-              const unsigned int body = 0)
-  {
-    const auto where = bodies[body]->locate({point}).at(0).at(0);
-    GapRow     row;
-    row.parts = {
-      {body, bodies[body]->rows({where}, Quantity::displacement)[0][2]}};
-    row.initial_gap = gap;
-    row.enforcement = enforcement;
-    row.penalty     = penalty;
-    return row;
-  }
-
-
 
   Theory
   theory(const char *const name)
@@ -62,70 +37,17 @@ namespace
 
 
 
-  /// A structure with gap rows and what solves for them.
-  struct Contact
-  {
-    std::unique_ptr<Structure>       structure;
-    std::vector<GapRow>              rows;
-    std::unique_ptr<ContactStrategy> strategy;
-
-    void
-    prepare(const Strategy which)
-    {
-      structure->assemble();
-      if (which == Strategy::full)
-        strategy = std::make_unique<FullStrategy>(*structure, rows);
-      else
-        {
-          structure->factorise();
-          strategy = std::make_unique<CondensedStrategy>(*structure, rows);
-        }
-    }
-
-    State
-    solve(const double factor = 1., const State &previous = State()) const
-    {
-      const Newton newton(*structure, rows, *strategy);
-      return newton.solve_contact(newton.solve_free(factor), factor, previous);
-    }
-
-    /// The largest violation of g >= 0, lambda >= 0, g lambda = 0 over the
-    /// largest displacement, and over that times the largest force.
-    double
-    violation(const State &state, const double factor = 1.) const
-    {
-      double force = 0., worst = 0.;
-      for (const double f : state.force)
-        force = std::max(force, std::abs(f));
-      for (unsigned int r = 0; r < rows.size(); ++r)
-        {
-          const double g = rows[r].gap(state.u, factor);
-          worst          = std::max(worst, -g / state.u.linfty_norm());
-          if (state.force[r] != 0.)
-            {
-              worst = std::max(worst,
-                               std::abs(g * state.force[r]) /
-                                 (force * state.u.linfty_norm()));
-              worst = std::max(worst, -state.force[r] / force);
-            }
-        }
-      return worst;
-    }
-  };
-
-
-
   constexpr double l = 3., height = 0.01, width = 0.02, E = 2e5, c = 1.;
   constexpr double EI = E * width * height * height * height / 12., q = 0.7,
                    g = q * c * c * c * c / (72. * EI);
 
   /// The beam over the floor, a row at each end of its elements.
-  Contact
+  ContactScene
   beam_over_floor(const char *const  kinematics,
                   const unsigned int elements,
                   const Enforcement  enforcement,
                   const Strategy     strategy,
-                  const Units       &units    = Units(),
+                  const UnitSystem  &units    = UnitSystem(),
                   const double       hardness = 1000.)
   {
     const double L = units.length, F = units.force, modulus = E * F / L / L;
@@ -137,7 +59,7 @@ namespace
     Bodies bodies;
     bodies.push_back(std::make_unique<Beam>(
       "beam", section, make_axis(l * L, elements), Placement()));
-    Contact      contact;
+    ContactScene contact;
     const double h = l * L / elements;
     for (unsigned int k = 0; k <= elements; ++k)
       contact.rows.push_back(
@@ -155,16 +77,6 @@ namespace
     return contact;
   }
 
-
-
-  double
-  sum(const std::vector<double> &forces)
-  {
-    double all = 0.;
-    for (const double f : forces)
-      all += f;
-    return all;
-  }
 } // namespace
 
 BOOST_AUTO_TEST_SUITE(touch_down)
@@ -178,7 +90,7 @@ BOOST_AUTO_TEST_CASE(a_beam_pressed_on_a_floor)
          {Enforcement::penalty, Enforcement::exact})
       {
         const unsigned int n = 300;
-        const Contact      scene =
+        const ContactScene scene =
           beam_over_floor(kinematics, n, enforcement, Strategy::condensed);
         const State state  = scene.solve();
         double      moment = 0.;
@@ -206,7 +118,7 @@ BOOST_AUTO_TEST_CASE(iterations_do_not_grow)
     for (const Strategy strategy : {Strategy::condensed, Strategy::full})
       for (const unsigned int n : {40, 80, 160})
         {
-          const Contact scene =
+          const ContactScene scene =
             beam_over_floor(kinematics, n, Enforcement::penalty, strategy);
           const State state = scene.solve();
           BOOST_TEST_MESSAGE(
@@ -230,7 +142,7 @@ BOOST_AUTO_TEST_CASE(enforcements_agree)
                                             Enforcement::augmented_lagrangian,
                                             Enforcement::penalty})
         {
-          const Contact scene =
+          const ContactScene scene =
             beam_over_floor("TBT",
                             60,
                             enforcement,
@@ -257,12 +169,12 @@ BOOST_AUTO_TEST_CASE(units_do_not_matter)
                                         Enforcement::exact,
                                         Enforcement::augmented_lagrangian})
     {
-      std::vector<State>       states;
-      const std::vector<Units> units{{1., 1.},
-                                     {1e-3, 1.},
-                                     {1e6, 1.},
-                                     {1., 1e6}};
-      for (const Units &unit : units)
+      std::vector<State>            states;
+      const std::vector<UnitSystem> units{{1., 1.},
+                                          {1e-3, 1.},
+                                          {1e6, 1.},
+                                          {1., 1e6}};
+      for (const UnitSystem &unit : units)
         states.push_back(
           beam_over_floor("TBT", 80, enforcement, Strategy::condensed, unit)
             .solve());

@@ -3,18 +3,14 @@
 #ifndef lamella_base_factorisation_h
 #define lamella_base_factorisation_h
 
+#include <lamella/base/half_solved_rows.h>
 #include <lamella/base/linear_algebra.h>
 
-#include <deal.II/lac/full_matrix.h>
-#include <deal.II/lac/lapack_full_matrix.h>
-
 #include <memory>
+#include <string>
 
 namespace lamella
 {
-  /// Several vectors of equal length as the columns of one dense matrix.
-  using Columns = dealii::LAPACKFullMatrix<double>;
-
   /**
    * The factorisation A = P^T L L^T P of a symmetric positive definite matrix.
    *
@@ -30,11 +26,12 @@ namespace lamella
     virtual void
     solve(Vector &x) const = 0;
 
-    /// Each column y = L^-1 P y.
-    virtual void
-    forward(Columns &y) const = 0;
+    /// For rows to be half solved, y = L^-1 P b; the object refers to this
+    /// one.
+    virtual HalfSolvedRows
+    half_solved_rows() const = 0;
 
-    /// x = P^T L^-T x, so that backward(forward(b)) is A^-1 b.
+    /// x = P^T L^-T x: A^-1 b, if x is b half solved.
     virtual void
     backward(Vector &x) const = 0;
 

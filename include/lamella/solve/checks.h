@@ -11,21 +11,37 @@
 
 namespace lamella
 {
-  /// The Kuhn-Tucker state (Eq. 18) of one contact.
+  /// The Kuhn-Tucker state (Eq. 18) of one contact at the end of a load step,
+  /// and what it transmits.
   struct KuhnTucker
   {
     unsigned int active = 0;
-    /// On the second body, scene components.
-    dealii::Tensor<1, 3> force;
+    /// On the second body or obstacle, scene components, and the moment about
+    /// the scene's origin: the work of the rows on rigid motions of a body, so
+    /// exact for every kind of rows.
+    dealii::Tensor<1, 3> force, moment;
+    /// Where the force acts: of its line of action the point nearest to the
+    /// mean of the active points, weighted with their forces.
+    dealii::Point<3> centre_of_pressure;
+    /// |sum of the forces on both bodies| / |force|: zero.
+    double imbalance = 0.;
     /// The largest -g, zero without penetration; by design F / eps for penalty.
     double max_penetration = 0.;
     /// The smallest force of an active row: not negative.
     double min_force = 0.;
-    /// The largest lambda max(0, g): zero.
+    /// The largest lambda max(0, g), an energy: zero.
     double complementarity = 0.;
-    /// The largest |g + lambda / eps| of an active row and -g of any other: how
-    /// far gaps and forces are from the law, a length.
+    /// The largest |g + a lambda| of an active row and -g of any other, with
+    /// a = 1/eps for penalty and zero without: how far gaps and forces are from
+    /// the law, a length.
     double law_error = 0.;
+    /// How much wider the initial gaps of active rows, means over elements
+    /// perhaps, are than those between their points: what the mesh does not
+    /// resolve of how the surfaces curve.
+    double averaged_away = 0.;
+    /// The largest of law error over displacement, tension over force and
+    /// complementarity over both: a number.
+    double violation = 0.;
   };
 
   /// What every load step is checked for.

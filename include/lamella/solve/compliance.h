@@ -6,7 +6,6 @@
 #include <lamella/contact/gap_rows.h>
 #include <lamella/solve/structure.h>
 
-#include <map>
 #include <vector>
 
 namespace lamella
@@ -14,8 +13,8 @@ namespace lamella
   /**
    * The compliance of gap rows,
    *   C = B K^-1 B^T = Y^T Y,  Y = L^-1 P B^T,
-   * for those rows that were asked for so far: only the forward half of a
-   * solution is computed, for several rows at a time.
+   * for those rows that were asked for so far. Only the forward half of a
+   * solution is computed, where it is not zero, for many rows at a time.
    */
   class Compliance
   {
@@ -27,9 +26,20 @@ namespace lamella
     void
     include(const std::vector<unsigned int> &wanted);
 
-    /// The gap that a unit force in row @p j opens in row @p i; both known.
+    bool
+    knows(const unsigned int row) const
+    {
+      return place[row] != dealii::numbers::invalid_unsigned_int;
+    }
+
+    /// The gap that a unit force in the known row @p row opens there.
     double
-    operator()(const unsigned int i, const unsigned int j) const;
+    diagonal(const unsigned int row) const;
+
+    /// The gaps that unit forces in each of the known rows @p of open in them:
+    /// a symmetric matrix, column by column.
+    std::vector<double>
+    among(const std::vector<unsigned int> &of) const;
 
     /// K^-1 B^T lambda of the known rows @p of, expanded.
     BlockVector
@@ -37,27 +47,21 @@ namespace lamella
                  const std::vector<double>       &lambda) const;
 
   private:
-    /// One body's columns Y of the rows that touch it.
-    struct BodyColumns
+    /// One body's half solved rows, and which gap rows they are of.
+    struct BodyRows
     {
-      std::vector<Vector> y;
-      /// Number of a gap row -> column of y.
-      std::map<unsigned int, unsigned int> column;
+      HalfSolvedRows            half_solved;
+      std::vector<unsigned int> place;
     };
-
-    /// y_i . y_j over all bodies.
-    double
-    product(const unsigned int row_i, const unsigned int row_j) const;
 
     const Structure           &structure;
     const std::vector<GapRow> &rows;
-    std::vector<BodyColumns>   columns;
+    std::vector<BodyRows>      bodies;
 
-    /// The known rows, their place in the compliance, and its lower triangle by
-    /// rows.
-    std::vector<unsigned int>            known_rows;
-    std::map<unsigned int, unsigned int> place;
-    std::vector<std::vector<double>>     entries;
+    /// The place of each row in the compliance, if it is known, and its lower
+    /// triangle by rows.
+    std::vector<unsigned int>        place;
+    std::vector<std::vector<double>> entries;
   };
 } // namespace lamella
 

@@ -19,7 +19,11 @@ namespace lamella
    * The active set is found by row generation: the complementarity problem of
    * the rows that take part is solved exactly (solve_complementarity()), the
    * gaps of all others are looked at, the worst of those that penetrate take
-   * part from then on. The rows that take part only become more, so this ends.
+   * part from then on, at most as many as do already. The rows that take part
+   * only become more, so this ends. Rows of multipliers that others have closed
+   * join last: where rows depend on each other (more points than a surface has
+   * freedom to move) they then share the force, as the least sum of squares
+   * does.
    */
   class CondensedStrategy : public ContactStrategy
   {
@@ -47,6 +51,16 @@ namespace lamella
     double
     softness(const unsigned int row) const;
 
+    /// Rows with the negative of their gaps, the smallest gap first.
+    using Violations = std::vector<std::pair<double, unsigned int>>;
+
+    /// Rows without a softness of their own that touch and are not among
+    /// @p part.
+    Violations
+    touching_rows(const ContactProblem            &problem,
+                  const std::vector<unsigned int> &part,
+                  const std::vector<double>       &g) const;
+
     /// Solves @p problem on the rows @p part, beginning with those of them that
     /// are active in @p solution.
     void
@@ -59,9 +73,10 @@ namespace lamella
     apply_inverse(BlockVector r) const;
 
     Compliance compliance;
-    /// C + d of the rows that were active in the last linear solve.
+    /// C + d of the rows that were active in the last linear solve, and d.
     std::optional<DenseCholesky> factor;
     std::vector<unsigned int>    factorised_for;
+    std::vector<double>          factorised_with;
   };
 } // namespace lamella
 

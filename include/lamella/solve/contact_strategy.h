@@ -7,6 +7,7 @@
 #include <lamella/solve/structure.h>
 
 #include <functional>
+#include <string>
 #include <vector>
 
 namespace lamella
@@ -98,6 +99,13 @@ namespace lamella
     /// The largest estimate of a condition number met so far, 0 if unknown.
     virtual double
     condition_estimate() const = 0;
+
+    /// What the user should know of penalties and arithmetic, a sentence each.
+    virtual std::vector<std::string>
+    warnings() const
+    {
+      return {};
+    }
 
   protected:
     /// 1 / (penalty times the stiffening so far).

@@ -45,7 +45,15 @@ namespace lamella
       return 0.;
     }
 
+    std::vector<std::string>
+    warnings() const override;
+
   private:
+    /// Keeps the hardest of the penalties of @p active over what the DoFs of
+    /// the row offer, k = 1 / sum(b_i^2 / K_ii).
+    void
+    measure_hardness(const std::vector<unsigned int> &active);
+
     /// Where Newton's method stands: displacements since the state of the
     /// problem, the contact forces that they balance, and the gaps.
     struct Iterate
@@ -107,6 +115,7 @@ namespace lamella
     std::unique_ptr<dealii::TrilinosWrappers::SolverDirect> solver;
     std::vector<unsigned int>                               factorised_for;
     std::vector<double>                                     factorised_with;
+    double hardest = 0., hardest_penalty = 0.;
   };
 } // namespace lamella
 

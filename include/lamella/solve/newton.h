@@ -86,7 +86,7 @@ namespace lamella
     {
       /// Active rows that pull, and others that penetrate.
       std::vector<unsigned int> opening, closing;
-      /// The largest gap or penetration of an active row that should have none.
+      /// The largest |g + a lambda| of the others that are active.
       double gap = 0.;
     };
 
