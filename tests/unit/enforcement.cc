@@ -4,7 +4,7 @@
 // Kuhn-Tucker conditions for `exact` and `augmented lagrangian`, in a bounded
 // number of iterations, by both strategies.
 
-#include "contact_fixture.h"
+#include "contact_scene.h"
 
 #include <lamella/base/exceptions.h>
 

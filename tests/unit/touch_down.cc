@@ -11,7 +11,7 @@
 //   c = (72 E I g / q)^(1/4),
 // so the floor carries q (l - 2 c) + 2 q c / 3 = q (l - 4 c / 3) in all.
 
-#include "contact_fixture.h"
+#include "contact_scene.h"
 
 #include <lamella/solve/checks.h>
 

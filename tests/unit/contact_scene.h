@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#ifndef lamella_tests_unit_contact_fixture_h
-#define lamella_tests_unit_contact_fixture_h
+#ifndef lamella_tests_unit_contact_scene_h
+#define lamella_tests_unit_contact_scene_h
 
 #include "fixtures.h"
 
