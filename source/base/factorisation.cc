@@ -2,6 +2,8 @@
 
 #include <lamella/base/exceptions.h>
 #include <lamella/base/factorisation.h>
+#include <lamella/base/half_solved_rows.h>
+#include <lamella/base/text.h>
 
 #include <cholmod.h>
 
@@ -13,7 +15,7 @@ namespace lamella
   namespace
   {
     /// The workspace of CHOLMOD and the factor L, both freed with the object.
-    class CholmodFactorisation : public Factorisation
+    class CholmodFactorisation : public LinearSolver
     {
     public:
       CholmodFactorisation(const Matrix &matrix, const std::string &what);
@@ -22,10 +24,15 @@ namespace lamella
 
       void
       solve(Vector &x) const override;
-      HalfSolvedRows
-      half_solved_rows() const override;
+      std::unique_ptr<SolvedRows>
+      solved_rows() const override;
+
+      /// The factor as half solved rows see it.
+      SupernodalFactor
+      supernodes() const;
+      /// x = P^T L^-T x: A^-1 b, if x is b half solved.
       void
-      backward(Vector &x) const override;
+      backward(Vector &x) const;
 
       double
       condition_estimate() const override
@@ -33,10 +40,11 @@ namespace lamella
         return 1. / reciprocal_condition;
       }
 
-      std::size_t
-      n_nonzero() const override
+      std::string
+      description() const override
       {
-        return factor->xsize;
+        return "CHOLMOD, factor of " + to_text(double(factor->xsize), 2) +
+               " non-zeros";
       }
 
     private:
@@ -168,8 +176,8 @@ namespace lamella
 
 
 
-    HalfSolvedRows
-    CholmodFactorisation::half_solved_rows() const
+    SupernodalFactor
+    CholmodFactorisation::supernodes() const
     {
       const auto index = [](const void *const array) {
         return static_cast<const std::int64_t *>(array);
@@ -184,7 +192,7 @@ namespace lamella
       view.row          = index(factor->s);
       view.entry        = static_cast<const double *>(factor->x);
       view.permutation  = index(factor->Perm);
-      return HalfSolvedRows(view);
+      return view;
     }
 
 
@@ -195,11 +203,61 @@ namespace lamella
       apply(CHOLMOD_Lt, x);
       apply(CHOLMOD_Pt, x);
     }
+
+
+
+    /// Half solved rows and the factor that they came from.
+    class CholmodRows : public SolvedRows
+    {
+    public:
+      explicit CholmodRows(const CholmodFactorisation &factorisation)
+        : factorisation(factorisation)
+        , half_solved(factorisation.supernodes())
+      {}
+
+      void
+      append(const std::vector<Row> &rows) override
+      {
+        half_solved.append(rows);
+      }
+
+      unsigned int
+      size() const override
+      {
+        return half_solved.size();
+      }
+
+      std::vector<double>
+      products(const unsigned int first) const override
+      {
+        return half_solved.products(first);
+      }
+
+      Vector
+      displacement(const std::vector<double> &lambda) const override
+      {
+        Vector x = half_solved.combination(lambda);
+        factorisation.backward(x);
+        return x;
+      }
+
+    private:
+      const CholmodFactorisation &factorisation;
+      HalfSolvedRows              half_solved;
+    };
+
+
+
+    std::unique_ptr<SolvedRows>
+    CholmodFactorisation::solved_rows() const
+    {
+      return std::make_unique<CholmodRows>(*this);
+    }
   } // namespace
 
 
 
-  std::unique_ptr<Factorisation>
+  std::unique_ptr<LinearSolver>
   factorise(const Matrix &matrix, const std::string &what)
   {
     return std::make_unique<CholmodFactorisation>(matrix, what);

@@ -2,8 +2,6 @@
 
 #include <lamella/body/beam.h>
 
-#include <deal.II/lac/dynamic_sparsity_pattern.h>
-
 #include <numeric>
 
 namespace lamella
@@ -240,10 +238,9 @@ namespace lamella
 
 
   void
-  Beam::assemble_stiffness(const Constraints &constraints,
-                           const std::vector<std::vector<DofIndex>> &coupled,
-                           SparsityPattern                          &sparsity,
-                           Matrix &matrix) const
+  Beam::for_each_stiffness_block(
+    const bool                                         with_values,
+    const std::function<void(const StiffnessBlock &)> &use) const
   {
     const auto axis_rows = factor_rows(
       [this](const unsigned int m) -> auto & {
@@ -256,50 +253,36 @@ namespace lamella
       },
       beam_section->n_fields());
 
-    // Calls use(row, columns, values) for each row of the Kronecker products.
-    const auto for_each_row = [&](const bool with_values, const auto &use) {
-      std::vector<DofIndex> columns;
-      std::vector<double>   values;
-      for (unsigned int i = 0; i < dof_map.n_nodes(); ++i)
-        for (unsigned int k = 0; k < dof_map.fields(i).size(); ++k)
-          {
-            const FactorRow &section_row = section_rows[dof_map.fields(i)[k]];
-            columns.clear();
-            values.clear();
-            for (unsigned int m = 0; m < axis_rows[i].columns.size(); ++m)
-              {
-                const unsigned int           j = axis_rows[i].columns[m];
-                const std::array<double, 5> &A = axis_rows[i].entries[m];
-                for (unsigned int b = 0; b < section_row.columns.size(); ++b)
-                  {
-                    const int place = dof_map.place(j, section_row.columns[b]);
-                    if (place < 0)
-                      continue;
-                    columns.push_back(dof_map.first(j) + place);
-                    const std::array<double, 5> &S = section_row.entries[b];
-                    if (with_values)
-                      values.push_back(A[0] * S[0] + A[1] * S[1] + A[2] * S[2] +
-                                       A[3] * S[3] + (A[4] - A[0]) * S[4]);
-                  }
-              }
-            use(dof_map.first(i) + k, columns, values);
-          }
-    };
-
-    DynamicSparsityPattern pattern(n_dofs());
-    for_each_row(false, [&](auto row, const auto &columns, const auto &) {
-      pattern.add_entries(row, columns.begin(), columns.end(), true);
-    });
-    for (const std::vector<DofIndex> &dofs : coupled)
-      for (const DofIndex row : dofs)
-        pattern.add_entries(row, dofs.begin(), dofs.end());
-    constraints.condense(pattern);
-    sparsity.copy_from(pattern);
-    matrix.reinit(sparsity);
-    for_each_row(true, [&](auto row, const auto &columns, const auto &values) {
-      matrix.add(
-        row, columns.size(), columns.data(), values.data(), false, true);
-    });
+    // A block is a row of the Kronecker products.
+    StiffnessBlock block;
+    block.rows.resize(1);
+    block.columns_ascend = true;
+    for (unsigned int i = 0; i < dof_map.n_nodes(); ++i)
+      for (unsigned int k = 0; k < dof_map.fields(i).size(); ++k)
+        {
+          const FactorRow &section_row = section_rows[dof_map.fields(i)[k]];
+          block.rows[0]                = dof_map.first(i) + k;
+          block.columns.clear();
+          block.values.clear();
+          for (unsigned int m = 0; m < axis_rows[i].columns.size(); ++m)
+            {
+              const unsigned int           j = axis_rows[i].columns[m];
+              const std::array<double, 5> &A = axis_rows[i].entries[m];
+              for (unsigned int b = 0; b < section_row.columns.size(); ++b)
+                {
+                  const int place = dof_map.place(j, section_row.columns[b]);
+                  if (place < 0)
+                    continue;
+                  block.columns.push_back(dof_map.first(j) + place);
+                  const std::array<double, 5> &S = section_row.entries[b];
+                  if (with_values)
+                    block.values.push_back(A[0] * S[0] + A[1] * S[1] +
+                                           A[2] * S[2] + A[3] * S[3] +
+                                           (A[4] - A[0]) * S[4]);
+                }
+            }
+          use(block);
+        }
   }
 
 

@@ -57,27 +57,15 @@ namespace lamella
   Body::assemble(const Constraints             &constraints,
                  const std::vector<SpringTerm> &springs)
   {
-    factor.reset();
-    matrix.clear();
-    std::vector<std::vector<DofIndex>> coupled;
-    for (const auto &[row, stiffness] : springs)
-      {
-        coupled.emplace_back();
-        for (const auto &[dof, weight] : row.entries())
-          coupled.back().push_back(dof);
-      }
-    assemble_stiffness(constraints, coupled, sparsity, matrix);
-    constraints.condense(matrix);
-
-    for (unsigned int s = 0; s < springs.size(); ++s)
-      {
-        const auto        &r = springs[s].first.entries();
-        FullMatrix<double> term(r.size());
-        for (unsigned int i = 0; i < r.size(); ++i)
-          for (unsigned int j = 0; j < r.size(); ++j)
-            term(i, j) = springs[s].second * r[i].second * r[j].second;
-        constraints.distribute_local_to_global(term, coupled[s], matrix);
-      }
+    linear_solver.reset();
+    matrix.reset();
+    const StiffnessTerms terms{n_dofs(),
+                               complete_index_set(n_dofs()),
+                               [this](const bool with_values, const auto &use) {
+                                 for_each_stiffness_block(with_values, use);
+                               },
+                               springs};
+    matrix = assemble_serial(terms, constraints);
   }
 
 
@@ -85,25 +73,24 @@ namespace lamella
   void
   Body::factorise()
   {
-    Assert(matrix.m() > 0, ExcMessage("Call assemble() first."));
-    factor = lamella::factorise(matrix, "body '" + name() + "'");
+    linear_solver = stiffness().factorise("body '" + name() + "'");
   }
 
 
 
-  const Matrix &
+  const StiffnessMatrix &
   Body::stiffness() const
   {
-    Assert(matrix.m() > 0, ExcMessage("Call assemble() first."));
-    return matrix;
+    Assert(matrix != nullptr, ExcMessage("Call assemble() first."));
+    return *matrix;
   }
 
 
 
-  const Factorisation &
-  Body::factorisation() const
+  const LinearSolver &
+  Body::solver() const
   {
-    Assert(factor != nullptr, ExcMessage("Call factorise() first."));
-    return *factor;
+    Assert(linear_solver != nullptr, ExcMessage("Call factorise() first."));
+    return *linear_solver;
   }
 } // namespace lamella

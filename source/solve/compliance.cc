@@ -11,7 +11,7 @@ namespace lamella
     , place(rows.size(), dealii::numbers::invalid_unsigned_int)
   {
     for (const auto &body : structure.bodies())
-      bodies.push_back({body->factorisation().half_solved_rows(), {}});
+      bodies.push_back({body->solver().solved_rows(), {}});
   }
 
 
@@ -30,7 +30,7 @@ namespace lamella
 
     for (unsigned int b = 0; b < bodies.size(); ++b)
       {
-        const unsigned int first = bodies[b].half_solved.size();
+        const unsigned int first = bodies[b].solved->size();
         std::vector<Row>   reduced;
         for (const unsigned int r : fresh)
           for (const BodyRow &part : rows[r].parts)
@@ -40,10 +40,9 @@ namespace lamella
                   part.row.reduced(structure.reduction(b).constraints()));
                 bodies[b].place.push_back(place[r]);
               }
-        bodies[b].half_solved.append(reduced);
+        bodies[b].solved->append(reduced);
 
-        const std::vector<double> products =
-          bodies[b].half_solved.products(first);
+        const std::vector<double> products  = bodies[b].solved->products(first);
         const std::vector<unsigned int> &at = bodies[b].place;
         const std::size_t                n  = at.size() - first;
         for (unsigned int j = 0; j < at.size(); ++j)
@@ -93,8 +92,7 @@ namespace lamella
         std::vector<double> of_body;
         for (const unsigned int p : bodies[b].place)
           of_body.push_back(force[p]);
-        u.block(b) = bodies[b].half_solved.combination(of_body);
-        structure.bodies()[b]->factorisation().backward(u.block(b));
+        u.block(b) = bodies[b].solved->displacement(of_body);
         structure.reduction(b).constraints().distribute(u.block(b));
       }
     return u;

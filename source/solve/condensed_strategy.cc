@@ -48,7 +48,7 @@ namespace lamella
     structure.condense(r);
     for (unsigned int b = 0; b < structure.bodies().size(); ++b)
       {
-        structure.bodies()[b]->factorisation().solve(r.block(b));
+        structure.bodies()[b]->solver().solve(r.block(b));
         structure.reduction(b).constraints().distribute(r.block(b));
       }
     return r;
@@ -246,7 +246,7 @@ namespace lamella
   {
     double largest = 0.;
     for (const auto &body : structure.bodies())
-      largest = std::max(largest, body->factorisation().condition_estimate());
+      largest = std::max(largest, body->solver().condition_estimate());
     return largest;
   }
 } // namespace lamella

@@ -56,9 +56,11 @@ namespace lamella
     // The pattern: the bodies' own, and the couplings of the active rows.
     DynamicSparsityPattern pattern(structure.n_dofs());
     for (unsigned int b = 0; b < structure.bodies().size(); ++b)
-      for (const auto &entry : structure.bodies()[b]->stiffness())
-        pattern.add(blocks.local_to_global(b, entry.row()),
-                    blocks.local_to_global(b, entry.column()));
+      structure.bodies()[b]->stiffness().for_each_entry(
+        [&](const DofIndex row, const DofIndex column, const double) {
+          pattern.add(blocks.local_to_global(b, row),
+                      blocks.local_to_global(b, column));
+        });
     std::vector<std::vector<DofIndex>> dofs;
     std::vector<FullMatrix<double>>    penalties;
     for (const unsigned int r : active)
@@ -79,10 +81,12 @@ namespace lamella
     solver.reset();
     matrix.reinit(pattern);
     for (unsigned int b = 0; b < structure.bodies().size(); ++b)
-      for (const auto &entry : structure.bodies()[b]->stiffness())
-        matrix.add(blocks.local_to_global(b, entry.row()),
-                   blocks.local_to_global(b, entry.column()),
-                   entry.value());
+      structure.bodies()[b]->stiffness().for_each_entry(
+        [&](const DofIndex row, const DofIndex column, const double value) {
+          matrix.add(blocks.local_to_global(b, row),
+                     blocks.local_to_global(b, column),
+                     value);
+        });
     for (unsigned int k = 0; k < active.size(); ++k)
       constraints.distribute_local_to_global(penalties[k], dofs[k], matrix);
     matrix.compress(VectorOperation::add);
@@ -141,16 +145,18 @@ namespace lamella
   void
   FullStrategy::measure_hardness(const std::vector<unsigned int> &active)
   {
+    std::vector<Vector> diagonals;
+    for (const auto &body : structure.bodies())
+      diagonals.push_back(body->stiffness().diagonal());
     for (const unsigned int r : active)
       {
         double softness = 0.;
         for (const BodyRow &part : rows[r].parts)
           {
-            const Matrix &K = structure.bodies()[part.body]->stiffness();
-            const Row     free =
+            const Row free =
               part.row.reduced(structure.reduction(part.body).constraints());
             for (const auto &[dof, weight] : free.entries())
-              softness += weight * weight / K.diag_element(dof);
+              softness += weight * weight / diagonals[part.body][dof];
           }
         const double penalty = 1. / numerical_softness(rows[r]);
         if (softness * penalty > hardest)

@@ -93,7 +93,7 @@ namespace lamella
   {
     for (unsigned int b = 0; b < all_bodies.size(); ++b)
       {
-        std::vector<Body::SpringTerm> terms;
+        std::vector<SpringTerm> terms;
         for (const Spring &spring : all_springs[b])
           terms.emplace_back(spring.row, spring.stiffness);
         all_bodies[b]->assemble(reductions[b]->constraints(), terms);

@@ -148,7 +148,7 @@ namespace
         r.sadd(-1., 1., load);
         reduction.constraints().condense(r);
         reduction.constraints().set_zero(r);
-        body.factorisation().solve(r);
+        body.solver().solve(r);
         reduction.constraints().distribute(r);
         u += r;
       }

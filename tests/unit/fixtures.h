@@ -120,7 +120,7 @@ namespace lamella
         r *= -1.;
         reduction.constraints().condense(r);
         reduction.constraints().set_zero(r);
-        body.factorisation().solve(r);
+        body.solver().solve(r);
         reduction.constraints().distribute(r);
         u += r;
       }

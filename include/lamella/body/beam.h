@@ -132,10 +132,9 @@ namespace lamella
 
   protected:
     void
-    assemble_stiffness(const Constraints                        &constraints,
-                       const std::vector<std::vector<DofIndex>> &coupled,
-                       dealii::SparsityPattern                  &sparsity,
-                       Matrix &matrix) const override;
+    for_each_stiffness_block(
+      const bool                                         with_values,
+      const std::function<void(const StiffnessBlock &)> &use) const override;
 
   private:
     /**

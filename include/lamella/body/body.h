@@ -3,8 +3,8 @@
 #ifndef lamella_body_body_h
 #define lamella_body_body_h
 
-#include <lamella/base/factorisation.h>
 #include <lamella/base/row.h>
+#include <lamella/base/stiffness_matrix.h>
 #include <lamella/material/elasticity.h>
 
 #include <deal.II/base/bounding_box.h>
@@ -278,10 +278,6 @@ namespace lamella
     virtual std::vector<OutputCell>
     output_cells(const unsigned int n, const Vector &u) const = 0;
 
-    /// A term k r^T r of the stiffness: a spring k to the ground in what the
-    /// row r measures.
-    using SpringTerm = std::pair<Row, double>;
-
     /**
      * Assembles the stiffness with @p springs, condensed by the homogeneous
      * part of @p constraints (constrained DoFs keep a positive diagonal and
@@ -295,26 +291,23 @@ namespace lamella
     void
     factorise();
 
-    const Matrix &
+    const StiffnessMatrix &
     stiffness() const;
-    const Factorisation &
-    factorisation() const;
+    const LinearSolver &
+    solver() const;
 
   protected:
-    /// The entries of the unconstrained stiffness with a sparsity pattern that
-    /// leaves room for the condensation by @p constraints and for what couples
-    /// the DoFs of each of @p coupled.
+    /// Calls @p use with block after block of the unconstrained stiffness, with
+    /// values if @p with_values.
     virtual void
-    assemble_stiffness(const Constraints                        &constraints,
-                       const std::vector<std::vector<DofIndex>> &coupled,
-                       dealii::SparsityPattern                  &sparsity,
-                       Matrix &matrix) const = 0;
+    for_each_stiffness_block(
+      const bool                                         with_values,
+      const std::function<void(const StiffnessBlock &)> &use) const = 0;
 
   private:
-    std::string                    body_name;
-    dealii::SparsityPattern        sparsity;
-    Matrix                         matrix;
-    std::unique_ptr<Factorisation> factor;
+    std::string                      body_name;
+    std::unique_ptr<StiffnessMatrix> matrix;
+    std::unique_ptr<LinearSolver>    linear_solver;
   };
 } // namespace lamella
 

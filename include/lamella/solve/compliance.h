@@ -12,9 +12,10 @@ namespace lamella
 {
   /**
    * The compliance of gap rows,
-   *   C = B K^-1 B^T = Y^T Y,  Y = L^-1 P B^T,
-   * for those rows that were asked for so far. Only the forward half of a
-   * solution is computed, where it is not zero, for many rows at a time.
+   *   C = B K^-1 B^T,
+   * for those rows that were asked for so far, many at a time. With CHOLMOD
+   * only the forward half of a solution is computed, where it is not zero:
+   * C = Y^T Y, Y = L^-1 P B^T.
    */
   class Compliance
   {
@@ -47,11 +48,11 @@ namespace lamella
                  const std::vector<double>       &lambda) const;
 
   private:
-    /// One body's half solved rows, and which gap rows they are of.
+    /// One body's solved rows, and which gap rows they are of.
     struct BodyRows
     {
-      HalfSolvedRows            half_solved;
-      std::vector<unsigned int> place;
+      std::unique_ptr<SolvedRows> solved;
+      std::vector<unsigned int>   place;
     };
 
     const Structure           &structure;
