@@ -60,7 +60,7 @@ namespace lamella
     linear_solver.reset();
     matrix.reset();
     const StiffnessTerms terms{n_dofs(),
-                               complete_index_set(n_dofs()),
+                               owned_dofs(),
                                [this](const bool with_values, const auto &use) {
                                  for_each_stiffness_block(with_values, use);
                                },

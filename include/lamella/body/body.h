@@ -138,6 +138,14 @@ namespace lamella
     virtual DofIndex
     n_dofs() const = 0;
 
+    /// The DoFs whose rows of the stiffness this process keeps: contiguous, and
+    /// all of them where there is one process.
+    virtual dealii::IndexSet
+    owned_dofs() const
+    {
+      return dealii::complete_index_set(n_dofs());
+    }
+
     /// 0 for DoFs that hold the rigid motions, higher for finer ones. Supports
     /// eliminate coarse DoFs first and so leave the hierarchy intact.
     virtual unsigned int
@@ -297,8 +305,8 @@ namespace lamella
     solver() const;
 
   protected:
-    /// Calls @p use with block after block of the unconstrained stiffness, with
-    /// values if @p with_values.
+    /// Calls @p use with block after block of the unconstrained stiffness, this
+    /// process's share of them, with values if @p with_values.
     virtual void
     for_each_stiffness_block(
       const bool                                         with_values,
