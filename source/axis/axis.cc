@@ -27,26 +27,25 @@ namespace lamella
         return FE_Q<1>(QIterated<1>(QTrapezoid<1>(), description.degree));
       return FE_Q<1>(description.degree);
     }
-
-
-
-    /// The lengths of the elements, piece by piece.
-    std::vector<double>
-    element_lengths(const AxisMesh &description)
-    {
-      std::vector<double> ends = description.breaks;
-      ends.push_back(description.length);
-      std::vector<double> lengths;
-      double              begin = 0.;
-      for (unsigned int piece = 0; piece < ends.size(); ++piece)
-        {
-          const unsigned int n = description.elements[piece];
-          lengths.insert(lengths.end(), n, (ends[piece] - begin) / n);
-          begin = ends[piece];
-        }
-      return lengths;
-    }
   } // namespace
+
+
+
+  std::vector<double>
+  element_lengths(const AxisMesh &description)
+  {
+    std::vector<double> ends = description.breaks;
+    ends.push_back(description.length);
+    std::vector<double> lengths;
+    double              begin = 0.;
+    for (unsigned int piece = 0; piece < ends.size(); ++piece)
+      {
+        const unsigned int n = description.elements[piece];
+        lengths.insert(lengths.end(), n, (ends[piece] - begin) / n);
+        begin = ends[piece];
+      }
+    return lengths;
+  }
 
 
 

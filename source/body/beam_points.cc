@@ -5,6 +5,7 @@
 
 #include <lamella/base/exceptions.h>
 #include <lamella/body/beam.h>
+#include <lamella/body/line_crossings.h>
 
 #include <deal.II/base/quadrature_lib.h>
 
@@ -470,26 +471,14 @@ namespace lamella
     {
       if (d.norm() <= tolerance)
         return;
-      const auto side_of = [&a, &d](const Point<2> &p) {
-        return (d[0] * (p[1] - a[1]) - d[1] * (p[0] - a[0])) / d.norm();
-      };
       for (const auto &cell : mesh.active_cell_iterators())
         for (const unsigned int f : cell->face_indices())
-          {
-            const Point<2> p  = cell->face(f)->vertex(0),
-                           q  = cell->face(f)->vertex(1);
-            const double of_p = side_of(p), of_q = side_of(q);
-            if (std::abs(of_p) <= tolerance)
-              breaks.push_back(((p - a) * d) / d.norm_square());
-            if (std::abs(of_q) <= tolerance)
-              breaks.push_back(((q - a) * d) / d.norm_square());
-            if (of_p * of_q < 0. && std::abs(of_p) > tolerance &&
-                std::abs(of_q) > tolerance)
-              {
-                const Point<2> x = p + of_p / (of_p - of_q) * (q - p);
-                breaks.push_back(((x - a) * d) / d.norm_square());
-              }
-          }
+          add_edge_crossings(cell->face(f)->vertex(0),
+                             cell->face(f)->vertex(1),
+                             a,
+                             d,
+                             tolerance,
+                             breaks);
     }
   } // namespace
 
@@ -500,7 +489,7 @@ namespace lamella
   {
     const Point<3>      a = placement.to_body(from), b = placement.to_body(to);
     const Tensor<1, 3>  d = b - a;
-    std::vector<double> breaks{0., 1.};
+    std::vector<double> breaks;
     if (std::abs(d[1]) > 1e-10 * beam_axis->length())
       for (unsigned int cell = 0; cell < beam_axis->n_cells(); ++cell)
         breaks.push_back((beam_axis->cell_end(cell) - a[1]) / d[1]);
@@ -512,14 +501,7 @@ namespace lamella
                        in_section,
                        1e-8 * beam_section->element().reference_length(),
                        breaks);
-
-    std::sort(breaks.begin(), breaks.end());
-    std::vector<double> inside;
-    for (const double t : breaks)
-      if (t >= 0. && t <= 1. && (inside.empty() || t - inside.back() > 1e-9))
-        inside.push_back(t);
-    inside.back() = 1.;
-    return inside;
+    return tidy_breaks(std::move(breaks));
   }
 
 

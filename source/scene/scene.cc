@@ -4,6 +4,8 @@
 #include <lamella/base/exceptions.h>
 #include <lamella/base/text.h>
 #include <lamella/body/beam.h>
+#include <lamella/body/solid.h>
+#include <lamella/body/solid_parameters.h>
 #include <lamella/conditions/parameters.h>
 #include <lamella/contact/parameters.h>
 #include <lamella/material/parameters.h>
@@ -61,7 +63,8 @@ namespace lamella
         Anything(),
         "Of all bodies: EBBT, TBT (classical), TE-N (Taylor expansion of "
         "degree N over the whole section, N to 20), LE-N (layer-wise Lagrange "
-        "expansion of degree N; LE-1, 2, 3 are L4, L9, L16).");
+        "expansion of degree N; LE-1, 2, 3 are L4, L9, L16), solid-N (no beams "
+        "but hexahedra of degree N, 1 or 2, on the same meshes).");
       SolveParameters::declare(prm);
       prm.declare_entry(
         "Write VTU",
@@ -109,6 +112,7 @@ namespace lamella
       prm.enter_subsection("Kinematics");
       TheoryParameters::declare(prm);
       AxisParameters::declare(prm);
+      SolidParameters::declare(prm);
       prm.leave_subsection();
     }
 
@@ -277,6 +281,9 @@ namespace lamella
                          ": EBBT needs B4, whose cubic deflections Kirchhoff's "
                          "constraint makes smooth from element to element. Use "
                          "B4, or TBT.");
+      body.refinement =
+        SolidParameters::parse(prm).refinement(body.placement,
+                                               what + "/Kinematics");
       prm.leave_subsection();
       return body;
     }
@@ -312,7 +319,8 @@ namespace lamella
       std::vector<std::string> warnings;
       for (const BodyDescription &body : bodies)
         {
-          if (body.axis.degree < 3 && !body.axis.assumed_shear)
+          if (body.theory.kind != Theory::Kind::solid && body.axis.degree < 3 &&
+              !body.axis.assumed_shear)
             warnings.push_back(
               "body " + body.name + ": B" +
               std::to_string(body.axis.degree + 1) +
@@ -522,10 +530,20 @@ namespace lamella
     Bodies bodies;
     for (const BodyDescription &description : scene.bodies)
       {
+        const auto &mesh = meshes.at(description.section);
+        if (description.theory.kind == Theory::Kind::solid)
+          {
+            bodies.push_back(std::make_unique<Solid>(description.name,
+                                                     mesh,
+                                                     description.axis,
+                                                     description.placement,
+                                                     description.theory.order,
+                                                     description.refinement));
+            continue;
+          }
         auto &section = sections[{description.section, description.theory}];
         if (section == nullptr)
-          section =
-            make_section(meshes.at(description.section), description.theory);
+          section = make_section(mesh, description.theory);
         bodies.push_back(
           std::make_unique<Beam>(description.name,
                                  section,

@@ -24,6 +24,8 @@ namespace lamella
           // L9 is how the literature calls the element of degree 2.
           return "LE-" + std::to_string(order) + " (L" +
                  std::to_string((order + 1) * (order + 1)) + ")";
+        case Kind::solid:
+          return "solid-" + std::to_string(order);
         default:
           return "undefined";
       }
@@ -34,11 +36,10 @@ namespace lamella
   Theory
   Theory::parse(const std::string &text, const std::string &what)
   {
-    static const std::regex form("(TE|LE)-([0-9]{1,4})"),
-      planned("solid-[0-9]+");
-    const std::string rule =
-      "Use EBBT, TBT, TE-N with N from 1 to 20, or LE-N with N from 1 to 8 "
-      "(LE-2 is L9).";
+    static const std::regex form("(TE|LE|solid)-([0-9]{1,4})");
+    const std::string       rule =
+      "Use EBBT, TBT, TE-N with N from 1 to 20, LE-N with N from 1 to 8 "
+      "(LE-2 is L9), or solid-1 or solid-2.";
 
     Theory theory;
     theory.order = 1;
@@ -47,19 +48,19 @@ namespace lamella
       theory.kind = text == "EBBT" ? Kind::EBBT : Kind::TBT;
     else if (std::regex_match(text, match, form))
       {
-        theory.kind              = match[1] == "TE" ? Kind::TE : Kind::LE;
+        theory.kind              = match[1] == "TE" ? Kind::TE :
+                                   match[1] == "LE" ? Kind::LE :
+                                                      Kind::solid;
         theory.order             = std::stoi(match[2]);
-        const unsigned int limit = theory.kind == Kind::TE ? 20 : 8;
+        const unsigned int limit = theory.kind == Kind::TE ? 20 :
+                                   theory.kind == Kind::LE ? 8 :
+                                                             2;
         if (theory.order < 1 || theory.order > limit)
           throw InputError(what + " = " + text + ": N is out of range. " +
                            rule);
       }
     else
-      throw InputError(what + " = " + text + ": " +
-                       (std::regex_match(text, planned) ?
-                          "this theory is not in this version. " :
-                          "no such theory. ") +
-                       rule);
+      throw InputError(what + " = " + text + ": no such theory. " + rule);
     return theory;
   }
 

@@ -33,6 +33,10 @@ namespace lamella
     bool assumed_shear = false;
   };
 
+  /// The lengths of the elements along the axis.
+  std::vector<double>
+  element_lengths(const AxisMesh &description);
+
   /// The shape functions that do not vanish on an axis element, at a point.
   struct AxisPoint
   {

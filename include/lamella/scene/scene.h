@@ -5,6 +5,7 @@
 
 #include <lamella/axis/axis.h>
 #include <lamella/base/units.h>
+#include <lamella/body/hexahedral_mesh.h>
 #include <lamella/body/placement.h>
 #include <lamella/conditions/load.h>
 #include <lamella/conditions/stabilisation.h>
@@ -30,6 +31,8 @@ namespace lamella
     Placement     placement;
     AxisMesh      axis;
     Stabilisation stabilisation;
+    /// Of a solid.
+    SolidRefinement refinement;
   };
 
   /// References of a resultant, see ResultantReferences.

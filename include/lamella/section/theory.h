@@ -20,6 +20,7 @@ namespace lamella
    * - TE-N: all polynomials of degree N for each component (Eq. 2).
    * - LE-N: layer-wise Lagrange elements of degree N (Eq. 3), L4, L9, L16 for
    *   N = 1, 2, 3.
+   * - solid-N: no beam at all, but hexahedra of degree N, 1 or 2.
    */
   struct Theory
   {
@@ -29,10 +30,11 @@ namespace lamella
       EBBT,
       TBT,
       TE,
-      LE
+      LE,
+      solid
     };
     Kind kind = Kind::undefined;
-    /// N of TE-N and LE-N; 1 for the classical theories.
+    /// N of TE-N, LE-N and solid-N; 1 for the classical theories.
     unsigned int order = 0;
 
     /**

@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef lamella_body_hexahedral_mesh_h
+#define lamella_body_hexahedral_mesh_h
+
+#include <lamella/axis/axis.h>
+#include <lamella/base/linear_algebra.h>
+#include <lamella/section/section_mesh.h>
+
+#include <deal.II/base/point.h>
+
+#include <deal.II/distributed/tria.h>
+
+#include <array>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace lamella
+{
+  /// How often the cells of a solid, a section cell times an axis element
+  /// each, are divided in eight.
+  struct SolidRefinement
+  {
+    /// All cells.
+    unsigned int everywhere = 0;
+    /// Then those that reach into a ball.
+    struct Ball
+    {
+      dealii::Point<3> centre;
+      double           radius = 0.;
+      unsigned int     times  = 0;
+    };
+    std::vector<Ball> balls;
+  };
+
+  /**
+   * The hexahedra of a solid body in its own axes: a section mesh extruded
+   * along the axis, on deal.II's parallel::distributed::Triangulation (p4est),
+   * with the nodes of FE_Q<3>(degree).
+   *
+   * p4est decides which process has which cell, and the nodes are numbered
+   * process by process. Each process also keeps a directory of all cells,
+   * with their nodes and sides, so that points, rows and surfaces read alike
+   * everywhere: four bytes a cell and node, 24 bytes a node.
+   *
+   * The geometry is isoparametric: nodes lie on the section's curved edges,
+   * hanging ones where their constraints put them.
+   */
+  class HexahedralMesh
+  {
+  public:
+    /// Sides of hexahedra that are none of the body's surface.
+    static constexpr int inside = -1;
+
+    struct Cell
+    {
+      unsigned int ply = 0;
+      /// In the order of FE_Q's shape functions.
+      std::vector<unsigned int> nodes;
+      /// Number in sides() of each face, deal.II's order, or inside.
+      std::array<int, 6> sides;
+    };
+
+    /// A node that hangs: its value is the sum of weights times others.
+    struct HangingNode
+    {
+      unsigned int                                 node = 0;
+      std::vector<std::pair<unsigned int, double>> masters;
+    };
+
+    /// Balls are in the body's axes. Throws InputError, beginning with @p what,
+    /// if the section mesh has hanging nodes itself: those do not extrude into
+    /// the conforming coarse mesh that p4est refines.
+    HexahedralMesh(std::shared_ptr<const SectionMesh> section,
+                   const AxisMesh                    &axis,
+                   const unsigned int                 degree,
+                   const SolidRefinement             &refinement,
+                   const std::string                 &what);
+
+    const SectionMesh &
+    section() const
+    {
+      return *section_mesh;
+    }
+
+    const std::vector<Cell> &
+    cells() const
+    {
+      return all_cells;
+    }
+
+    /// The cells of this process: numbers from the first up to the second.
+    std::pair<unsigned int, unsigned int>
+    owned_cells() const
+    {
+      return own_cells;
+    }
+
+    const std::vector<dealii::Point<3>> &
+    nodes() const
+    {
+      return positions;
+    }
+
+    /// The nodes of this process, likewise.
+    std::pair<unsigned int, unsigned int>
+    owned_nodes() const
+    {
+      return own_nodes;
+    }
+
+    const std::vector<HangingNode> &
+    hanging_nodes() const
+    {
+      return hanging;
+    }
+
+    /// Names of the sides: the section's boundaries, start and end.
+    const std::vector<std::string> &
+    sides() const
+    {
+      return side_names;
+    }
+
+  private:
+    void
+    extrude(const AxisMesh &axis, const std::string &what);
+    void
+    curve();
+    void
+    refine(const SolidRefinement &refinement);
+    void
+    gather(const unsigned int degree);
+
+    std::shared_ptr<const SectionMesh>              section_mesh;
+    dealii::parallel::distributed::Triangulation<3> mesh;
+
+    std::vector<std::string>              side_names;
+    std::vector<Cell>                     all_cells;
+    std::vector<dealii::Point<3>>         positions;
+    std::vector<HangingNode>              hanging;
+    std::pair<unsigned int, unsigned int> own_cells, own_nodes;
+  };
+} // namespace lamella
+
+#endif

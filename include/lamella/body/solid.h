@@ -1,0 +1,232 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef lamella_body_solid_h
+#define lamella_body_solid_h
+
+#include <lamella/body/body.h>
+#include <lamella/body/hexahedral_mesh.h>
+#include <lamella/body/hexahedron.h>
+#include <lamella/body/placement.h>
+
+#include <deal.II/numerics/rtree.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace lamella
+{
+  /**
+   * A body of hexahedra, the three-dimensional finite-element model that beam
+   * theories are judged by: the same section mesh and axis as a beam's
+   * extruded, Q1 with incompatible modes or Q2, full integration, hanging nodes
+   * where it is locally refined. On one mesh the space of Q2 is that of
+   * LE-2 with B3.
+   *
+   * DoF 3 i + c is the component c, in the body's axes, at node i. A "cell" of
+   * Location is a hexahedron; its unit coordinates are a beam's: (xi, place
+   * along the axis, eta).
+   *
+   * Hexahedra of the same ply and, but for a translation, the same nodes are of
+   * one kind: their matrices are computed once.
+   */
+  class Solid : public Body
+  {
+  public:
+    /// @p degree is 1 or 2. Balls of @p refinement are in the body's axes.
+    Solid(const std::string                 &name,
+          std::shared_ptr<const SectionMesh> section,
+          const AxisMesh                    &axis,
+          const Placement                   &placement,
+          const unsigned int                 degree,
+          const SolidRefinement             &refinement = {});
+
+    std::string
+    theory() const override;
+    DofIndex
+    n_dofs() const override
+    {
+      return 3 * mesh.nodes().size();
+    }
+    dealii::IndexSet
+    owned_dofs() const override;
+    unsigned int
+    dof_level(const DofIndex) const override
+    {
+      return 0;
+    }
+    const Constraints &
+    kinematic_constraints() const override
+    {
+      return hanging;
+    }
+    std::vector<Vector>
+    rigid_motions() const override;
+    dealii::Point<3>
+    centre() const override;
+    double
+    size() const override;
+    dealii::BoundingBox<3>
+    bounding_box() const override;
+
+    void
+    add_internal_forces(const Vector &u, Vector &f) const override;
+    Deformation
+    deformation(const Vector &u) const override;
+
+    std::vector<std::vector<Location>>
+    locate(const std::vector<dealii::Point<3>> &points) const override;
+    std::vector<std::vector<Row>>
+    rows(const std::vector<Location> &locations,
+         const Quantity               quantity,
+         const Frame                  frame = Frame::scene) const override;
+    FieldSample
+    sample(const Location &location, const Vector &u) const override;
+    dealii::Point<3>
+    position(const Location::Place &place) const override;
+    std::array<unsigned int, 3>
+    recovery_degrees() const override
+    {
+      return {{degree(), degree(), degree()}};
+    }
+
+    std::vector<std::string>
+    surfaces() const override;
+    std::vector<SurfacePoint>
+    surface_points(const std::string &surface) const override;
+    std::vector<Location>
+    fixing_points(const std::string &surface) const override;
+    std::vector<Location>
+    body_points() const override;
+    std::vector<SurfacePoint>
+    surface_quadrature(const std::string &surface) const override;
+    std::vector<SurfaceFacet>
+    surface_facets(const std::string &surface) const override;
+    SurfacePoint
+    surface_point(const SurfaceFacet     &facet,
+                  const dealii::Point<2> &st) const override;
+    std::vector<double>
+    line_breaks(const dealii::Point<3> &a,
+                const dealii::Point<3> &b) const override;
+    unsigned int
+    degree() const override
+    {
+      return element.degree();
+    }
+    unsigned int
+    line_degree(const dealii::Point<3> &a,
+                const dealii::Point<3> &b) const override;
+
+    std::vector<OutputCell>
+    cut(const double       position,
+        const unsigned int n,
+        const Vector      &u) const override;
+    std::vector<OutputCell>
+    output_cells(const unsigned int n, const Vector &u) const override;
+
+    const HexahedralMesh &
+    hexahedra() const
+    {
+      return mesh;
+    }
+
+    /// How many different element matrices there are.
+    unsigned int
+    n_kinds() const
+    {
+      return kinds.size();
+    }
+
+  protected:
+    void
+    for_each_stiffness_block(
+      const bool                                         with_values,
+      const std::function<void(const StiffnessBlock &)> &use) const override;
+
+  private:
+    /// Hexahedra with the same matrices, one of them, and those of this
+    /// process.
+    struct Kind
+    {
+      unsigned int               cell = 0;
+      dealii::FullMatrix<double> modes;
+      std::vector<unsigned int>  own_cells;
+    };
+
+    void
+    find_kinds();
+    void
+    make_constraints();
+    void
+    make_boxes();
+
+    Hexahedron::Nodes
+    nodes_of(const unsigned int cell) const;
+    /// The DoFs of @p cell in the order of Hexahedron.
+    std::vector<DofIndex>
+    dofs_of(const unsigned int cell) const;
+    const ElasticTensor &
+    elasticity(const unsigned int cell) const
+    {
+      return elasticities[mesh.cells()[cell].ply];
+    }
+
+    /// The displacements of @p cell less those of its first node, so that a
+    /// rigid translation has no strain, to the last bit.
+    std::vector<double>
+    relative_displacements(const unsigned int cell, const Vector &u) const;
+
+    /// The fields at one place, in scene and ply axes.
+    FieldSample
+    sample_place(const Location::Place &place, const Vector &u) const;
+
+    /// The place of the point of @p cell nearest to @p x (body axes) and its
+    /// distance.
+    std::pair<dealii::Point<3>, double>
+    nearest_in_cell(const unsigned int cell, const dealii::Point<3> &x) const;
+
+    /// The point of @p cell at @p unit, on its face @p face; the area is that
+    /// per unit of the face's square.
+    SurfacePoint
+    face_point(const unsigned int      cell,
+               const unsigned int      face,
+               const dealii::Point<3> &unit) const;
+
+    /// Cells and faces that make up @p surface.
+    std::vector<std::pair<unsigned int, unsigned int>>
+    faces_of(const std::string &surface) const;
+
+    /// A place of each node that hangs nowhere, or of those of @p surface.
+    std::vector<Location>
+    node_locations(
+      const std::vector<std::pair<unsigned int, unsigned int>> &faces) const;
+
+    /// Fields at the grid points of @p cell, etas along the axis.
+    OutputCell
+    sample_grid(const unsigned int         cell,
+                const unsigned int         n,
+                const std::vector<double> &etas,
+                const Vector              &u) const;
+
+    /// Replaces the samples of @p cell's first layer of points by the means
+    /// with those of the cells before it along the axis.
+    void
+    average_with_layer_before(const unsigned int cell,
+                              const Vector      &u,
+                              OutputCell        &grid) const;
+
+    HexahedralMesh             mesh;
+    Hexahedron                 element;
+    Placement                  placement;
+    double                     axis_length;
+    std::vector<ElasticTensor> elasticities;
+    Constraints                hanging;
+    std::vector<Kind>          kinds;
+    std::vector<unsigned int>  kind_of_cell;
+    bool                       is_curved = false;
+    dealii::BoundingBox<3>     box;
+    dealii::RTree<std::pair<dealii::BoundingBox<3>, unsigned int>> boxes;
+  };
+} // namespace lamella
+
+#endif

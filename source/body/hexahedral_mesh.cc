@@ -1,0 +1,329 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <lamella/base/exceptions.h>
+#include <lamella/base/processes.h>
+#include <lamella/body/hexahedral_mesh.h>
+
+#include <deal.II/dofs/dof_tools.h>
+
+#include <deal.II/fe/fe_values.h>
+#include <deal.II/fe/mapping_q.h>
+
+#include <deal.II/grid/grid_tools.h>
+#include <deal.II/grid/manifold.h>
+
+#include <boost/serialization/utility.hpp>
+#include <boost/serialization/vector.hpp>
+
+#include <numeric>
+
+namespace lamella
+{
+  using namespace dealii;
+
+  namespace
+  {
+    /// A curve of the section swept along the axis: new points are the
+    /// section's own in x and z, the mean in y.
+    class SweptManifold : public Manifold<3, 3>
+    {
+    public:
+      explicit SweptManifold(const Manifold<2, 2> &in_section)
+        : in_section(in_section.clone())
+      {}
+
+      std::unique_ptr<Manifold<3, 3>>
+      clone() const override
+      {
+        return std::make_unique<SweptManifold>(*in_section);
+      }
+
+      Point<3>
+      get_new_point(const ArrayView<const Point<3>> &points,
+                    const ArrayView<const double>   &weights) const override
+      {
+        // Points above each other are one to the section, which may not take
+        // the same point twice.
+        std::vector<Point<2>> places;
+        std::vector<double>   shares;
+        double                y = 0.;
+        for (unsigned int k = 0; k < points.size(); ++k)
+          {
+            const Point<2> x(points[k][0], points[k][2]);
+            y += weights[k] * points[k][1];
+            unsigned int p = 0;
+            while (p < places.size() &&
+                   places[p].distance(x) > 1e-12 * (1e-300 + x.norm()))
+              ++p;
+            if (p == places.size())
+              {
+                places.push_back(x);
+                shares.push_back(0.);
+              }
+            shares[p] += weights[k];
+          }
+        const Point<2> x = places.size() == 1 ?
+                             places[0] :
+                             in_section->get_new_point(make_array_view(places),
+                                                       make_array_view(shares));
+        return {x[0], y, x[1]};
+      }
+
+    private:
+      std::unique_ptr<const Manifold<2, 2>> in_section;
+    };
+
+
+
+    /// The faces of a hexahedron that the edges of a section's cell sweep, in
+    /// the order of the edges. Faces 2 and 3 lie in planes of the section.
+    constexpr std::array<unsigned int, 4> swept_face{{0, 1, 4, 5}};
+  } // namespace
+
+
+
+  HexahedralMesh::HexahedralMesh(std::shared_ptr<const SectionMesh> section,
+                                 const AxisMesh                    &axis,
+                                 const unsigned int                 degree,
+                                 const SolidRefinement             &refinement,
+                                 const std::string                 &what)
+    : section_mesh(std::move(section))
+    , mesh(communicator())
+  {
+    extrude(axis, what);
+    curve();
+    refine(refinement);
+    gather(degree);
+  }
+
+
+
+  void
+  HexahedralMesh::extrude(const AxisMesh &axis, const std::string &what)
+  {
+    const Triangulation<2> &plane = section_mesh->mesh;
+    if (plane.has_hanging_nodes())
+      throw InputError(what + ": the section's mesh has hanging nodes, so it "
+                              "does not extrude into a conforming coarse mesh "
+                              "of hexahedra. Give the section a mesh without.");
+    std::vector<double> y{0.};
+    for (const double length : element_lengths(axis))
+      y.push_back(y.back() + length);
+    y.back() = axis.length;
+
+    const unsigned int    n = plane.n_vertices();
+    std::vector<Point<3>> vertices;
+    for (const double at : y)
+      for (const Point<2> &v : plane.get_vertices())
+        vertices.emplace_back(v[0], at, v[1]);
+    std::vector<CellData<3>> hexahedra;
+    for (unsigned int j = 0; j + 1 < y.size(); ++j)
+      for (const auto &cell : plane.active_cell_iterators())
+        {
+          hexahedra.emplace_back();
+          hexahedra.back().material_id = cell->material_id();
+          for (unsigned int v = 0; v < 8; ++v)
+            hexahedra.back().vertices[v] =
+              (j + v / 2 % 2) * n + cell->vertex_index(v % 2 + 2 * (v / 4));
+        }
+    SubCellData none;
+    GridTools::delete_unused_vertices(vertices, hexahedra, none);
+    mesh.create_triangulation(vertices, hexahedra, none);
+  }
+
+
+
+  void
+  HexahedralMesh::curve()
+  {
+    const Triangulation<2> &plane = section_mesh->mesh;
+    // Boundary ids are numbers in side_names.
+    std::map<types::boundary_id, unsigned int> number;
+    for (const auto &[id, name] : section_mesh->boundaries)
+      {
+        number[id] = side_names.size();
+        side_names.push_back(name);
+      }
+    const unsigned int start = side_names.size(), end = start + 1;
+    side_names.insert(side_names.end(), {"start", "end"});
+
+    for (const types::manifold_id id : plane.get_manifold_ids())
+      if (id != numbers::flat_manifold_id)
+        mesh.set_manifold(id, SweptManifold(plane.get_manifold(id)));
+
+    mesh.set_all_manifold_ids(numbers::flat_manifold_id);
+    auto hexahedron = mesh.begin(0);
+    while (hexahedron != mesh.end(0))
+      for (const auto &cell : plane.active_cell_iterators())
+        {
+          hexahedron->set_manifold_id(cell->manifold_id());
+          for (const unsigned int f : cell->face_indices())
+            {
+              const auto face = hexahedron->face(swept_face[f]);
+              if (cell->face(f)->at_boundary())
+                face->set_boundary_id(number.at(cell->face(f)->boundary_id()));
+              if (cell->face(f)->manifold_id() != numbers::flat_manifold_id)
+                face->set_all_manifold_ids(cell->face(f)->manifold_id());
+            }
+          for (const unsigned int f : {2, 3})
+            {
+              hexahedron->face(f)->set_manifold_id(cell->manifold_id());
+              if (hexahedron->face(f)->at_boundary())
+                hexahedron->face(f)->set_boundary_id(f == 2 ? start : end);
+            }
+          ++hexahedron;
+        }
+  }
+
+
+
+  void
+  HexahedralMesh::refine(const SolidRefinement &refinement)
+  {
+    mesh.refine_global(refinement.everywhere);
+    for (const SolidRefinement::Ball &ball : refinement.balls)
+      for (unsigned int k = 0; k < ball.times; ++k)
+        {
+          for (const auto &cell : mesh.active_cell_iterators())
+            if (cell->is_locally_owned())
+              {
+                const BoundingBox<3> box     = cell->bounding_box();
+                Point<3>             nearest = ball.centre;
+                for (unsigned int d = 0; d < 3; ++d)
+                  nearest[d] =
+                    std::min(box.upper_bound(d),
+                             std::max(box.lower_bound(d), nearest[d]));
+                if (nearest.distance(ball.centre) < ball.radius)
+                  cell->set_refine_flag();
+              }
+          mesh.execute_coarsening_and_refinement();
+        }
+  }
+
+
+
+  namespace
+  {
+    /// The cells of one process in plain numbers, as they travel.
+    struct Parcel
+    {
+      std::vector<unsigned int> plies, nodes;
+      std::vector<int>          sides;
+      std::vector<double>       coordinates;
+
+      template <typename Archive>
+      void
+      serialize(Archive &archive, const unsigned int)
+      {
+        archive &plies &nodes &sides &coordinates;
+      }
+    };
+
+
+
+    Parcel
+    pack_cells(const DoFHandler<3> &dof_handler, const MappingQ<3> &mapping)
+    {
+      const auto                          &fe = dof_handler.get_fe();
+      FEValues<3>                          values(mapping,
+                         fe,
+                         Quadrature<3>(fe.get_unit_support_points()),
+                         update_quadrature_points);
+      std::vector<types::global_dof_index> nodes(fe.n_dofs_per_cell());
+      Parcel                               parcel;
+      for (const auto &cell : dof_handler.active_cell_iterators())
+        if (cell->is_locally_owned())
+          {
+            parcel.plies.push_back(cell->material_id());
+            cell->get_dof_indices(nodes);
+            parcel.nodes.insert(parcel.nodes.end(), nodes.begin(), nodes.end());
+            for (const unsigned int f : cell->face_indices())
+              parcel.sides.push_back(cell->face(f)->at_boundary() ?
+                                       int(cell->face(f)->boundary_id()) :
+                                       HexahedralMesh::inside);
+            values.reinit(cell);
+            for (const Point<3> &x : values.get_quadrature_points())
+              for (unsigned int d = 0; d < 3; ++d)
+                parcel.coordinates.push_back(x[d]);
+          }
+      return parcel;
+    }
+
+
+
+    using HangingLine =
+      std::pair<unsigned int, std::vector<std::pair<unsigned int, double>>>;
+
+    /// The constraints of this process's hanging nodes.
+    std::vector<HangingLine>
+    hanging_lines(const DoFHandler<3> &dof_handler)
+    {
+      IndexSet relevant;
+      DoFTools::extract_locally_relevant_dofs(dof_handler, relevant);
+      Constraints constraints(relevant);
+      DoFTools::make_hanging_node_constraints(dof_handler, constraints);
+      constraints.close();
+      std::vector<HangingLine> lines;
+      for (const auto node : dof_handler.locally_owned_dofs())
+        if (constraints.is_constrained(node))
+          {
+            lines.emplace_back(node, 0);
+            for (const auto &[master, weight] :
+                 *constraints.get_constraint_entries(node))
+              lines.back().second.emplace_back(master, weight);
+          }
+      return lines;
+    }
+  } // namespace
+
+
+
+  void
+  HexahedralMesh::gather(const unsigned int degree)
+  {
+    const FE_Q<3>     fe(degree);
+    const MappingQ<3> mapping(degree);
+    DoFHandler<3>     dof_handler(mesh);
+    dof_handler.distribute_dofs(fe);
+    const IndexSet &own = dof_handler.locally_owned_dofs();
+    own_nodes.first     = own.n_elements() == 0 ? 0 : own.nth_index_in_set(0);
+    own_nodes.second    = own_nodes.first + own.n_elements();
+
+    positions.resize(dof_handler.n_dofs());
+    const std::size_t n = fe.n_dofs_per_cell();
+    const auto        parcels =
+      Utilities::MPI::all_gather(communicator(),
+                                 pack_cells(dof_handler, mapping));
+    for (unsigned int p = 0; p < parcels.size(); ++p)
+      {
+        const Parcel &parcel = parcels[p];
+        if (p == this_process())
+          own_cells = {all_cells.size(),
+                       all_cells.size() + parcel.plies.size()};
+        for (std::size_t c = 0; c < parcel.plies.size(); ++c)
+          {
+            Cell cell;
+            cell.ply = parcel.plies[c];
+            cell.nodes.assign(parcel.nodes.begin() + c * n,
+                              parcel.nodes.begin() + (c + 1) * n);
+            std::copy_n(parcel.sides.begin() + 6 * c, 6, cell.sides.begin());
+            for (std::size_t i = 0; i < n; ++i)
+              for (unsigned int d = 0; d < 3; ++d)
+                positions[cell.nodes[i]][d] =
+                  parcel.coordinates[3 * (c * n + i) + d];
+            all_cells.push_back(std::move(cell));
+          }
+      }
+
+    for (const auto &lines :
+         Utilities::MPI::all_gather(communicator(), hanging_lines(dof_handler)))
+      for (const auto &[node, masters] : lines)
+        {
+          hanging.push_back({node, masters});
+          Point<3> x;
+          for (const auto &[master, weight] : masters)
+            x += weight * positions[master];
+          positions[node] = x;
+        }
+  }
+} // namespace lamella

@@ -1,0 +1,307 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <lamella/base/processes.h>
+#include <lamella/body/solid.h>
+#include <lamella/section/section_geometry.h>
+
+#include <boost/container_hash/hash.hpp>
+
+#include <unordered_map>
+
+namespace lamella
+{
+  using namespace dealii;
+
+  Solid::Solid(const std::string                 &name,
+               std::shared_ptr<const SectionMesh> section,
+               const AxisMesh                    &axis,
+               const Placement                   &placement,
+               const unsigned int                 degree,
+               const SolidRefinement             &refinement)
+    : Body(name)
+    , mesh(section, axis, degree, refinement, "Body " + name)
+    , element(degree)
+    , placement(placement)
+    , axis_length(axis.length)
+    , is_curved(has_curved_edges(*section))
+    , box(mesh.nodes())
+  {
+    for (const Ply &ply : section->plies)
+      elasticities.push_back(ply.stiffness());
+    make_constraints();
+    find_kinds();
+    make_boxes();
+  }
+
+
+
+  void
+  Solid::make_constraints()
+  {
+    for (const HexahedralMesh::HangingNode &node : mesh.hanging_nodes())
+      for (unsigned int c = 0; c < 3; ++c)
+        {
+          hanging.add_line(3 * node.node + c);
+          for (const auto &[master, weight] : node.masters)
+            hanging.add_entry(3 * node.node + c, 3 * master + c, weight);
+        }
+    hanging.close();
+  }
+
+
+
+  void
+  Solid::find_kinds()
+  {
+    // Nodes relative to the first, in units far below the element's size and
+    // far above the rounding of positions.
+    using Key = std::vector<long>;
+    std::unordered_map<Key, unsigned int, boost::hash<Key>> numbers;
+    const unsigned int last = element.n_nodes() - 1;
+    for (unsigned int cell = 0; cell < mesh.cells().size(); ++cell)
+      {
+        const Hexahedron::Nodes nodes = nodes_of(cell);
+        int                     exponent;
+        std::frexp(nodes[0].distance(nodes[last]), &exponent);
+        const double unit = std::ldexp(1e-11, exponent);
+        Key          key{long(mesh.cells()[cell].ply), exponent};
+        for (const Point<3> &x : nodes)
+          for (unsigned int d = 0; d < 3; ++d)
+            key.push_back(std::lround((x[d] - nodes[0][d]) / unit));
+        const auto [place, is_new] = numbers.emplace(key, kinds.size());
+        if (is_new)
+          kinds.push_back(
+            {cell, element.incompatible_modes(nodes, elasticity(cell)), {}});
+        kind_of_cell.push_back(place->second);
+        if (cell >= mesh.owned_cells().first &&
+            cell < mesh.owned_cells().second)
+          kinds[place->second].own_cells.push_back(cell);
+      }
+  }
+
+
+
+  Hexahedron::Nodes
+  Solid::nodes_of(const unsigned int cell) const
+  {
+    Hexahedron::Nodes nodes;
+    for (const unsigned int node : mesh.cells()[cell].nodes)
+      nodes.push_back(mesh.nodes()[node]);
+    return nodes;
+  }
+
+
+
+  std::vector<DofIndex>
+  Solid::dofs_of(const unsigned int cell) const
+  {
+    std::vector<DofIndex> dofs;
+    for (const unsigned int node : mesh.cells()[cell].nodes)
+      for (unsigned int c = 0; c < 3; ++c)
+        dofs.push_back(3 * DofIndex(node) + c);
+    return dofs;
+  }
+
+
+
+  std::string
+  Solid::theory() const
+  {
+    return "solid-" + std::to_string(degree()) + ", " +
+           std::to_string(mesh.cells().size()) + " hexahedra" +
+           (degree() == 1 ? " with incompatible modes" : "") +
+           (mesh.hanging_nodes().empty() ?
+              "" :
+              ", " + std::to_string(mesh.hanging_nodes().size()) +
+                " hanging nodes");
+  }
+
+
+
+  IndexSet
+  Solid::owned_dofs() const
+  {
+    IndexSet owned(n_dofs());
+    owned.add_range(3 * DofIndex(mesh.owned_nodes().first),
+                    3 * DofIndex(mesh.owned_nodes().second));
+    return owned;
+  }
+
+
+
+  Point<3>
+  Solid::centre() const
+  {
+    return placement.to_scene(box.center());
+  }
+
+
+
+  double
+  Solid::size() const
+  {
+    return 0.5 *
+           std::max(
+             {box.side_length(0), box.side_length(1), box.side_length(2)});
+  }
+
+
+
+  BoundingBox<3>
+  Solid::bounding_box() const
+  {
+    std::vector<Point<3>> corners;
+    for (unsigned int v = 0; v < 8; ++v)
+      corners.push_back(placement.to_scene(box.vertex(v)));
+    return BoundingBox<3>(corners);
+  }
+
+
+
+  std::vector<Vector>
+  Solid::rigid_motions() const
+  {
+    std::vector<Vector> motions(6, Vector(n_dofs()));
+    const Point<3>      middle = box.center();
+    for (unsigned int m = 0; m < 6; ++m)
+      {
+        Tensor<1, 3> direction;
+        direction[m % 3]     = 1.;
+        const Tensor<1, 3> v = placement.vector_to_body(direction);
+        for (unsigned int i = 0; i < mesh.nodes().size(); ++i)
+          {
+            const Tensor<1, 3> u =
+              m < 3 ? v : cross_product_3d(v, mesh.nodes()[i] - middle);
+            for (unsigned int c = 0; c < 3; ++c)
+              motions[m][3 * DofIndex(i) + c] = u[c];
+          }
+      }
+    return motions;
+  }
+
+
+
+  void
+  Solid::for_each_stiffness_block(
+    const bool                                         with_values,
+    const std::function<void(const StiffnessBlock &)> &use) const
+  {
+    for (const Kind &kind : kinds)
+      {
+        StiffnessBlock block;
+        if (with_values && !kind.own_cells.empty())
+          {
+            const FullMatrix<double> K =
+              element.stiffness(nodes_of(kind.cell),
+                                elasticity(kind.cell),
+                                kind.modes);
+            for (unsigned int i = 0; i < K.m(); ++i)
+              for (unsigned int j = 0; j < K.n(); ++j)
+                block.values.push_back(K(i, j));
+          }
+        for (const unsigned int cell : kind.own_cells)
+          {
+            block.rows = block.columns = dofs_of(cell);
+            use(block);
+          }
+      }
+  }
+
+
+
+  std::vector<double>
+  Solid::relative_displacements(const unsigned int cell, const Vector &u) const
+  {
+    const auto         &nodes = mesh.cells()[cell].nodes;
+    std::vector<double> relative;
+    for (const unsigned int node : nodes)
+      for (unsigned int c = 0; c < 3; ++c)
+        relative.push_back(u[3 * DofIndex(node) + c] -
+                           u[3 * DofIndex(nodes[0]) + c]);
+    return relative;
+  }
+
+
+
+  void
+  Solid::add_internal_forces(const Vector &u, Vector &f) const
+  {
+    Vector share(n_dofs());
+    for (const Kind &kind : kinds)
+      {
+        if (kind.own_cells.empty())
+          continue;
+        const Hexahedron::Nodes         nodes = nodes_of(kind.cell);
+        std::vector<std::vector<Voigt>> B;
+        std::vector<double>             weights;
+        for (unsigned int q = 0; q < element.quadrature().size(); ++q)
+          {
+            const HexahedronPoint point =
+              element.evaluate(nodes, element.quadrature().point(q));
+            B.push_back(element.strains(nodes, point, kind.modes));
+            weights.push_back(element.quadrature().weight(q) *
+                              determinant(point.jacobian));
+          }
+        for (const unsigned int cell : kind.own_cells)
+          {
+            const std::vector<double>   v    = relative_displacements(cell, u);
+            const std::vector<DofIndex> dofs = dofs_of(cell);
+            for (unsigned int q = 0; q < B.size(); ++q)
+              {
+                Voigt strain;
+                for (unsigned int d = 0; d < v.size(); ++d)
+                  strain += v[d] * B[q][d];
+                const Voigt stress = weights[q] * (elasticity(cell) * strain);
+                for (unsigned int d = 0; d < v.size(); ++d)
+                  share[dofs[d]] += B[q][d] * stress;
+              }
+          }
+      }
+    sum_over_processes(share);
+    f += share;
+  }
+
+
+
+  Deformation
+  Solid::deformation(const Vector &u) const
+  {
+    Deformation result;
+    for (const Kind &kind : kinds)
+      {
+        const Hexahedron::Nodes nodes = nodes_of(kind.cell);
+        for (unsigned int q = 0;
+             q < element.quadrature().size() && !kind.own_cells.empty();
+             ++q)
+          {
+            const HexahedronPoint point =
+              element.evaluate(nodes, element.quadrature().point(q));
+            const std::vector<Voigt> B =
+              element.strains(nodes, point, kind.modes);
+            const double weight =
+              element.quadrature().weight(q) * determinant(point.jacobian);
+            for (const unsigned int cell : kind.own_cells)
+              {
+                const std::vector<double> v = relative_displacements(cell, u);
+                Voigt                     strain;
+                Tensor<1, 3>              curl;
+                for (unsigned int d = 0; d < v.size(); ++d)
+                  strain += v[d] * B[d];
+                for (unsigned int i = 0; i < point.gradients.size(); ++i)
+                  curl += cross_product_3d(point.gradients[i],
+                                           Point<3>(v[3 * i],
+                                                    v[3 * i + 1],
+                                                    v[3 * i + 2]));
+                result.energy +=
+                  0.5 * weight * (strain * (elasticity(cell) * strain));
+                result.max_rotation =
+                  std::max(result.max_rotation, 0.5 * curl.norm());
+              }
+          }
+      }
+    result.energy = Utilities::MPI::sum(result.energy, communicator());
+    result.max_rotation =
+      Utilities::MPI::max(result.max_rotation, communicator());
+    return result;
+  }
+} // namespace lamella

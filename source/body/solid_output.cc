@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+// The fields of a solid at points, for probes, lines, contours and pictures.
+
+#include <lamella/body/solid.h>
+
+namespace lamella
+{
+  using namespace dealii;
+
+  FieldSample
+  Solid::sample_place(const Location::Place &place, const Vector &u) const
+  {
+    const Hexahedron::Nodes  nodes = nodes_of(place.cell);
+    const HexahedronPoint    point = element.evaluate(nodes, place.unit);
+    const std::vector<Voigt> B =
+      element.strains(nodes, point, kinds[kind_of_cell[place.cell]].modes);
+    const std::vector<double> v     = relative_displacements(place.cell, u);
+    const DofIndex            first = 3 * mesh.cells()[place.cell].nodes[0];
+
+    Tensor<1, 3> displacement;
+    Voigt        strain;
+    for (unsigned int c = 0; c < 3; ++c)
+      displacement[c] = u[first + c];
+    for (unsigned int d = 0; d < v.size(); ++d)
+      {
+        displacement[d % 3] += point.N[d / 3] * v[d];
+        strain += v[d] * B[d];
+      }
+
+    const Ply  &ply    = mesh.section().plies[mesh.cells()[place.cell].ply];
+    const Voigt stress = elasticity(place.cell) * strain;
+    // sigma' = T^-T sigma, and T^-1 is the strain rotation of the way back.
+    FieldSample sample;
+    sample.displacement = placement.vector_to_scene(displacement);
+    sample.strain       = placement.strain_to_scene() * strain;
+    sample.stress       = transpose(strain_rotation(placement.axes)) * stress;
+    sample.ply_stress =
+      transpose(strain_rotation(transpose(ply.axes()))) * stress;
+    return sample;
+  }
+
+
+
+  FieldSample
+  Solid::sample(const Location &where, const Vector &u) const
+  {
+    FieldSample        mean;
+    std::vector<Voigt> stresses;
+    double             largest = 0.;
+    for (const Location::Place &place : where.places)
+      {
+        const FieldSample one   = sample_place(place, u);
+        const double      share = 1. / where.places.size();
+        mean.displacement += share * one.displacement;
+        mean.strain += share * one.strain;
+        mean.stress += share * one.stress;
+        mean.ply_stress += share * one.ply_stress;
+        stresses.push_back(one.stress);
+        largest = std::max(largest, one.stress.norm());
+      }
+    for (const Voigt &a : stresses)
+      for (const Voigt &b : stresses)
+        if (largest > 0.)
+          mean.jump = std::max(mean.jump, (a - b).norm() / largest);
+    return mean;
+  }
+
+
+
+  OutputCell
+  Solid::sample_grid(const unsigned int         cell,
+                     const unsigned int         n,
+                     const std::vector<double> &etas,
+                     const Vector              &u) const
+  {
+    const unsigned int ply = mesh.cells()[cell].ply;
+    OutputCell         result;
+    result.ply = ply;
+    result.fibre =
+      placement.vector_to_scene(mesh.section().plies[ply].axes()[0]);
+    for (unsigned int k = 0; k <= n; ++k)
+      for (const double eta : etas)
+        for (unsigned int i = 0; i <= n; ++i)
+          {
+            const Location::Place place{
+              cell, Point<3>(double(i) / n, eta, double(k) / n)};
+            result.positions.push_back(position(place));
+            result.samples.push_back(sample_place(place, u));
+          }
+    return result;
+  }
+
+
+
+  void
+  Solid::average_with_layer_before(const unsigned int cell,
+                                   const Vector      &u,
+                                   OutputCell        &grid) const
+  {
+    // The cells before share section points with this one's own: the middle of
+    // one of the two sides that meet lies on the other.
+    const auto middle = [this](const unsigned int of, const double eta) {
+      return element.evaluate(nodes_of(of), Point<3>(0.5, eta, 0.5)).position;
+    };
+    const auto meets = [&](const unsigned int before) {
+      const double tolerance = 1e-8 * (box.side_length(0) + box.side_length(2));
+      return nearest_in_cell(cell, middle(before, 1.)).second < tolerance ||
+             nearest_in_cell(before, middle(cell, 0.)).second < tolerance;
+    };
+    auto locations = locate(grid.positions);
+    for (unsigned int k = 0; k < grid.samples.size(); ++k)
+      for (Location &where : locations[k])
+        if (where.ply == grid.ply)
+          {
+            auto &places = where.places;
+            places.erase(std::remove_if(places.begin(),
+                                        places.end(),
+                                        [&](const Location::Place &place) {
+                                          return place.cell != cell &&
+                                                 (place.unit[1] < 1. - 1e-6 ||
+                                                  !meets(place.cell));
+                                        }),
+                         places.end());
+            grid.samples[k] = sample(where, u);
+          }
+  }
+
+
+
+  std::vector<OutputCell>
+  Solid::cut(const double at, const unsigned int n, const Vector &u) const
+  {
+    const double            tolerance = 1e-10 * axis_length;
+    std::vector<OutputCell> cells;
+    for (unsigned int cell = 0; cell < mesh.cells().size(); ++cell)
+      {
+        // Corners 0 and 2 are at the cell's two ends.
+        const auto  &nodes = mesh.cells()[cell].nodes;
+        const double begin = mesh.nodes()[nodes[0]][1],
+                     end   = mesh.nodes()[nodes[2]][1];
+        const bool between = at > begin + tolerance && at < end - tolerance,
+                   behind  = std::abs(at - begin) <= tolerance,
+                   last    = std::abs(at - end) <= tolerance &&
+                          end > axis_length - tolerance;
+        if (!between && !behind && !last)
+          continue;
+        cells.push_back(
+          sample_grid(cell, n, {(at - begin) / (end - begin)}, u));
+        if (behind && begin > tolerance)
+          average_with_layer_before(cell, u, cells.back());
+      }
+    return cells;
+  }
+
+
+
+  std::vector<OutputCell>
+  Solid::output_cells(const unsigned int n, const Vector &u) const
+  {
+    std::vector<double> etas;
+    for (unsigned int j = 0; j <= n; ++j)
+      etas.push_back(double(j) / n);
+    std::vector<OutputCell> cells;
+    for (unsigned int cell = mesh.owned_cells().first;
+         cell < mesh.owned_cells().second;
+         ++cell)
+      cells.push_back(sample_grid(cell, n, etas, u));
+    return cells;
+  }
+} // namespace lamella

@@ -1,0 +1,539 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+// The points of a solid: where they are, which rows they give, and those that
+// make up its surfaces.
+
+#include <lamella/body/line_crossings.h>
+#include <lamella/body/solid.h>
+
+#include <deal.II/base/geometry_info.h>
+#include <deal.II/base/quadrature_lib.h>
+
+#include <set>
+
+namespace lamella
+{
+  using namespace dealii;
+
+  namespace
+  {
+    /// The box grown by @p share of its diagonal on each side.
+    BoundingBox<3>
+    grown(const BoundingBox<3> &box, const double share)
+    {
+      BoundingBox<3> result  = box;
+      const auto     corners = box.get_boundary_points();
+      result.extend(share * corners.first.distance(corners.second));
+      return result;
+    }
+
+
+
+    /// The face @p face of the unit cube: where (0, 0) is, and its directions:
+    /// along the section first, then the axis; on the ends xi and eta.
+    struct UnitFace
+    {
+      Point<3>     origin;
+      Tensor<1, 3> along_s, along_t;
+    };
+
+    UnitFace
+    unit_face(const unsigned int face)
+    {
+      UnitFace           result;
+      const unsigned int normal           = face / 2;
+      result.origin[normal]               = face % 2;
+      result.along_s[normal == 0 ? 2 : 0] = 1.;
+      result.along_t[normal == 1 ? 2 : 1] = 1.;
+      return result;
+    }
+  } // namespace
+
+
+
+  void
+  Solid::make_boxes()
+  {
+    std::vector<std::pair<BoundingBox<3>, unsigned int>> all;
+    for (unsigned int cell = 0; cell < mesh.cells().size(); ++cell)
+      all.emplace_back(grown(BoundingBox<3>(nodes_of(cell)),
+                             is_curved ? 0.2 : 1e-6),
+                       cell);
+    boxes = pack_rtree(all);
+  }
+
+
+
+  std::pair<Point<3>, double>
+  Solid::nearest_in_cell(const unsigned int cell, const Point<3> &x) const
+  {
+    // Newton's method on the element's own map, from the middle of the cell.
+    const Hexahedron::Nodes nodes = nodes_of(cell);
+    const double            size  = nodes.front().distance(nodes.back());
+    Point<3>                unit(0.5, 0.5, 0.5);
+    for (unsigned int iteration = 0; iteration < 20; ++iteration)
+      {
+        const HexahedronPoint at = element.evaluate(nodes, unit);
+        if (x.distance(at.position) < 1e-15 * size)
+          break;
+        const Tensor<1, 3> step = invert(at.jacobian) * (x - at.position);
+        unit += step;
+        // Beyond its cell a curved map may fold; stay near.
+        for (unsigned int d = 0; d < 3; ++d)
+          unit[d] = std::min(1.5, std::max(-0.5, unit[d]));
+        if (step.norm() < 1e-14)
+          break;
+      }
+    const Point<3> inside = GeometryInfo<3>::project_to_unit_cell(unit);
+    return {inside, x.distance(element.evaluate(nodes, inside).position)};
+  }
+
+
+
+  std::vector<std::vector<Location>>
+  Solid::locate(const std::vector<Point<3>> &points) const
+  {
+    // Positions come out of decimal texts and rotations.
+    const double section_size =
+      Tensor<1, 2>({box.side_length(0), box.side_length(2)}).norm();
+    const double tolerance = 1e-8 * section_size + 1e-13 * axis_length;
+    std::vector<std::vector<Location>> result;
+    for (const Point<3> &point : points)
+      {
+        const Point<3> x = placement.to_body(point);
+        BoundingBox<3> around(std::make_pair(x, x));
+        around.extend(tolerance);
+        std::vector<std::pair<BoundingBox<3>, unsigned int>> candidates;
+        boxes.query(boost::geometry::index::intersects(around),
+                    std::back_inserter(candidates));
+        std::sort(candidates.begin(),
+                  candidates.end(),
+                  [](const auto &a, const auto &b) {
+                    return a.second < b.second;
+                  });
+
+        std::map<unsigned int, Location> by_ply;
+        Location::Place                  nearest{};
+        double smallest = std::numeric_limits<double>::max();
+        for (const auto &[cell_box, cell] : candidates)
+          {
+            const auto [unit, distance] = nearest_in_cell(cell, x);
+            const unsigned int ply      = mesh.cells()[cell].ply;
+            if (distance <= tolerance)
+              {
+                by_ply[ply].position = point;
+                by_ply[ply].ply      = ply;
+                by_ply[ply].places.push_back({cell, unit});
+              }
+            // A point beyond a curved side is on the body if it is within 2 %
+            // of the cell's extension there (its box is larger by two fifths).
+            const double size =
+              Tensor<1, 2>({cell_box.side_length(0), cell_box.side_length(2)})
+                .norm() /
+              1.4;
+            if (is_curved && distance < std::min(smallest, 0.02 * size))
+              {
+                smallest = distance;
+                nearest  = {cell, unit};
+              }
+          }
+        result.emplace_back();
+        if (by_ply.empty() && smallest < std::numeric_limits<double>::max())
+          result.back().push_back(
+            {point, mesh.cells()[nearest.cell].ply, {nearest}});
+        for (const auto &[ply, place] : by_ply)
+          result.back().push_back(place);
+      }
+    return result;
+  }
+
+
+
+  Point<3>
+  Solid::position(const Location::Place &place) const
+  {
+    return placement.to_scene(
+      element.evaluate(nodes_of(place.cell), place.unit).position);
+  }
+
+
+
+  std::vector<std::vector<Row>>
+  Solid::rows(const std::vector<Location> &locations,
+              const Quantity               quantity,
+              const Frame                  frame) const
+  {
+    const unsigned int n = quantity == Quantity::displacement ? 3 : 6;
+    std::vector<std::vector<Row>> result;
+    for (const Location &where : locations)
+      {
+        // Body axes to those asked for, and for stresses the elasticity.
+        const Triad axes = mesh.section().plies[where.ply].axes();
+        const Triad to_axes =
+          frame == Frame::scene ? transpose(placement.axes) : axes;
+        ElasticTensor to_frame = strain_rotation(to_axes);
+        if (quantity == Quantity::stress)
+          // sigma' = T^-T sigma, and T^-1 is the strain rotation of the way
+          // back.
+          to_frame = transpose(strain_rotation(transpose(to_axes))) *
+                     elasticities[where.ply];
+
+        std::vector<Row> rows(n);
+        const double     share = 1. / where.places.size();
+        for (const Location::Place &place : where.places)
+          {
+            const Hexahedron::Nodes nodes = nodes_of(place.cell);
+            const HexahedronPoint   point = element.evaluate(nodes, place.unit);
+            const std::vector<DofIndex> dofs = dofs_of(place.cell);
+            if (quantity == Quantity::displacement)
+              {
+                for (unsigned int d = 0; d < dofs.size(); ++d)
+                  for (unsigned int c = 0; c < 3; ++c)
+                    rows[c].add(dofs[d],
+                                share * point.N[d / 3] *
+                                  placement.axes[d % 3][c]);
+                continue;
+              }
+            const std::vector<Voigt> B =
+              element.strains(nodes,
+                              point,
+                              kinds[kind_of_cell[place.cell]].modes);
+            for (unsigned int d = 0; d < dofs.size(); ++d)
+              {
+                const Voigt v = share * (to_frame * B[d]);
+                for (unsigned int c = 0; c < 6; ++c)
+                  rows[c].add(dofs[d], v[c]);
+              }
+          }
+        for (Row &row : rows)
+          {
+            row.compress();
+            // At a node all other shape functions vanish but for rounding.
+            row.drop_below(1e-14);
+          }
+        result.push_back(std::move(rows));
+      }
+    return result;
+  }
+
+
+
+  std::vector<std::string>
+  Solid::surfaces() const
+  {
+    std::vector<std::string> names = mesh.sides();
+    names.insert(names.end(), {"ends", "all"});
+    return names;
+  }
+
+
+
+  std::vector<std::pair<unsigned int, unsigned int>>
+  Solid::faces_of(const std::string &surface) const
+  {
+    std::vector<std::pair<unsigned int, unsigned int>> faces;
+    for (unsigned int cell = 0; cell < mesh.cells().size(); ++cell)
+      for (unsigned int f = 0; f < 6; ++f)
+        {
+          const int side = mesh.cells()[cell].sides[f];
+          if (side == HexahedralMesh::inside)
+            continue;
+          const std::string &name = mesh.sides()[side];
+          if (surface == "all" || surface == name ||
+              (surface == "ends" && (name == "start" || name == "end")))
+            faces.emplace_back(cell, f);
+        }
+    return faces;
+  }
+
+
+
+  SurfacePoint
+  Solid::face_point(const unsigned int cell,
+                    const unsigned int face,
+                    const Point<3>    &unit) const
+  {
+    const Hexahedron::Nodes nodes = nodes_of(cell);
+    const HexahedronPoint   at    = element.evaluate(nodes, unit);
+    const UnitFace          frame = unit_face(face);
+    Tensor<1, 3>            n    = cross_product_3d(at.jacobian * frame.along_s,
+                                      at.jacobian * frame.along_t);
+    const double            area = n.norm();
+    n /= area;
+    // Outward is where the unit coordinate leaves the cube.
+    Tensor<1, 3> out;
+    out[face / 2] = face % 2 == 0 ? -1. : 1.;
+    if (n * (at.jacobian * out) < 0.)
+      n = -n;
+
+    SurfacePoint point;
+    point.position = placement.to_scene(at.position);
+    point.normal   = placement.vector_to_scene(n);
+    point.area     = area;
+    point.depth    = determinant(at.jacobian) / area;
+    point.location = {point.position, mesh.cells()[cell].ply, {{cell, unit}}};
+    // The work of the stress of n n on itself: shear strains count twice.
+    Voigt                                                nn;
+    constexpr std::array<std::array<unsigned int, 2>, 3> planes{
+      {{{0, 1}}, {{0, 2}}, {{1, 2}}}};
+    for (unsigned int d = 0; d < 3; ++d)
+      {
+        nn[d]     = n[d] * n[d];
+        nn[3 + d] = 2. * n[planes[d][0]] * n[planes[d][1]];
+      }
+    point.normal_modulus = nn * (elasticity(cell) * nn);
+    return point;
+  }
+
+
+
+  namespace
+  {
+    /// A node of a surface: what its faces add up to.
+    struct SurfaceNode
+    {
+      double       area = 0.;
+      Tensor<1, 3> normal;
+      bool         corner   = false;
+      bool         is_there = false;
+      SurfacePoint point;
+    };
+  } // namespace
+
+
+
+  std::vector<SurfacePoint>
+  Solid::surface_points(const std::string &surface) const
+  {
+    // Hanging nodes give their area to those that they hang on.
+    std::map<unsigned int, const HexahedralMesh::HangingNode *> hangs;
+    for (const HexahedralMesh::HangingNode &node : mesh.hanging_nodes())
+      hangs[node.node] = &node;
+    const double cos_corner = std::cos(20. * numbers::PI / 180.);
+
+    std::map<unsigned int, SurfaceNode> nodes;
+    const QGauss<2>                     gauss(degree() + 2);
+    for (const auto &[cell, face] : faces_of(surface))
+      {
+        const UnitFace          frame   = unit_face(face);
+        const Hexahedron::Nodes corners = nodes_of(cell);
+        const auto             &numbers = mesh.cells()[cell].nodes;
+        for (unsigned int i = 0; i < numbers.size(); ++i)
+          {
+            const Point<3> &unit = element.unit_node(i);
+            if (std::abs(unit[face / 2] - face % 2) > 1e-10 ||
+                hangs.count(numbers[i]) > 0)
+              continue;
+            const SurfacePoint point = face_point(cell, face, unit);
+            SurfaceNode       &node  = nodes[numbers[i]];
+            if (node.is_there && point.normal * node.point.normal < cos_corner)
+              node.corner = true;
+            if (!node.is_there)
+              node.point = point;
+            node.is_there = true;
+          }
+        for (unsigned int q = 0; q < gauss.size(); ++q)
+          {
+            const Point<3> unit = frame.origin +
+                                  gauss.point(q)[0] * frame.along_s +
+                                  gauss.point(q)[1] * frame.along_t;
+            const SurfacePoint    at    = face_point(cell, face, unit);
+            const HexahedronPoint shape = element.evaluate(corners, unit);
+            const auto add = [&](const unsigned int node, const double N) {
+              const double share = N * gauss.weight(q) * at.area;
+              nodes[node].area += share;
+              nodes[node].normal += share * at.normal;
+            };
+            for (unsigned int i = 0; i < numbers.size(); ++i)
+              if (const auto found = hangs.find(numbers[i]);
+                  found == hangs.end())
+                add(numbers[i], shape.N[i]);
+              else
+                for (const auto &[master, weight] : found->second->masters)
+                  add(master, weight * shape.N[i]);
+          }
+      }
+
+    std::vector<SurfacePoint> points;
+    for (auto &[number, node] : nodes)
+      if (node.is_there)
+        {
+          node.point.area   = node.area;
+          node.point.normal = node.normal / node.normal.norm();
+          node.point.corner = node.corner;
+          points.push_back(node.point);
+        }
+    return points;
+  }
+
+
+
+  std::vector<Location>
+  Solid::node_locations(
+    const std::vector<std::pair<unsigned int, unsigned int>> &faces) const
+  {
+    std::set<unsigned int> seen;
+    for (const HexahedralMesh::HangingNode &node : mesh.hanging_nodes())
+      seen.insert(node.node);
+    std::vector<Location> locations;
+    for (const auto &[cell, face] : faces)
+      {
+        const auto &nodes = mesh.cells()[cell].nodes;
+        for (unsigned int i = 0; i < nodes.size(); ++i)
+          {
+            const Point<3> &unit = element.unit_node(i);
+            if ((face == numbers::invalid_unsigned_int ||
+                 std::abs(unit[face / 2] - face % 2) < 1e-10) &&
+                seen.insert(nodes[i]).second)
+              locations.push_back({placement.to_scene(mesh.nodes()[nodes[i]]),
+                                   mesh.cells()[cell].ply,
+                                   {{cell, unit}}});
+          }
+      }
+    return locations;
+  }
+
+
+
+  std::vector<Location>
+  Solid::fixing_points(const std::string &surface) const
+  {
+    return node_locations(faces_of(surface));
+  }
+
+
+
+  std::vector<Location>
+  Solid::body_points() const
+  {
+    std::vector<std::pair<unsigned int, unsigned int>> all;
+    for (unsigned int cell = 0; cell < mesh.cells().size(); ++cell)
+      all.emplace_back(cell, numbers::invalid_unsigned_int);
+    return node_locations(all);
+  }
+
+
+
+  std::vector<SurfacePoint>
+  Solid::surface_quadrature(const std::string &surface) const
+  {
+    // Two points more than the trace needs, for loads that vary.
+    std::vector<SurfacePoint> points;
+    const QGauss<2>           gauss(degree() + 3);
+    for (const auto &[cell, face] : faces_of(surface))
+      {
+        const UnitFace frame = unit_face(face);
+        for (unsigned int q = 0; q < gauss.size(); ++q)
+          {
+            points.push_back(face_point(cell,
+                                        face,
+                                        frame.origin +
+                                          gauss.point(q)[0] * frame.along_s +
+                                          gauss.point(q)[1] * frame.along_t));
+            points.back().area *= gauss.weight(q);
+          }
+      }
+    return points;
+  }
+
+
+
+  std::vector<SurfaceFacet>
+  Solid::surface_facets(const std::string &surface) const
+  {
+    std::vector<SurfaceFacet> facets;
+    for (const auto &[cell, face] : faces_of(surface))
+      {
+        const UnitFace frame = unit_face(face);
+        SurfaceFacet   facet;
+        facet.cell     = cell;
+        facet.origin   = frame.origin;
+        facet.along_s  = frame.along_s;
+        facet.along_t  = frame.along_t;
+        facet.degree_s = facet.degree_t = degree();
+        facet.trace_degree_s = facet.trace_degree_t = degree();
+        for (unsigned int k = 0; k < 4; ++k)
+          facet.corners[k] =
+            surface_point(facet, Point<2>(k % 2, k / 2)).position;
+        facets.push_back(facet);
+      }
+    return facets;
+  }
+
+
+
+  SurfacePoint
+  Solid::surface_point(const SurfaceFacet &facet, const Point<2> &st) const
+  {
+    // The direction that neither s nor t runs along.
+    unsigned int normal = 0;
+    while (facet.along_s[normal] != 0. || facet.along_t[normal] != 0.)
+      ++normal;
+    return face_point(facet.cell,
+                      2 * normal + (facet.origin[normal] == 0. ? 0 : 1),
+                      facet.origin + st[0] * facet.along_s +
+                        st[1] * facet.along_t);
+  }
+
+
+
+  std::vector<double>
+  Solid::line_breaks(const Point<3> &from, const Point<3> &to) const
+  {
+    const Point<3>     a = placement.to_body(from), b = placement.to_body(to);
+    const Tensor<1, 3> d = b - a;
+    Tensor<1, 2>       in_section;
+    in_section[0] = d[0];
+    in_section[1] = d[2];
+    const double tolerance =
+      1e-8 * Tensor<1, 2>({box.side_length(0), box.side_length(2)}).norm();
+
+    std::vector<std::pair<BoundingBox<3>, unsigned int>> near;
+    BoundingBox<3> around(std::vector<Point<3>>{a, b});
+    around.extend(tolerance);
+    boxes.query(boost::geometry::index::intersects(around),
+                std::back_inserter(near));
+    std::vector<double> breaks;
+    for (const auto &[cell_box, cell] : near)
+      {
+        // Corners come first among the nodes: deal.II's vertices.
+        const auto &nodes  = mesh.cells()[cell].nodes;
+        const auto  corner = [&](const unsigned int v) {
+          return mesh.nodes()[nodes[v]];
+        };
+        std::vector<double> crossings;
+        if (std::abs(d[1]) > 1e-10 * axis_length)
+          for (const unsigned int v : {0, 2})
+            crossings.push_back((corner(v)[1] - a[1]) / d[1]);
+        if (in_section.norm() > tolerance)
+          for (const auto &[v, w] :
+               {std::pair<unsigned int, unsigned int>{0, 1},
+                {4, 5},
+                {0, 4},
+                {1, 5}})
+            add_edge_crossings({corner(v)[0], corner(v)[2]},
+                               {corner(w)[0], corner(w)[2]},
+                               {a[0], a[2]},
+                               in_section,
+                               tolerance,
+                               crossings);
+        // Not where the line meets the planes of cells further away.
+        for (const double t : crossings)
+          if (grown(cell_box, 1e-6).point_inside(a + t * d))
+            breaks.push_back(t);
+      }
+    return tidy_breaks(std::move(breaks));
+  }
+
+
+
+  unsigned int
+  Solid::line_degree(const Point<3> &from, const Point<3> &to) const
+  {
+    const Tensor<1, 3> d          = placement.vector_to_body(to - from);
+    unsigned int       directions = 0;
+    for (unsigned int c = 0; c < 3; ++c)
+      directions += std::abs(d[c]) > 1e-10 * d.norm();
+    return degree() * directions;
+  }
+} // namespace lamella
