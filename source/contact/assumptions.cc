@@ -175,10 +175,9 @@ namespace lamella
         const Tensor<1, 3>             n = point.normal / point.normal.norm(),
                            d             = u_2[k] - u_1[k];
         const double along               = (d - (d * n) * n).norm();
-        const double spacing             = std::sqrt(point.area);
         if (worst.spacing == 0. ||
-            along / spacing > worst.distance / worst.spacing)
-          worst = {along, spacing, point.first};
+            along / point.spacing > worst.distance / worst.spacing)
+          worst = {along, point.spacing, point.first};
       }
     return worst;
   }

@@ -342,6 +342,7 @@ namespace lamella
           gap.opposite = b.position;
           gap.normal   = pair.normal;
           gap.area     = area;
+          gap.spacing  = std::sqrt(area);
           gap.gap      = pair.initial_gap;
           gap.angle =
             2. * std::asin(std::min(1., 0.5 * (a.normal + b.normal).norm()));
@@ -440,11 +441,19 @@ namespace lamella
             row_penalty(contact.penalty, gap.carrying, gap.opposing);
           interface.rows.push_back(std::move(row));
           if (on_second)
-            interface.points.push_back(
-              {gap.opposite, gap.position, -gap.normal, gap.area, gap.angle});
+            interface.points.push_back({gap.opposite,
+                                        gap.position,
+                                        -gap.normal,
+                                        gap.area,
+                                        gap.angle,
+                                        gap.spacing});
           else
-            interface.points.push_back(
-              {gap.position, gap.opposite, gap.normal, gap.area, gap.angle});
+            interface.points.push_back({gap.position,
+                                        gap.opposite,
+                                        gap.normal,
+                                        gap.area,
+                                        gap.angle,
+                                        gap.spacing});
         }
     }
 

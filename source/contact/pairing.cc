@@ -202,6 +202,7 @@ namespace lamella
         gap.opposite         = hit.position;
         gap.normal           = facing->normal;
         gap.area             = point.area;
+        gap.spacing          = std::sqrt(point.area);
         gap.gap              = hit.distance;
         gap.angle            = facing->angle;
         gap.carrying         = {point.normal_modulus, point.area, point.depth};

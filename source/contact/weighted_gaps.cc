@@ -514,6 +514,7 @@ namespace lamella
           return;
         }
       gap.position = carrying.grid_nodes()[number].position;
+      gap.spacing  = std::sqrt(node.full_area);
       gap.gap /= gap.area;
       gap.normal /= gap.area;
       for (LocalStiffness *side : {&gap.carrying, &gap.opposing})

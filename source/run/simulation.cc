@@ -196,15 +196,41 @@ namespace lamella
     summary.iterations.push_back(state.iterations);
     summary.free_corrections    = state.free_corrections;
     summary.contact_corrections = state.contact_corrections;
-    for (const std::string &warning : warnings_of(state, checks, contacts))
-      summary.warnings.push_back((scene.solve.load_factors.size() > 1 ?
-                                    "load step " + std::to_string(step) + ": " :
-                                    "") +
-                                 warning);
+    add_warnings(step, factor, checks);
     if (step == scene.solve.load_factors.size())
       for (const std::string &warning : strategy->warnings())
         summary.warnings.push_back(warning);
     summary.condition_estimate = strategy->condition_estimate();
+  }
+
+
+
+  void
+  Simulation::add_warnings(const unsigned int step,
+                           const double       factor,
+                           const Checks      &checks)
+  {
+    std::vector<std::string> warnings = warnings_of(state, checks, contacts);
+    // Whose rows are active, numbered from 0 in each contact.
+    auto         row       = state.active.begin();
+    unsigned int first_row = 0;
+    for (const ContactInterface &contact : contacts)
+      {
+        std::vector<unsigned int> active;
+        for (; row != state.active.end() &&
+               *row < first_row + contact.rows.size();
+             ++row)
+          active.push_back(*row - first_row);
+        first_row += contact.rows.size();
+        for (const std::string &warning : broken_assumptions(
+               contact, structure->bodies(), state.u, factor, active))
+          warnings.push_back(warning);
+      }
+    for (const std::string &warning : warnings)
+      summary.warnings.push_back((scene.solve.load_factors.size() > 1 ?
+                                    "load step " + std::to_string(step) + ": " :
+                                    "") +
+                                 warning);
   }
 
 

@@ -24,7 +24,7 @@ namespace lamella
   struct Sliding
   {
     double distance = 0.;
-    /// The root of the area that belongs to the point.
+    /// Of the points there, see ContactInterface::Point.
     double           spacing = 0.;
     dealii::Point<3> position;
   };

@@ -121,6 +121,9 @@ namespace lamella
       double               area = 0.;
       /// Between the normals of the two sides (n_1 and -n_2), in rad.
       double angle = 0.;
+      /// Of the points around: the root of the area that belongs to the point
+      /// on its own side, whether all of that faces the other side or a sliver.
+      double spacing = 0.;
     };
     std::string    name;
     Discretisation discretisation = Discretisation::undefined;

@@ -60,6 +60,8 @@ namespace lamella
     /// lambda times it.
     dealii::Tensor<1, 3> normal;
     double               area = 0., gap = 0.;
+    /// As in ContactInterface::Point.
+    double spacing = 0.;
     /// Between n_1 and -n_2 at the point, in rad.
     double         angle = 0.;
     LocalStiffness carrying, opposing;

@@ -44,6 +44,11 @@ namespace lamella
     describe_row(unsigned int row) const;
     void
     solve_step(const unsigned int step, const double factor);
+    /// What the user should know of this load step.
+    void
+    add_warnings(const unsigned int step,
+                 const double       factor,
+                 const Checks      &checks);
     void
     write_vtu_files(const unsigned int step, const double factor);
     void
