@@ -13,7 +13,7 @@ matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 
 EPSILON = sys.float_info.epsilon
-DOFS, AUTOMATIC = 3402, 8e6  # as the program prints them
+DOFS, AUTOMATIC = 1050, 4e6  # as the program prints them
 
 with open(sys.argv[1], newline="") as file:
     rows = [{key: float(value) for key, value in row.items()}
