@@ -5,6 +5,7 @@ doc/stable-basis.md; see scripts/measure."""
 import csv
 import itertools
 import json
+import math
 import os
 import subprocess
 import sys
@@ -168,6 +169,47 @@ def cost():
            "full: iterations", "contact [s]", "run / linear"], rows)
 
 
+def crossed_mesh(degrees, cells):
+    """Overrides of crossed_beams.prm: the upper beam turned about the middle of the
+    lower one, and so many cells across, deep and in each part of the axis."""
+    sine, cosine = (f(math.radians(degrees)) for f in (math.sin, math.cos))
+    corner = (0.25 - 0.15 * cosine - 2 * sine, 3 + 0.15 * sine - 2 * cosine)
+    return [f"Body upper/Axis={sine!r}, {cosine!r}, 0",
+            f"Body upper/Origin={corner[0]!r}, {corner[1]!r}, 0.4",
+            f"Section above/Cells across={cells}",
+            f"Section below/Cells across={cells + 1}",
+            f"Section above/Cells per ply={cells}",
+            f"Section below/Cells per ply={cells}",
+            f"Body upper/Kinematics/Axis elements={cells}, {cells}, {cells}",
+            f"Body lower/Kinematics/Axis elements={cells}, {cells + 1}, {cells}"]
+
+
+def crossed():
+    """The force between crossed beams over the mesh, and how far it is off that by
+    surface to surface on the finest."""
+    kinds = ("surface to surface", "node to surface")
+    rows = []
+    for degrees in (90, 45):
+        runs = {(cells, kind): Run("../tests/scenes/crossed_beams.prm",
+                                   crossed_mesh(degrees, cells) +
+                                   [f"Contact cross/Discretisation={kind}"])
+                for cells in (1, 2, 3, 4, 6, 8) for kind in kinds}
+        force = {key: -run.summary["contacts"]["cross"]["force"][2]
+                 for key, run in runs.items()}
+        finest = force[8, kinds[0]]
+        for cells in (1, 2, 3, 4, 6, 8):
+            row = [degrees, cells, runs[cells, kinds[0]].summary["dofs"]]
+            for kind in kinds:
+                contact = runs[cells, kind].summary["contacts"]["cross"]
+                off = 100 * (force[cells, kind] / finest - 1)
+                row += [contact["active"],
+                        f"{force[cells, kind]:.6f}" +
+                        (f" ({off:+.2f} %)" if off != 0 else "")]
+            rows.append(row)
+    table(["degrees", "cells", "DoFs", "surface to surface: active rows", "force",
+           "node to surface: active rows", "force"], rows)
+
+
 def phases():
     """Whole-process seconds with all output, the fastest and the slowest of five."""
     runs = [Run("laminated_beams.prm", [], vtu=True) for _ in range(5)]
@@ -300,8 +342,8 @@ def draw_stability(lengths, curves):
 
 
 def main():
-    tables = {f.__name__: f for f in (variants, shear, penalty, cost, phases, theories,
-                                      stability)}
+    tables = {f.__name__: f for f in (variants, shear, penalty, cost, crossed, phases,
+                                      theories, stability)}
     unknown = [name for name in sys.argv[1:] if name not in tables]
     if unknown:
         sys.exit(f"no table {unknown[0]}; there are: {', '.join(tables)}")
