@@ -102,16 +102,14 @@ namespace lamella
     return rows;
   }
 
-  /// The displacements of @p body under @p rows alone, refined @p refinements
-  /// times against the strain-first residual.
+  /// The displacements of @p body, factorised, under @p reduction alone,
+  /// refined
+  /// @p refinements times against the strain-first residual.
   inline Vector
-  solve_prescribed(Body                             &body,
-                   const std::vector<PrescribedRow> &rows,
-                   const unsigned int                refinements = 2)
+  solve_factorised(const Body         &body,
+                   const RowReduction &reduction,
+                   const unsigned int  refinements = 2)
   {
-    const RowReduction reduction(body, 0, rows, {"surface"});
-    body.assemble(reduction.constraints());
-    body.factorise();
     Vector u = reduction.particular();
     for (unsigned int k = 0; k <= refinements; ++k)
       {
@@ -125,6 +123,18 @@ namespace lamella
         u += r;
       }
     return u;
+  }
+
+  /// The displacements of @p body under @p rows alone.
+  inline Vector
+  solve_prescribed(Body                             &body,
+                   const std::vector<PrescribedRow> &rows,
+                   const unsigned int                refinements = 2)
+  {
+    const RowReduction reduction(body, 0, rows, {"surface"});
+    body.assemble(reduction.constraints());
+    body.factorise();
+    return solve_factorised(body, reduction, refinements);
   }
 
   /// A body held and loaded, and its displacements at load factor 1.

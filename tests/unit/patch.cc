@@ -56,14 +56,25 @@ namespace
   void
   check_patch(Beam &beam, const ElasticTensor &C_scene)
   {
+    // All states prescribe the same rows, with other values.
+    std::vector<PrescribedRow> rows =
+      prescribe_on_surface(beam,
+                           [](const Point<3> &) { return Tensor<1, 3>(); });
     for (unsigned int place = 0; place < 6; ++place)
       {
         const Tensor<2, 3> E     = unit_strain(place);
         const Field        field = [&E](const Point<3> &x) {
           return E * Tensor<1, 3>(x);
         };
-        const Vector u =
-          solve_prescribed(beam, prescribe_on_surface(beam, field));
+        for (PrescribedRow &row : rows)
+          row.value = field(row.position) * row.direction;
+        const RowReduction reduction(beam, 0, rows, {"surface"});
+        if (place == 0)
+          {
+            beam.assemble(reduction.constraints());
+            beam.factorise();
+          }
+        const Vector u = solve_factorised(beam, reduction);
 
         Voigt strain;
         strain[place]      = 1.;
@@ -127,7 +138,8 @@ BOOST_AUTO_TEST_CASE(distorted_section)
 
 BOOST_AUTO_TEST_CASE(other_shapes_of_sections)
 {
-  // Curved cells, walls around a hole, a mesh by Gmsh.
+  // Curved cells, walls around a hole, a mesh by Gmsh (that in degrees 1 and 2:
+  // quadrilaterals of degree 3 are in distorted_section, at less cost).
   const Fabric                                      fabric{"carbon", 20.};
   const std::map<std::string, EngineeringConstants> constants{
     {"carbon", orthotropic}};
@@ -141,6 +153,8 @@ BOOST_AUTO_TEST_CASE(other_shapes_of_sections)
   for (const SectionShape &shape : shapes)
     for (const unsigned int degree : {1, 2, 3})
       {
+        if (degree == 3 && std::holds_alternative<SectionFile>(shape))
+          continue;
         BOOST_TEST_CONTEXT(name_of(shape))
         {
           const auto section =
