@@ -175,6 +175,73 @@ BOOST_AUTO_TEST_CASE(uniform_pressure_through_meshes_that_do_not_match)
 
 
 
+BOOST_AUTO_TEST_CASE(uniform_pressure_without_penetration)
+{
+  // By `exact` the gap closes in every row, and displacement and stress are
+  // those of p = (d - g_0) / ((h_1 + h_2) / E) everywhere. So are resultant and
+  // centre of pressure. Single forces are p A_i where they are unique: TE-2 has
+  // three functions across for five or seven rows.
+  constexpr double p  = (moved - gap) / ((upper_height + lower_height) / E),
+                   nu = 0.3;
+  for (const Placement &placement : {placements.back()})
+    for (const Theory &theory : {layer_wise(2), layer_wise(3), taylor(2)})
+      for (const PointsOn points_on : {PointsOn::first, PointsOn::second})
+        {
+          ContactPair contact =
+            blocks_contact(Discretisation::surface_to_surface, points_on);
+          contact.enforcement = Enforcement::exact;
+          const Touching touching =
+            solve(two_blocks(placement, theory, nu), contact, walls());
+          const KuhnTucker &kkt = touching.checks.contacts[0];
+          BOOST_TEST((kkt.force + 6. * p * placement.axes[2]).norm() <
+                     1e-9 * p);
+          const Point<3> centre = placement.to_body(kkt.centre_of_pressure);
+          BOOST_TEST(std::hypot(centre[0] - 1., centre[1] - 1.5) < 1e-9);
+          BOOST_TEST(kkt.min_force >= 0.);
+          for (const GapRow &row : touching.contacts[0].rows)
+            BOOST_TEST(std::abs(row.gap(touching.state.u, 1.)) < 1e-9 * moved);
+
+          double stress = 0., displacement = 0., single = 0.;
+          for (const unsigned int b : {0, 1})
+            {
+              const Body &body = *touching.structure->bodies()[b];
+              // The upper block's top, its fixed face, moves by d.
+              const double fixed =
+                b == 0 ? lower_height + gap + upper_height : 0.;
+              for (const OutputCell &cell :
+                   body.output_cells(2, touching.state.u.block(b)))
+                for (unsigned int k = 0; k < cell.samples.size(); ++k)
+                  {
+                    const FieldSample &sample = cell.samples[k];
+                    const Point<3>     x = placement.to_body(cell.positions[k]);
+                    const Tensor<1, 3> due = placement.vector_to_scene(
+                      Point<3>(nu * p / E * x[0],
+                               nu * p / E * x[1],
+                               (b == 0 ? -moved : 0.) -
+                                 p / E * (x[2] - fixed)));
+                    displacement = std::max(displacement,
+                                            (sample.displacement - due).norm());
+                    stress =
+                      std::max({stress,
+                                std::abs(sample.ply_stress[2] / -p - 1.),
+                                std::abs(sample.ply_stress.norm() / p - 1.)});
+                  }
+            }
+          for (unsigned int k = 0; k < touching.contacts[0].rows.size(); ++k)
+            single =
+              std::max(single,
+                       std::abs(touching.state.force[k] /
+                                  (touching.contacts[0].points[k].area * p) -
+                                1.));
+          BOOST_TEST(stress < 1e-9);
+          BOOST_TEST(displacement < 1e-9 * moved);
+          if (theory.kind == Theory::Kind::LE)
+            BOOST_TEST(single < 1e-9);
+        }
+}
+
+
+
 BOOST_AUTO_TEST_CASE(node_to_surface_leaves_an_error)
 {
   // Forces stand at points of the other side, where they are not in balance
