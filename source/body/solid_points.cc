@@ -17,14 +17,21 @@ namespace lamella
 
   namespace
   {
-    /// The box grown by @p share of its diagonal on each side.
+    /// The box grown by @p share of its section's diagonal across, where cells
+    /// may be curved, and by next to nothing along the axis.
     BoundingBox<3>
     grown(const BoundingBox<3> &box, const double share)
     {
-      BoundingBox<3> result  = box;
-      const auto     corners = box.get_boundary_points();
-      result.extend(share * corners.first.distance(corners.second));
-      return result;
+      auto [lower, upper] = box.get_boundary_points();
+      const double across =
+        share * std::hypot(upper[0] - lower[0], upper[2] - lower[2]);
+      const double along = 1e-6 * (upper[1] - lower[1]);
+      for (const unsigned int d : {0, 1, 2})
+        {
+          lower[d] -= d == 1 ? along : across;
+          upper[d] += d == 1 ? along : across;
+        }
+      return BoundingBox<3>({lower, upper});
     }
 
 

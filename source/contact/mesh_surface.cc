@@ -239,6 +239,51 @@ namespace lamella
               }
             facet.grid_nodes.push_back(number);
           }
+    find_hanging_nodes(numbering);
+  }
+
+
+
+  void
+  MeshSurface::find_hanging_nodes(const PointNumbering &numbering)
+  {
+    // With the length of the edge: short ones first, since a node may hang on
+    // one that hangs on a longer edge itself.
+    std::vector<std::pair<double, HangingNode>> found;
+    for (const Facet &facet : all_facets)
+      {
+        const GaussLobattoBasis &s = *facet.grid_s, &t = *facet.grid_t;
+        const auto look = [&](const unsigned int a, const unsigned int b) {
+          const auto place = [&](const unsigned int k) {
+            return Point<2>(s.point(k % s.size()), t.point(k / s.size()));
+          };
+          const Place middle =
+            map(facet, place(a) + 0.5 * (place(b) - place(a)));
+          const unsigned int p = facet.grid_nodes[a], q = facet.grid_nodes[b];
+          for (const unsigned int k : numbering.at(middle.position))
+            if (nodes[k].normal * outward_normal(facet, middle) > sharp)
+              found.push_back(
+                {nodes[p].position.distance(nodes[q].position), {k, {{p, q}}}});
+        };
+        for (unsigned int i = 0; i + 1 < s.size(); ++i)
+          for (const unsigned int j : {0u, t.size() - 1})
+            look(j * s.size() + i, j * s.size() + i + 1);
+        for (unsigned int j = 0; j + 1 < t.size(); ++j)
+          for (const unsigned int i : {0u, s.size() - 1})
+            look(j * s.size() + i, (j + 1) * s.size() + i);
+      }
+    std::sort(found.begin(), found.end(), [](const auto &a, const auto &b) {
+      return std::make_pair(a.first, a.second.node) <
+             std::make_pair(b.first, b.second.node);
+    });
+    // Two facets may share the long edge.
+    std::vector<bool> known(nodes.size(), false);
+    for (const auto &[length, node] : found)
+      if (!known[node.node])
+        {
+          hanging.push_back(node);
+          known[node.node] = true;
+        }
   }
 
 
@@ -266,6 +311,13 @@ namespace lamella
       }
     for (unsigned int k = 0; k < nodes.size(); ++k)
       nodes[k].normal = sums[k] / sums[k].norm();
+    // The field is continuous: from long edges to short ones.
+    for (auto node = hanging.rbegin(); node != hanging.rend(); ++node)
+      {
+        const Tensor<1, 3> n =
+          nodes[node->ends[0]].normal + nodes[node->ends[1]].normal;
+        nodes[node->node].normal = n / n.norm();
+      }
     for (Facet &facet : all_facets)
       {
         facet.is_flat = facet.is_affine;

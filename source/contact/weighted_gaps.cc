@@ -143,6 +143,8 @@ namespace lamella
       void
       flush_carrying(const Cell &cell);
       void
+      share_out(const MeshSurface::HangingNode &hanging);
+      void
       finish(const unsigned int number);
 
       const Sides       &sides;
@@ -503,6 +505,37 @@ namespace lamella
 
 
 
+    /// The hats of a continuous space: that of a hanging node belongs in halves
+    /// to those of the nodes that it hangs between.
+    void
+    Integrator::share_out(const MeshSurface::HangingNode &hanging)
+    {
+      const Node &from = nodes[hanging.node];
+      for (const unsigned int end : hanging.ends)
+        {
+          Node        &to   = nodes[end];
+          WeightedGap &sums = to.sums;
+          to.full_area += 0.5 * from.full_area;
+          sums.area += 0.5 * from.sums.area;
+          sums.gap += 0.5 * from.sums.gap;
+          sums.normal += 0.5 * from.sums.normal;
+          for (const auto side :
+               {&WeightedGap::carrying, &WeightedGap::opposing})
+            {
+              (sums.*side).normal_modulus +=
+                0.5 * (from.sums.*side).normal_modulus;
+              (sums.*side).depth += 0.5 * (from.sums.*side).depth;
+            }
+          for (const auto weights :
+               {&WeightedGap::carrying_weights, &WeightedGap::opposing_weights})
+            for (const auto &[number, weight] : from.sums.*weights)
+              (sums.*weights).emplace_back(number, 0.5 * weight);
+        }
+      nodes[hanging.node] = Node();
+    }
+
+
+
     void
     Integrator::finish(const unsigned int number)
     {
@@ -558,8 +591,15 @@ namespace lamella
           flush_carrying(cell);
           flush_opposing(cell);
         }
+      std::vector<bool> hangs(nodes.size(), false);
+      for (const MeshSurface::HangingNode &hanging : carrying.hanging_nodes())
+        {
+          share_out(hanging);
+          hangs[hanging.node] = true;
+        }
       for (unsigned int k = 0; k < nodes.size(); ++k)
-        finish(k);
+        if (!hangs[k])
+          finish(k);
       result.carrying =
         renumber(result.gaps, &WeightedGap::carrying_weights, carrying);
       if (sides.opposing_mesh != nullptr)

@@ -9,6 +9,7 @@
 
 #include <deal.II/base/polynomial.h>
 
+#include <array>
 #include <memory>
 #include <optional>
 #include <string>
@@ -207,6 +208,22 @@ namespace lamella
       return nodes;
     }
 
+    /// A node of a grid that lies in the middle of an edge of another facet's
+    /// grid, as where a solid is locally refined: functions that are continuous
+    /// and linear along that edge have the mean of its @p ends there.
+    struct HangingNode
+    {
+      unsigned int                node = 0;
+      std::array<unsigned int, 2> ends{};
+    };
+
+    /// Those that others hang on come after them.
+    const std::vector<HangingNode> &
+    hanging_nodes() const
+    {
+      return hanging;
+    }
+
     /// The trace functions of @p facet at @p st, in the order of trace_nodes.
     void
     evaluate_trace(const Facet            &facet,
@@ -259,6 +276,8 @@ namespace lamella
     void
     number_grid_nodes();
     void
+    find_hanging_nodes(const PointNumbering &numbering);
+    void
     average_normals();
     void
     make_search();
@@ -271,6 +290,7 @@ namespace lamella
     /// Of each trace node a facet and the place on it.
     std::vector<std::pair<unsigned int, dealii::Point<2>>> trace_places;
     std::vector<GridNode>                                  nodes;
+    std::vector<HangingNode>                               hanging;
     /// Boxes stand in axes of the surface's own, so that rays along its normals
     /// meet few of them however the body is turned.
     dealii::Tensor<2, 3> frame;
