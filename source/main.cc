@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <lamella/base/exceptions.h>
+#include <lamella/base/processes.h>
 #include <lamella/run/command_line.h>
 #include <lamella/run/simulation.h>
 #include <lamella/scene/scene.h>
@@ -9,9 +10,11 @@
 
 #include <dlfcn.h>
 
+#include <chrono>
 #include <cstdlib>
 #include <iostream>
 #include <memory>
+#include <thread>
 
 namespace
 {
@@ -45,13 +48,23 @@ namespace
 
 
 
+  /// Where messages go: nowhere, but for the process that speaks for all.
+  std::ostream &
+  output()
+  {
+    static std::ostream nowhere(nullptr);
+    return is_speaker() ? std::cout : nowhere;
+  }
+
+
+
   /// Faults that show when bodies are built get the line of the text, too.
   std::unique_ptr<Simulation>
   build(const Scene &scene, const SceneText &text)
   {
     try
       {
-        return std::make_unique<Simulation>(scene, std::cout);
+        return std::make_unique<Simulation>(scene, output());
       }
     catch (const InputError &error)
       {
@@ -66,12 +79,12 @@ namespace
   {
     if (command.help || command.version)
       {
-        std::cout << (command.help ? usage() : "lamella " LAMELLA_VERSION "\n");
+        output() << (command.help ? usage() : "lamella " LAMELLA_VERSION "\n");
         return;
       }
     if (command.scene.empty())
       {
-        std::cout << parameter_documentation();
+        output() << parameter_documentation();
         return;
       }
 
@@ -80,7 +93,7 @@ namespace
     const Scene     scene = read_scene(text);
     if (command.print_parameters)
       {
-        std::cout << scene.resolved;
+        output() << scene.resolved;
         return;
       }
     const auto simulation = build(scene, text);
@@ -89,6 +102,61 @@ namespace
     else
       simulation->run(command.output);
   }
+
+
+
+  /// Runs, and returns the exit status with a message for the user.
+  std::pair<int, std::string>
+  outcome(const std::vector<std::string> &words)
+  {
+    try
+      {
+        run(CommandLine::parse(words));
+      }
+    catch (const InputError &error)
+      {
+        return {1, error.what()};
+      }
+    catch (const NumericsError &error)
+      {
+        return {2, error.what()};
+      }
+    catch (const std::bad_alloc &)
+      {
+        return {2,
+                "the scene does not fit in memory. Use a coarser mesh or a "
+                "lower order."};
+      }
+    catch (const std::exception &error)
+      {
+        return {2,
+                std::string("internal error, please report it:\n") +
+                  error.what()};
+      }
+    return {0, ""};
+  }
+
+
+
+  /// Whether all processes come here, too, within some seconds, through a
+  /// communicator that nothing else uses.
+  bool
+  all_arrive(MPI_Comm arrivals)
+  {
+    constexpr std::chrono::seconds patience(10);
+    MPI_Request                    request;
+    MPI_Ibarrier(arrivals, &request);
+    int        arrived = 0;
+    const auto start   = std::chrono::steady_clock::now();
+    do
+      {
+        MPI_Test(&request, &arrived, MPI_STATUS_IGNORE);
+        if (arrived == 0)
+          std::this_thread::sleep_for(std::chrono::milliseconds(1));
+      }
+    while (arrived == 0 && std::chrono::steady_clock::now() - start < patience);
+    return arrived != 0;
+  }
 } // namespace
 
 
@@ -96,37 +164,23 @@ namespace
 int
 main(int argc, char **argv)
 {
-  try
+  skip_network_search();
+  dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+  MPI_Comm                                 arrivals;
+  MPI_Comm_dup(communicator(), &arrivals);
+
+  const auto [status, message] = outcome({argv + 1, argv + argc});
+  if (status != 0)
     {
-      skip_network_search();
-      dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
-      if (dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD) > 1)
-        throw InputError("this version runs on one process; start it without "
-                         "mpirun.");
-      run(CommandLine::parse({argv + 1, argv + argc}));
+      // As a rule all processes meet the same fault and one of them tells it.
+      // What only this one has met (a full disk, say) the others do not know,
+      // and they wait for it.
+      const bool common = n_processes() == 1 || all_arrive(arrivals);
+      if (!common || is_speaker())
+        std::cerr << "lamella: " << message << std::endl;
+      if (!common)
+        MPI_Abort(communicator(), status);
     }
-  catch (const InputError &error)
-    {
-      std::cerr << "lamella: " << error.what() << std::endl;
-      return 1;
-    }
-  catch (const NumericsError &error)
-    {
-      std::cerr << "lamella: " << error.what() << std::endl;
-      return 2;
-    }
-  catch (const std::bad_alloc &)
-    {
-      std::cerr << "lamella: the scene does not fit in memory. Use a coarser "
-                   "mesh or a lower order."
-                << std::endl;
-      return 2;
-    }
-  catch (const std::exception &error)
-    {
-      std::cerr << "lamella: internal error, please report it:\n"
-                << error.what() << std::endl;
-      return 2;
-    }
-  return 0;
+  MPI_Comm_free(&arrivals);
+  return status;
 }

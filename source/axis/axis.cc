@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <lamella/axis/axis.h>
+#include <lamella/base/processes.h>
 
 #include <deal.II/base/quadrature_lib.h>
 
@@ -51,16 +52,53 @@ namespace lamella
 
   Axis::Axis(const AxisMesh &description_)
     : description(description_)
+    , mesh(communicator(),
+           Triangulation<1>::none,
+           false,
+           parallel::shared::Triangulation<1>::partition_custom_signal)
     , fe(make_element(description))
     , dof_handler(mesh)
   {
-    GridGenerator::subdivided_hyper_rectangle(mesh,
-                                              {element_lengths(description)},
-                                              Point<1>(0.),
-                                              Point<1>(description.length));
+    make_mesh();
     dof_handler.distribute_dofs(fe);
     number_nodes();
     make_matrices();
+  }
+
+
+
+  void
+  Axis::make_mesh()
+  {
+    const std::vector<double> lengths = element_lengths(description);
+    // Equal parts in a row, whatever the lengths: work goes with elements.
+    const auto owner = [n = lengths.size()](const std::size_t cell) {
+      return cell * n_processes() / n;
+    };
+    const boost::signals2::scoped_connection partition =
+      mesh.signals.create.connect([&]() {
+        for (const auto &cell : mesh.active_cell_iterators())
+          cell->set_subdomain_id(owner(cell->active_cell_index()));
+      });
+    GridGenerator::subdivided_hyper_rectangle(mesh,
+                                              {lengths},
+                                              Point<1>(0.),
+                                              Point<1>(description.length));
+    owned_cells.first = 0;
+    while (owned_cells.first < lengths.size() &&
+           owner(owned_cells.first) < this_process())
+      ++owned_cells.first;
+    owned_cells.second =
+      owned_cells.first + mesh.n_locally_owned_active_cells();
+  }
+
+
+
+  std::pair<unsigned int, unsigned int>
+  Axis::own_nodes() const
+  {
+    const std::size_t n = n_nodes(), p = this_process(), of = n_processes();
+    return {n * p / of, n * (p + 1) / of};
   }
 
 
@@ -149,7 +187,9 @@ namespace lamella
         }
 
     DynamicSparsityPattern pattern(n_nodes());
-    DoFTools::make_sparsity_pattern(dof_handler, pattern);
+    for (const auto &nodes : cell_nodes)
+      for (const unsigned int node : nodes)
+        pattern.add_entries(node, nodes.begin(), nodes.end());
     sparsity.copy_from(pattern);
     for (Matrix &matrix : matrices)
       matrix.reinit(sparsity);

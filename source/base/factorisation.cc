@@ -18,7 +18,9 @@ namespace lamella
     class CholmodFactorisation : public LinearSolver
     {
     public:
-      CholmodFactorisation(const Matrix &matrix, const std::string &what);
+      CholmodFactorisation(const Matrix        &matrix,
+                           const std::string   &what,
+                           const FactorMonitor &monitor);
       CholmodFactorisation(const CholmodFactorisation &) = delete;
       ~CholmodFactorisation() override;
 
@@ -40,11 +42,10 @@ namespace lamella
         return 1. / reciprocal_condition;
       }
 
-      std::string
-      description() const override
+      SolverStatistics
+      statistics() const override
       {
-        return "CHOLMOD, factor of " + to_text(double(factor->xsize), 2) +
-               " non-zeros";
+        return {SolverKind::cholmod, double(factor->xsize), n_solutions};
       }
 
     private:
@@ -56,6 +57,7 @@ namespace lamella
       mutable cholmod_common common;
       cholmod_factor        *factor               = nullptr;
       double                 reciprocal_condition = 0.;
+      mutable unsigned int   n_solutions          = 0;
     };
 
 
@@ -98,8 +100,9 @@ namespace lamella
 
 
 
-    CholmodFactorisation::CholmodFactorisation(const Matrix      &matrix,
-                                               const std::string &what)
+    CholmodFactorisation::CholmodFactorisation(const Matrix        &matrix,
+                                               const std::string   &what,
+                                               const FactorMonitor &monitor)
     {
       cholmod_l_start(&common);
       common.supernodal = CHOLMOD_SUPERNODAL;
@@ -110,6 +113,19 @@ namespace lamella
       factor            = cholmod_l_analyze(A, &common);
       if (factor == nullptr)
         throw std::bad_alloc();
+      try
+        {
+          if (monitor)
+            monitor(
+              {double(factor->xsize), 8. * (factor->xsize + factor->maxcsize)});
+        }
+      catch (...)
+        {
+          cholmod_l_free_sparse(&A, &common);
+          cholmod_l_free_factor(&factor, &common);
+          cholmod_l_finish(&common);
+          throw;
+        }
       cholmod_l_factorize(A, factor, &common);
       reciprocal_condition = cholmod_l_rcond(factor, &common);
       cholmod_l_free_sparse(&A, &common);
@@ -172,6 +188,7 @@ namespace lamella
     CholmodFactorisation::solve(Vector &x) const
     {
       apply(CHOLMOD_A, x);
+      ++n_solutions;
     }
 
 
@@ -258,8 +275,10 @@ namespace lamella
 
 
   std::unique_ptr<LinearSolver>
-  factorise(const Matrix &matrix, const std::string &what)
+  factorise(const Matrix        &matrix,
+            const std::string   &what,
+            const FactorMonitor &monitor)
   {
-    return std::make_unique<CholmodFactorisation>(matrix, what);
+    return std::make_unique<CholmodFactorisation>(matrix, what, monitor);
   }
 } // namespace lamella

@@ -59,9 +59,10 @@ namespace lamella
       }
 
       std::unique_ptr<LinearSolver>
-      factorise(const std::string &what) const override
+      factorise(const std::string   &what,
+                const FactorMonitor &monitor) const override
       {
-        return lamella::factorise(matrix, what);
+        return lamella::factorise(matrix, what, monitor);
       }
 
     private:

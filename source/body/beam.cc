@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <lamella/base/exceptions.h>
+#include <lamella/base/processes.h>
 #include <lamella/body/beam.h>
 
 #include <numeric>
@@ -41,6 +43,12 @@ namespace lamella
     , placement(placement)
     , dof_map(fields_of_node, beam_section->n_fields())
   {
+    if (n_processes() > beam_axis->n_nodes())
+      throw InputError(
+        "Body '" + name + "' has " + std::to_string(beam_axis->n_nodes()) +
+        " nodes along its axis, too few to share among " +
+        std::to_string(n_processes()) +
+        " processes. Start fewer processes, or take more Axis elements.");
     if (beam_section->theory().kind == Theory::Kind::EBBT)
       constrain_to_kirchhoff();
     kirchhoff.close();
@@ -108,6 +116,28 @@ namespace lamella
     return theory.name() + left_out + ", " +
            std::to_string(beam_axis->n_cells()) + " B" +
            std::to_string(beam_axis->degree() + 1);
+  }
+
+
+
+  double
+  Beam::stiffness_entries() const
+  {
+    return double(beam_axis->A(0, 0).n_nonzero_elements()) *
+           beam_section->S(0, 0).n_nonzero_elements();
+  }
+
+
+
+  IndexSet
+  Beam::owned_dofs() const
+  {
+    const auto [begin, end] = beam_axis->own_nodes();
+    IndexSet owned(n_dofs());
+    if (begin < end)
+      owned.add_range(dof_map.first(begin),
+                      dof_map.first(end - 1) + dof_map.fields(end - 1).size());
+    return owned;
   }
 
 
@@ -256,8 +286,9 @@ namespace lamella
     // A block is a row of the Kronecker products.
     StiffnessBlock block;
     block.rows.resize(1);
-    block.columns_ascend = true;
-    for (unsigned int i = 0; i < dof_map.n_nodes(); ++i)
+    block.columns_ascend    = true;
+    const auto [begin, end] = beam_axis->own_nodes();
+    for (unsigned int i = begin; i < end; ++i)
       for (unsigned int k = 0; k < dof_map.fields(i).size(); ++k)
         {
           const FactorRow &section_row = section_rows[dof_map.fields(i)[k]];
@@ -339,12 +370,25 @@ namespace lamella
 
 
 
+  std::pair<unsigned int, unsigned int>
+  Beam::own_points() const
+  {
+    const auto [begin, end] = beam_axis->own_cells();
+    const unsigned int n =
+      beam_axis->integration_points().size() / beam_axis->n_cells();
+    return {n * begin, n * end};
+  }
+
+
+
   void
   Beam::add_internal_forces(const Vector &u, Vector &f) const
   {
     const auto &section_points  = beam_section->integration_points();
     const auto &section_weights = beam_section->integration_weights();
-    for (unsigned int k = 0; k < beam_axis->integration_points().size(); ++k)
+    Vector      share(f.size());
+    const auto [begin, end] = own_points();
+    for (unsigned int k = begin; k < end; ++k)
       {
         const AxisPoint &axis_point = beam_axis->integration_points()[k];
         const AxisState  state      = axis_state(axis_point, u);
@@ -373,12 +417,14 @@ namespace lamella
           for (unsigned int m = 0; m < dof_map.fields(nodes[i]).size(); ++m)
             {
               const unsigned int alpha = dof_map.fields(nodes[i])[m];
-              f[dof_map.first(nodes[i]) + m] +=
+              share[dof_map.first(nodes[i]) + m] +=
                 weight * (axis_point.N[i] * work.value[alpha] +
                           axis_point.N_shear[i] * work.shear_value[alpha] +
                           axis_point.dN[i] * work.derivative[alpha]);
             }
       }
+    sum_over_processes(share);
+    f += share;
   }
 
 
@@ -387,7 +433,8 @@ namespace lamella
   Beam::deformation(const Vector &u) const
   {
     Deformation result;
-    for (unsigned int k = 0; k < beam_axis->integration_points().size(); ++k)
+    const auto [begin, end] = own_points();
+    for (unsigned int k = begin; k < end; ++k)
       {
         const AxisState state =
           axis_state(beam_axis->integration_points()[k], u);
@@ -408,6 +455,9 @@ namespace lamella
               std::max(result.max_rotation, rotation.norm());
           }
       }
+    result.energy = Utilities::MPI::sum(result.energy, communicator());
+    result.max_rotation =
+      Utilities::MPI::max(result.max_rotation, communicator());
     return result;
   }
 } // namespace lamella

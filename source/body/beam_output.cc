@@ -141,8 +141,8 @@ namespace lamella
     for (unsigned int j = 0; j <= n; ++j)
       etas.push_back(double(j) / n);
     std::vector<OutputCell> cells;
-    for (unsigned int axis_cell = 0; axis_cell < beam_axis->n_cells();
-         ++axis_cell)
+    const auto [begin, end] = beam_axis->own_cells();
+    for (unsigned int axis_cell = begin; axis_cell < end; ++axis_cell)
       for (OutputCell &cell : sample_axis_cell(axis_cell, etas, n, u))
         cells.push_back(std::move(cell));
     return cells;

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <lamella/base/exceptions.h>
+#include <lamella/base/processes.h>
 #include <lamella/body/body.h>
 
 #include <deal.II/base/quadrature_lib.h>
@@ -7,6 +9,14 @@
 namespace lamella
 {
   using namespace dealii;
+
+  namespace
+  {
+    // From here on the factor of a solid takes tens of gigabytes and minutes.
+    constexpr DofIndex large_for_a_factor = 300000;
+  } // namespace
+
+
 
   Body::Body(std::string name)
     : body_name(std::move(name))
@@ -53,9 +63,46 @@ namespace lamella
 
 
 
+  double
+  Body::stiffness_entries() const
+  {
+    double n = 0.;
+    for_each_stiffness_block(false, [&n](const StiffnessBlock &block) {
+      n += double(block.rows.size()) * block.columns.size();
+    });
+    return dealii::Utilities::MPI::sum(n, communicator());
+  }
+
+
+
+  SolverKind
+  Body::solver_kind(const SolverKind asked) const
+  {
+    const bool alone = n_processes() == 1;
+    if (asked == SolverKind::automatic)
+      return is_nodal() && n_dofs() > large_for_a_factor ? SolverKind::cg :
+             alone                                       ? SolverKind::cholmod :
+                                                           SolverKind::mumps;
+    if (asked == SolverKind::cholmod && !alone)
+      throw InputError("Linear solver = cholmod works on one process, and "
+                       "there are " +
+                       std::to_string(n_processes()) +
+                       ". Choose auto or mumps, or start one process.");
+    if (asked == SolverKind::cg && !is_nodal())
+      throw InputError("Linear solver = cg is not for body '" + name() + "' (" +
+                       theory() +
+                       "): multigrid needs DoFs that are displacements of "
+                       "nodes, and those of a beam are amplitudes of functions "
+                       "over its section. Choose auto or mumps.");
+    return asked;
+  }
+
+
+
   void
   Body::assemble(const Constraints             &constraints,
-                 const std::vector<SpringTerm> &springs)
+                 const std::vector<SpringTerm> &springs,
+                 const SolverKind               asked)
   {
     linear_solver.reset();
     matrix.reset();
@@ -65,15 +112,24 @@ namespace lamella
                                  for_each_stiffness_block(with_values, use);
                                },
                                springs};
-    matrix = assemble_serial(terms, constraints);
+    const SolverKind     kind = solver_kind(asked);
+    if (kind == SolverKind::cholmod)
+      matrix = assemble_serial(terms, constraints);
+    else
+      matrix =
+        assemble_distributed(terms,
+                             constraints,
+                             kind,
+                             kind == SolverKind::cg ? rigid_motions() :
+                                                      std::vector<Vector>());
   }
 
 
 
   void
-  Body::factorise()
+  Body::factorise(const FactorMonitor &monitor)
   {
-    linear_solver = stiffness().factorise("body '" + name() + "'");
+    linear_solver = stiffness().factorise("body '" + name() + "'", monitor);
   }
 
 

@@ -205,7 +205,15 @@ namespace lamella
                               "total"})
       out << " " << phase << " " << seconds(summary.seconds.at(phase))
           << (std::string(phase) == "total" ? "" : ",");
-    out << "; peak memory " << std::lround(peak_memory_mb()) << " MB\n";
+    out << "; peak memory " << std::lround(summary.peak_memory / 1048576.)
+        << " MB";
+    if (summary.processes > 1)
+      out << " (process with most), "
+          << std::lround(summary.peak_memory_of_all / 1048576.) << " MB (all "
+          << summary.processes << " processes)";
+    out << "\n";
+    for (const auto &[body, solver] : summary.solvers)
+      out << "Solver of " << body << ": " << lamella::to_text(solver) << "\n";
     for (const std::string &warning : summary.warnings)
       out << "\nNote: " << warning << ".\n";
   }

@@ -3,8 +3,6 @@
 #include <lamella/base/exceptions.h>
 #include <lamella/report/summary.h>
 
-#include <deal.II/base/utilities.h>
-
 #include <nlohmann/json.hpp>
 
 #include <fstream>
@@ -12,16 +10,6 @@
 namespace lamella
 {
   using Json = nlohmann::ordered_json;
-
-  double
-  peak_memory_mb()
-  {
-    dealii::Utilities::System::MemoryStats stats;
-    dealii::Utilities::System::get_memory_stats(stats);
-    return stats.VmHWM / 1024.;
-  }
-
-
 
   std::string
   name_of(const Discretisation discretisation)
@@ -118,6 +106,23 @@ namespace lamella
               {"initial_gap_min", smallest},
               {"initial_gap_max", largest}};
     }
+
+
+
+    Json
+    solver_json(const SolverStatistics &solver)
+    {
+      Json json{{"name", name_of(solver.kind)},
+                {"solutions", solver.solutions}};
+      if (solver.kind == SolverKind::cg)
+        {
+          json["iterations"]      = solver.iterations;
+          json["most_iterations"] = solver.most_iterations;
+        }
+      else
+        json["factor_non_zeros"] = solver.non_zeros;
+      return json;
+    }
   } // namespace
 
 
@@ -125,7 +130,8 @@ namespace lamella
   void
   write_summary(const Summary &summary, const std::string &directory)
   {
-    Json json;
+    constexpr double megabyte = 1024. * 1024.;
+    Json             json;
     json["version"] = LAMELLA_VERSION;
     json["title"]   = summary.title;
     json["units"]   = {{"length", summary.units.length},
@@ -138,11 +144,15 @@ namespace lamella
       json["bodies"][body->name()]["dofs"] = body->n_dofs();
     for (const auto &[phase, seconds] : summary.seconds)
       json["seconds"][phase] = seconds;
-    json["peak_memory_mb"] = peak_memory_mb();
-    json["load_steps"]     = summary.iterations.size();
-    json["iterations"]     = summary.iterations;
-    json["contacts"]       = Json::object();
-    json["supports"]       = Json::object();
+    for (const auto &[body, solver] : summary.solvers)
+      json["bodies"][body]["solver"] = solver_json(solver);
+    json["processes"]             = summary.processes;
+    json["peak_memory_mb"]        = summary.peak_memory / megabyte;
+    json["peak_memory_of_all_mb"] = summary.peak_memory_of_all / megabyte;
+    json["load_steps"]            = summary.iterations.size();
+    json["iterations"]            = summary.iterations;
+    json["contacts"]              = Json::object();
+    json["supports"]              = Json::object();
     const bool solved =
       summary.checks.contacts.size() == summary.contacts->size();
     for (unsigned int k = 0; solved && k < summary.contacts->size(); ++k)

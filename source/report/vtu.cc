@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <lamella/base/exceptions.h>
+#include <lamella/base/processes.h>
 #include <lamella/report/fields_table.h>
 #include <lamella/report/vtu.h>
 
@@ -126,15 +127,29 @@ namespace lamella
     output.set_flags(DataOutBase::VtkFlags(
       factor, step, false, DataOutBase::VtkFlags::best_speed, true));
 
-    const std::string name =
-      "solution_" + Utilities::int_to_string(step, 4) + ".vtu";
-    std::ofstream file(directory + "/" + name);
+    const std::string name = "solution_" + Utilities::int_to_string(step, 4);
+    const auto        part = [&name](const unsigned int process) {
+      return n_processes() == 1 ? name + ".vtu" :
+                                         name + "." + std::to_string(process) + ".vtu";
+    };
+    std::ofstream file(directory + "/" + part(this_process()));
     output.write_vtu(file);
     file.close();
-    if (!file)
+    bool written = bool(file);
+    if (n_processes() > 1 && is_speaker())
+      {
+        std::vector<std::string> parts;
+        for (unsigned int p = 0; p < n_processes(); ++p)
+          parts.push_back(part(p));
+        std::ofstream record(directory + "/" + name + ".pvtu");
+        output.write_pvtu_record(record, parts);
+        record.close();
+        written = written && record;
+      }
+    if (!on_all_processes(written))
       throw InputError("Cannot write " + directory + "/" + name +
-                       ". Is the disk full?");
-    return name;
+                       ".vtu. Is the disk full?");
+    return name + (n_processes() == 1 ? ".vtu" : ".pvtu");
   }
 
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <lamella/base/exceptions.h>
+#include <lamella/base/memory.h>
+#include <lamella/base/processes.h>
 #include <lamella/base/text.h>
 #include <lamella/contact/assumptions.h>
 #include <lamella/report/console.h>
@@ -34,6 +36,8 @@ namespace lamella
                                               scene.supports,
                                               scene.loads,
                                               stabilisations);
+      for (const auto &body : structure->bodies())
+        body->solver_kind(scene.solve.solver);
     }
     {
       TimerOutput::Scope scope(timer, "contact");
@@ -82,13 +86,17 @@ namespace lamella
     bool
     prepare_directory(const std::string &directory)
     {
-      std::error_code error;
-      const bool      is_new = !std::filesystem::exists(directory, error);
-      std::filesystem::create_directories(directory, error);
-      const std::string trial = directory + "/.lamella";
-      const bool writes       = !error && std::ofstream(trial).put('\n').good();
-      std::filesystem::remove(trial, error);
-      if (!writes)
+      bool is_new = false, writes = true;
+      if (is_speaker())
+        {
+          std::error_code error;
+          is_new = !std::filesystem::exists(directory, error);
+          std::filesystem::create_directories(directory, error);
+          const std::string trial = directory + "/.lamella";
+          writes = !error && std::ofstream(trial).put('\n').good();
+          std::filesystem::remove(trial, error);
+        }
+      if (!on_all_processes(writes))
         throw InputError("--output " + directory +
                          ": results cannot be written there. Name a folder "
                          "that can be created and written.");
@@ -101,22 +109,19 @@ namespace lamella
   void
   Simulation::run(const std::string &directory)
   {
-    output_directory  = directory;
-    created_directory = prepare_directory(directory);
+    const MemoryBudget budget(scene.solve.memory_limit);
+    const std::string  memory = budget.require_matrices(*structure);
+    output_directory          = directory;
+    created_directory         = prepare_directory(directory);
     print_bodies(out, *structure, contacts);
+    out << "Memory: " << memory << std::endl;
     {
       TimerOutput::Scope scope(timer, "assembly");
-      structure->assemble();
+      structure->assemble(scene.solve.solver);
     }
     {
       TimerOutput::Scope scope(timer, "factorisation");
-      if (scene.solve.strategy == Strategy::condensed)
-        {
-          structure->factorise();
-          strategy = std::make_unique<CondensedStrategy>(*structure, gap_rows);
-        }
-      else
-        strategy = std::make_unique<FullStrategy>(*structure, gap_rows);
+      prepare_strategy(budget);
     }
     newton           = std::make_unique<Newton>(*structure,
                                       gap_rows,
@@ -146,6 +151,40 @@ namespace lamella
         throw;
       }
     write_results(directory);
+  }
+
+
+
+  void
+  Simulation::prepare_strategy(const MemoryBudget &budget)
+  {
+    if (scene.solve.strategy == Strategy::full)
+      {
+        strategy = std::make_unique<FullStrategy>(*structure, gap_rows);
+        return;
+      }
+    try
+      {
+        structure->factorise([&](const Body &body, const FactorSize &size) {
+          out << "Memory: " << budget.require_factor(body, size) << std::endl;
+        });
+      }
+    catch (const InputError &)
+      {
+        remove_created_directory();
+        throw;
+      }
+    strategy = std::make_unique<CondensedStrategy>(*structure, gap_rows);
+  }
+
+
+
+  void
+  Simulation::remove_created_directory() const
+  {
+    std::error_code error;
+    if (created_directory)
+      std::filesystem::remove(output_directory, error);
   }
 
 
@@ -240,6 +279,8 @@ namespace lamella
   {
     vtu_files["solution"].emplace_back(
       step, write_vtu(output_directory, step, factor, *structure, state.u));
+    if (!is_speaker())
+      return;
     unsigned int first_row = 0;
     for (unsigned int k = 0; k < contacts.size(); ++k)
       {
@@ -259,11 +300,18 @@ namespace lamella
     if (summary.iterations.empty())
       {
         // Nothing was solved, so nothing is left behind.
-        std::error_code error;
-        if (created_directory)
-          std::filesystem::remove(directory, error);
+        remove_created_directory();
         return;
       }
+    if (scene.solve.strategy == Strategy::condensed)
+      for (const auto &body : structure->bodies())
+        summary.solvers[body->name()] = body->solver().statistics();
+    summary.processes   = n_processes();
+    summary.peak_memory = Utilities::MPI::max(peak_memory(), communicator());
+    summary.peak_memory_of_all =
+      Utilities::MPI::sum(peak_memory(), communicator());
+    if (!is_speaker())
+      return;
     {
       TimerOutput::Scope scope(timer, "output");
       recorder->write(directory);

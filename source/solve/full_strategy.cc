@@ -1,13 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include <lamella/base/exceptions.h>
+#include <lamella/base/factorisation.h>
+#include <lamella/base/processes.h>
 #include <lamella/base/text.h>
 #include <lamella/solve/full_strategy.h>
-
-#include <deal.II/base/index_set.h>
-
-#include <deal.II/lac/dynamic_sparsity_pattern.h>
-#include <deal.II/lac/trilinos_vector.h>
 
 #include <algorithm>
 #include <cmath>
@@ -21,29 +17,24 @@ namespace lamella
   FullStrategy::FullStrategy(const Structure           &structure,
                              const std::vector<GapRow> &rows)
     : ContactStrategy(structure, rows)
-  {
-    for (unsigned int b = 0; b < structure.bodies().size(); ++b)
-      {
-        Constraints shifted;
-        shifted.copy_from(structure.reduction(b).constraints());
-        shifted.shift(structure.load().get_block_indices().block_start(b));
-        constraints.merge(shifted);
-      }
-    constraints.close();
-  }
+  {}
 
 
 
-  std::vector<Row::Entry>
+  Row
   FullStrategy::global_row(const GapRow &row) const
   {
-    std::vector<Row::Entry> entries;
+    const auto &blocks = structure.load().get_block_indices();
+    Row         result;
     for (const BodyRow &part : row.parts)
-      for (const auto &[dof, weight] : part.row.entries())
-        entries.emplace_back(
-          structure.load().get_block_indices().local_to_global(part.body, dof),
-          weight);
-    return entries;
+      {
+        const Row free =
+          part.row.reduced(structure.reduction(part.body).constraints());
+        for (const auto &[dof, weight] : free.entries())
+          result.add(blocks.local_to_global(part.body, dof), weight);
+      }
+    result.compress();
+    return result;
   }
 
 
@@ -51,35 +42,8 @@ namespace lamella
   void
   FullStrategy::factorise(const std::vector<unsigned int> &active)
   {
-    const auto &blocks = structure.load().get_block_indices();
-
-    // The pattern: the bodies' own, and the couplings of the active rows.
-    DynamicSparsityPattern pattern(structure.n_dofs());
-    for (unsigned int b = 0; b < structure.bodies().size(); ++b)
-      structure.bodies()[b]->stiffness().for_each_entry(
-        [&](const DofIndex row, const DofIndex column, const double) {
-          pattern.add(blocks.local_to_global(b, row),
-                      blocks.local_to_global(b, column));
-        });
-    std::vector<std::vector<DofIndex>> dofs;
-    std::vector<FullMatrix<double>>    penalties;
-    for (const unsigned int r : active)
-      {
-        const std::vector<Row::Entry> row = global_row(rows[r]);
-        dofs.emplace_back();
-        for (const Row::Entry &entry : row)
-          dofs.back().push_back(entry.first);
-        // k^p = eps n^T n (Eq. 23), with the row in place of n.
-        penalties.emplace_back(row.size());
-        for (unsigned int i = 0; i < row.size(); ++i)
-          for (unsigned int j = 0; j < row.size(); ++j)
-            penalties.back()(i, j) =
-              row[i].second * row[j].second / numerical_softness(rows[r]);
-        constraints.add_entries_local_to_global(dofs.back(), pattern, false);
-      }
-
-    solver.reset();
-    matrix.reinit(pattern);
+    const auto   &blocks = structure.load().get_block_indices();
+    UpperTriangle matrix;
     for (unsigned int b = 0; b < structure.bodies().size(); ++b)
       structure.bodies()[b]->stiffness().for_each_entry(
         [&](const DofIndex row, const DofIndex column, const double value) {
@@ -87,14 +51,20 @@ namespace lamella
                      blocks.local_to_global(b, column),
                      value);
         });
-    for (unsigned int k = 0; k < active.size(); ++k)
-      constraints.distribute_local_to_global(penalties[k], dofs[k], matrix);
-    matrix.compress(VectorOperation::add);
-
-    solver = std::make_unique<TrilinosWrappers::SolverDirect>(
-      control,
-      TrilinosWrappers::SolverDirect::AdditionalData(false, "Amesos_Mumps"));
-    solver->initialize(matrix);
+    // k^p = eps n^T n (Eq. 23), with the row in place of n, once for all
+    // processes.
+    if (is_speaker())
+      for (const unsigned int r : active)
+        {
+          const Row row = global_row(rows[r]);
+          for (const auto &[i, weight] : row.entries())
+            for (const auto &[j, other] : row.entries())
+              matrix.add(i, j, weight * other / numerical_softness(rows[r]));
+        }
+    solver.reset();
+    solver         = factorise_shared(structure.n_dofs(),
+                              std::move(matrix),
+                              "the scene with its penalties");
     factorised_for = active;
   }
 
@@ -123,15 +93,10 @@ namespace lamella
       rows[active[k]].add_to(du, r_lambda[k] / d[k]);
     structure.condense(du);
 
-    TrilinosWrappers::MPI::Vector x, b;
-    b.reinit(complete_index_set(structure.n_dofs()));
-    x.reinit(b);
-    for (unsigned int i = 0; i < b.size(); ++i)
-      b[i] = du[i];
-    b.compress(VectorOperation::insert);
-    solver->solve(x, b);
-    for (unsigned int i = 0; i < b.size(); ++i)
-      du[i] = x[i];
+    Vector x(du.size());
+    std::copy(du.begin(), du.end(), x.begin());
+    solver->solve(x);
+    std::copy(x.begin(), x.end(), du.begin());
     for (unsigned int body = 0; body < structure.bodies().size(); ++body)
       structure.reduction(body).constraints().distribute(du.block(body));
 

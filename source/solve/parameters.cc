@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <lamella/base/exceptions.h>
+#include <lamella/base/memory.h>
 #include <lamella/base/text.h>
 #include <lamella/solve/parameters.h>
 
@@ -24,6 +25,19 @@ namespace lamella
                       "condensed: factorise once, contact on the compliance of "
                       "its rows; full: assemble and factorise K + K^p in each "
                       "iteration, as in the paper. Same results.");
+    prm.declare_entry(
+      "Linear solver",
+      "auto",
+      Anything(),
+      "auto: cholmod on one process, mumps on several, cg for large solids; "
+      "cholmod, mumps: factorise; cg: conjugate gradients with algebraic "
+      "multigrid, for solids, with little memory.");
+    prm.declare_entry("Memory limit",
+                      "auto",
+                      Anything(),
+                      "What a run may take on each machine, as in 2 GB; auto: "
+                      "what the machine has. A scene that needs more is "
+                      "refused before it takes it.");
     prm.declare_entry("Maximum iterations",
                       "50",
                       Anything(),
@@ -35,6 +49,24 @@ namespace lamella
                       "Largest rotation for which the linear result is written "
                       "at all [rad]; from 0.1 on it comes with a warning.");
   }
+
+
+
+  namespace
+  {
+    SolverKind
+    parse_solver(const std::string &text)
+    {
+      for (const SolverKind kind : {SolverKind::automatic,
+                                    SolverKind::cholmod,
+                                    SolverKind::mumps,
+                                    SolverKind::cg})
+        if (text == name_of(kind))
+          return kind;
+      throw InputError("Linear solver = " + text +
+                       ": must be auto, cholmod, mumps or cg.");
+    }
+  } // namespace
 
 
 
@@ -53,6 +85,15 @@ namespace lamella
                        ": must be condensed or full.");
     parameters.strategy =
       strategy == "full" ? Strategy::full : Strategy::condensed;
+
+    parameters.solver       = parse_solver(prm.get("Linear solver"));
+    parameters.memory_limit = to_bytes(prm.get("Memory limit"), "Memory limit");
+    if (parameters.strategy == Strategy::full &&
+        (parameters.solver == SolverKind::cholmod ||
+         parameters.solver == SolverKind::cg))
+      throw InputError("Linear solver = " + prm.get("Linear solver") +
+                       ": Contact strategy = full factorises with mumps. "
+                       "Choose auto, or the condensed strategy.");
 
     const double n =
       to_number(prm.get("Maximum iterations"), "Maximum iterations");

@@ -89,24 +89,27 @@ namespace lamella
 
 
   void
-  Structure::assemble()
+  Structure::assemble(const SolverKind asked)
   {
     for (unsigned int b = 0; b < all_bodies.size(); ++b)
       {
         std::vector<SpringTerm> terms;
         for (const Spring &spring : all_springs[b])
           terms.emplace_back(spring.row, spring.stiffness);
-        all_bodies[b]->assemble(reductions[b]->constraints(), terms);
+        all_bodies[b]->assemble(reductions[b]->constraints(), terms, asked);
       }
   }
 
 
 
   void
-  Structure::factorise()
+  Structure::factorise(const BodyMonitor &monitor)
   {
     for (const auto &body : all_bodies)
-      body->factorise();
+      body->factorise([&](const FactorSize &size) {
+        if (monitor)
+          monitor(*body, size);
+      });
   }
 
 

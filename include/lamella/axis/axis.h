@@ -5,11 +5,11 @@
 
 #include <lamella/base/linear_algebra.h>
 
+#include <deal.II/distributed/shared_tria.h>
+
 #include <deal.II/dofs/dof_handler.h>
 
 #include <deal.II/fe/fe_q.h>
-
-#include <deal.II/grid/tria.h>
 
 #include <string>
 #include <vector>
@@ -61,6 +61,10 @@ namespace lamella
    * which is its projection N^ on the polynomials of one degree less. Since N'
    * is one of those, int N^ N' = int N N' and int N^ N = int N^ N^: one more
    * small matrix, A_shear = int N^_i N^_j, is all that it takes.
+   *
+   * Every process has the whole axis. Of its elements each owns a part in a
+   * row, for loops, and so of its nodes, for the rows of matrices; nodes are
+   * shared out on their own, so that few elements do for many processes.
    */
   class Axis
   {
@@ -90,6 +94,18 @@ namespace lamella
     {
       return cell_nodes.size();
     }
+
+    /// The elements that this process integrates over, first and one past the
+    /// last; perhaps none.
+    std::pair<unsigned int, unsigned int>
+    own_cells() const
+    {
+      return owned_cells;
+    }
+
+    /// The nodes whose rows this process keeps, likewise.
+    std::pair<unsigned int, unsigned int>
+    own_nodes() const;
 
     /// y of each node, ascending.
     const std::vector<double> &
@@ -165,6 +181,8 @@ namespace lamella
 
   private:
     void
+    make_mesh();
+    void
     number_nodes();
     void
     make_matrices();
@@ -173,14 +191,15 @@ namespace lamella
     std::vector<double>
     projected_shape_functions(const double eta) const;
 
-    AxisMesh                 description;
-    dealii::Triangulation<1> mesh;
-    dealii::FE_Q<1>          fe;
-    dealii::DoFHandler<1>    dof_handler;
+    AxisMesh                                   description;
+    dealii::parallel::shared::Triangulation<1> mesh;
+    dealii::FE_Q<1>                            fe;
+    dealii::DoFHandler<1>                      dof_handler;
 
     std::vector<double>                    node_positions;
     std::vector<std::vector<unsigned int>> cell_nodes;
     std::vector<std::pair<double, double>> cell_bounds;
+    std::pair<unsigned int, unsigned int>  owned_cells;
 
     std::vector<AxisPoint> points;
     std::vector<double>    weights;

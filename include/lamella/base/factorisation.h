@@ -18,7 +18,47 @@ namespace lamella
    * matrix in the message.
    */
   std::unique_ptr<LinearSolver>
-  factorise(const Matrix &matrix, const std::string &what);
+  factorise(const Matrix        &matrix,
+            const std::string   &what,
+            const FactorMonitor &monitor = {});
+
+  /// Entries of the upper triangle of a symmetric matrix, rows and columns
+  /// counted from 1 as MUMPS does. Those of one place add up, those of all
+  /// processes, too.
+  struct UpperTriangle
+  {
+    std::vector<int>    rows, columns;
+    std::vector<double> values;
+
+    /// Adds an entry, rows and columns counted from 0; nothing if it is below
+    /// the diagonal or zero.
+    void
+    add(const DofIndex row, const DofIndex column, const double value)
+    {
+      if (column < row || value == 0.)
+        return;
+      rows.push_back(row + 1);
+      columns.push_back(column + 1);
+      values.push_back(value);
+    }
+  };
+
+  /**
+   * Factorises the matrix of @p n rows whose entries the processes hold each a
+   * part of, with MUMPS (multifrontal, L D L^T without pivoting), on all
+   * processes together. All of them call this and what it returns.
+   *
+   * Deal.II's and Trilinos' ways to MUMPS (Amesos) treat every matrix as
+   * unsymmetric, twice the work and memory, and solve for one right-hand side
+   * at a time, which contact has many of; so MUMPS is called itself.
+   *
+   * Throws NumericsError as factorise() does.
+   */
+  std::unique_ptr<LinearSolver>
+  factorise_shared(const DofIndex       n,
+                   UpperTriangle        matrix,
+                   const std::string   &what,
+                   const FactorMonitor &monitor = {});
 } // namespace lamella
 
 #endif

@@ -5,12 +5,54 @@
 
 #include <lamella/base/row.h>
 
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
 
 namespace lamella
 {
+  /// What solves with the stiffness of a body.
+  enum class SolverKind
+  {
+    automatic, ///< what suits the body and the number of processes
+    cholmod,   ///< Cholesky factorisation on one process
+    mumps,     ///< Cholesky factorisation shared by all processes
+    cg         ///< conjugate gradients with algebraic multigrid
+  };
+
+  /// As in a scene file: `auto`, `cholmod`, `mumps`, `cg`.
+  std::string
+  name_of(const SolverKind kind);
+
+  /// What a factor will take, known from the matrix's pattern alone.
+  struct FactorSize
+  {
+    /// Of all processes together.
+    double non_zeros = 0.;
+    /// Of this process, with the workspace that it takes to get there.
+    double bytes = 0.;
+  };
+
+  /// Is told of a factor before memory is spent on it; what it throws prevents
+  /// that. Called on all processes or on none.
+  using FactorMonitor = std::function<void(const FactorSize &)>;
+
+  /// What solving took so far.
+  struct SolverStatistics
+  {
+    SolverKind kind = SolverKind::automatic;
+    /// Of the factor; 0 if there is none.
+    double non_zeros = 0.;
+    /// Right-hand sides, the iterations of all of them and of the slowest; no
+    /// iterations if there is a factor.
+    unsigned int solutions = 0, iterations = 0, most_iterations = 0;
+  };
+
+  /// For users: "MUMPS on 2 processes, factor of 2.3e6 non-zeros".
+  std::string
+  to_text(const SolverStatistics &statistics);
+
   /**
    * Rows b_k with what a solver has made of them, for the compliance
    * B A^-1 B^T. The object refers to its solver. Where several processes share
@@ -64,9 +106,9 @@ namespace lamella
     virtual double
     condition_estimate() const = 0;
 
-    /// What it is and what it took, for users: "CHOLMOD, 2.3e6 non-zeros".
-    virtual std::string
-    description() const = 0;
+    /// What it is and what it took.
+    virtual SolverStatistics
+    statistics() const = 0;
   };
 } // namespace lamella
 

@@ -40,6 +40,13 @@ namespace lamella
     return this_process() == 0;
   }
 
+  /// Whether @p here holds on all processes.
+  inline bool
+  on_all_processes(const bool here)
+  {
+    return dealii::Utilities::MPI::min(int(here), communicator()) == 1;
+  }
+
   /// Replaces the shares @p v of the processes by their sum, on all of them.
   inline void
   sum_over_processes(Vector &v)

@@ -63,14 +63,29 @@ namespace lamella
     diagonal() const = 0;
 
     /// Makes the matrix ready to be solved with. Throws NumericsError if it is
-    /// not positive definite; @p what names it then.
+    /// not positive definite; @p what names it then. @p monitor is told how
+    /// large a factor becomes, if there is one.
     virtual std::unique_ptr<LinearSolver>
-    factorise(const std::string &what) const = 0;
+    factorise(const std::string   &what,
+              const FactorMonitor &monitor = {}) const = 0;
   };
 
   /// In deal.II's SparseMatrix, for one process; factorised by CHOLMOD.
   std::unique_ptr<StiffnessMatrix>
   assemble_serial(const StiffnessTerms &terms, const Constraints &constraints);
+
+  /**
+   * In Trilinos' sparse matrix, the rows terms.owned on each process; blocks
+   * may add to the rows of other processes. With @p kind = mumps it is
+   * factorised, with cg solved by conjugate gradients, preconditioned by
+   * smoothed aggregation (ML) that keeps the @p near_null_space: displacements
+   * that cost hardly any energy, the rigid motions.
+   */
+  std::unique_ptr<StiffnessMatrix>
+  assemble_distributed(const StiffnessTerms      &terms,
+                       const Constraints         &constraints,
+                       const SolverKind           kind,
+                       const std::vector<Vector> &near_null_space = {});
 } // namespace lamella
 
 #endif

@@ -47,6 +47,10 @@ namespace lamella
     {
       return dof_map.n_dofs();
     }
+    double
+    stiffness_entries() const override;
+    dealii::IndexSet
+    owned_dofs() const override;
     unsigned int
     dof_level(const DofIndex dof) const override;
     const Constraints &
@@ -163,6 +167,11 @@ namespace lamella
 
     AxisState
     axis_state(const AxisPoint &point, const Vector &u) const;
+
+    /// The integration points along the axis that are this process's, first and
+    /// one past the last.
+    std::pair<unsigned int, unsigned int>
+    own_points() const;
 
     /// Displacement, strain and stress in the body frame.
     struct PointState

@@ -138,6 +138,19 @@ namespace lamella
     virtual DofIndex
     n_dofs() const = 0;
 
+    /// An estimate of the non-zeros of the stiffness from above, known before
+    /// it is assembled. Here the sum over all blocks; bodies know better.
+    virtual double
+    stiffness_entries() const;
+
+    /// Whether each DoF is a displacement at a node. Only then does algebraic
+    /// multigrid understand the matrix, and solver `cg` is offered.
+    virtual bool
+    is_nodal() const
+    {
+      return false;
+    }
+
     /// The DoFs whose rows of the stiffness this process keeps: contiguous, and
     /// all of them where there is one process.
     virtual dealii::IndexSet
@@ -282,22 +295,30 @@ namespace lamella
     virtual std::vector<OutputCell>
     cut(const double position, const unsigned int n, const Vector &u) const = 0;
 
-    /// All elements with the fields on their grids.
+    /// The elements of this process, all together those of the body, with the
+    /// fields on their grids.
     virtual std::vector<OutputCell>
     output_cells(const unsigned int n, const Vector &u) const = 0;
+
+    /// What @p asked means for this body, never `automatic`. Throws InputError
+    /// where it is not offered.
+    SolverKind
+    solver_kind(const SolverKind asked) const;
 
     /**
      * Assembles the stiffness with @p springs, condensed by the homogeneous
      * part of @p constraints (constrained DoFs keep a positive diagonal and
-     * nothing else).
+     * nothing else), for a solver as @p asked.
      */
     void
     assemble(const Constraints             &constraints,
-             const std::vector<SpringTerm> &springs = {});
+             const std::vector<SpringTerm> &springs = {},
+             const SolverKind               asked   = SolverKind::automatic);
 
-    /// Factorises the assembled stiffness; NumericsError if not positive.
+    /// Makes the assembled stiffness ready to be solved with; NumericsError if
+    /// it is not positive.
     void
-    factorise();
+    factorise(const FactorMonitor &monitor = {});
 
     const StiffnessMatrix &
     stiffness() const;

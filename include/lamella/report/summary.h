@@ -38,6 +38,12 @@ namespace lamella
     std::vector<std::string>      warnings;
     /// Phase -> wall seconds.
     std::map<std::string, double> seconds;
+
+    /// Body -> what solving it took; empty with the `full` strategy.
+    std::map<std::string, SolverStatistics> solvers;
+    unsigned int                            processes = 1;
+    /// In bytes: of the process that took most, and of all.
+    double peak_memory = 0., peak_memory_of_all = 0.;
   };
 
   /// As in a scene file: `node to node`, `penalty`, ...
@@ -53,10 +59,6 @@ namespace lamella
   /// Writes @p directory/summary.json, keys as fixed in doc/output.md.
   void
   write_summary(const Summary &summary, const std::string &directory);
-
-  /// Of this process so far, in megabytes.
-  double
-  peak_memory_mb();
 } // namespace lamella
 
 #endif

@@ -19,6 +19,9 @@ namespace lamella
    * discontinuous between elements and so per ply, the ply's number (from 1 at
    * the bottom), the fibre direction, the body's number. Returns the file's
    * name. Values in a VTU are single precision: pictures, not numbers.
+   *
+   * Several processes write solution_STEP.PROCESS.vtu each, of their elements,
+   * and solution_STEP.pvtu for all of them.
    */
   std::string
   write_vtu(const std::string &directory,

@@ -8,6 +8,7 @@
 #include <lamella/report/summary.h>
 #include <lamella/scene/scene.h>
 #include <lamella/solve/checks.h>
+#include <lamella/solve/memory_budget.h>
 #include <lamella/solve/newton.h>
 
 #include <deal.II/base/timer.h>
@@ -39,6 +40,12 @@ namespace lamella
     print_validation() const;
 
   private:
+    /// Factorises what the strategy needs, if it fits into @p budget.
+    void
+    prepare_strategy(const MemoryBudget &budget);
+    /// The output directory, if this run created it and it is empty.
+    void
+    remove_created_directory() const;
     /// Contact, body and position of the gap row @p row, for messages.
     std::string
     describe_row(unsigned int row) const;

@@ -5,17 +5,14 @@
 
 #include <lamella/solve/contact_strategy.h>
 
-#include <deal.II/lac/trilinos_solver.h>
-#include <deal.II/lac/trilinos_sparse_matrix.h>
-
 namespace lamella
 {
   /**
    * The paper's way: K + K^p of the whole scene, K^p = B_A^T diag(eps) B_A
-   * (Eqs. 22 and 23), assembled through AffineConstraints into a Trilinos
-   * matrix and factorised by MUMPS whenever the active set changes. What
-   * nonlinear bodies will need, and an independent check of the condensed
-   * strategy: neither the factorisation nor the compliance is shared.
+   * (Eqs. 22 and 23), factorised by MUMPS, on all processes, whenever the
+   * active set changes. What nonlinear bodies will need, and an independent
+   * check of the condensed strategy: on one process neither the factorisation
+   * nor the compliance is shared.
    *
    * The active set is found by Newton's method on the energy
    *   E(u) = 1/2 u^T K u - f^T u
@@ -101,21 +98,19 @@ namespace lamella
                  const Iterate        &from,
                  const Iterate        &to) const;
 
-    /// The DoFs and weights of a gap row in the numbering of the whole scene.
-    std::vector<Row::Entry>
+    /// The unconstrained DoFs and weights of a gap row in the numbering of the
+    /// whole scene.
+    Row
     global_row(const GapRow &row) const;
 
     /// Assembles and factorises K + K^p of the rows @p active.
     void
     factorise(const std::vector<unsigned int> &active);
 
-    Constraints                                             constraints;
-    dealii::TrilinosWrappers::SparseMatrix                  matrix;
-    dealii::SolverControl                                   control;
-    std::unique_ptr<dealii::TrilinosWrappers::SolverDirect> solver;
-    std::vector<unsigned int>                               factorised_for;
-    std::vector<double>                                     factorised_with;
-    double hardest = 0., hardest_penalty = 0.;
+    std::unique_ptr<LinearSolver> solver;
+    std::vector<unsigned int>     factorised_for;
+    std::vector<double>           factorised_with;
+    double                        hardest = 0., hardest_penalty = 0.;
   };
 } // namespace lamella
 

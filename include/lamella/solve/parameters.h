@@ -24,6 +24,9 @@ namespace lamella
     std::vector<double> load_factors;
     Strategy            strategy = Strategy::undefined;
     NewtonParameters    newton;
+    SolverKind          solver = SolverKind::automatic;
+    /// Bytes on each machine; 0: what it has.
+    double memory_limit = 0.;
     /// In rad; beyond it a run fails.
     double rotation_limit = 0.;
 

@@ -78,13 +78,16 @@ namespace lamella
     BlockVector
     particular(const double factor) const;
 
-    /// Assembles the condensed stiffness of each body.
+    /// Assembles the condensed stiffness of each body for a solver as @p asked.
     void
-    assemble();
+    assemble(const SolverKind asked = SolverKind::automatic);
 
-    /// Factorises them: what the condensed strategy needs.
+    /// Is told of the factor of a body before memory is spent on it.
+    using BodyMonitor = std::function<void(const Body &, const FactorSize &)>;
+
+    /// Makes them ready to be solved with: what the condensed strategy needs.
     void
-    factorise();
+    factorise(const BodyMonitor &monitor = {});
 
     /// factor * load - integral B^T C (B u) - spring forces, strain first; not
     /// condensed.

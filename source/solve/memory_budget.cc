@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <lamella/base/exceptions.h>
+#include <lamella/base/memory.h>
+#include <lamella/base/processes.h>
+#include <lamella/base/text.h>
+#include <lamella/solve/memory_budget.h>
+
+namespace lamella
+{
+  namespace
+  {
+    // A value, its column in the matrix and in the pattern that it comes from,
+    // and the half of it that a solver asks for in its own format.
+    constexpr double bytes_per_entry = 8. + 4. + 4. + 8.;
+  } // namespace
+
+
+
+  MemoryBudget::MemoryBudget(const double limit)
+    : limit(limit)
+  {}
+
+
+
+  void
+  MemoryBudget::require(const double       bytes,
+                        const std::string &what,
+                        const std::string &remedy) const
+  {
+    const double available = available_memory(limit),
+                 needed = dealii::Utilities::MPI::max(sum_over_machine(bytes),
+                                                      communicator());
+    if (needed > available)
+      throw InputError((limit > 0. ?
+                          "Memory limit = " + gigabytes(limit) + ": " :
+                          std::string()) +
+                       what + ", and " + gigabytes(available) +
+                       " are available on each machine. " + remedy);
+  }
+
+
+
+  namespace
+  {
+    std::string
+    remedies(const bool nodal)
+    {
+      return "Take a coarser mesh, a lower order" +
+             std::string(nodal ? ", Linear solver = cg" : "") +
+             " or more machines.";
+    }
+  } // namespace
+
+
+
+  std::string
+  MemoryBudget::require_matrices(const Structure &structure) const
+  {
+    double entries = 0.;
+    for (const auto &body : structure.bodies())
+      entries += body->stiffness_entries();
+    const double      bytes = bytes_per_entry * entries;
+    const std::string what  = std::to_string(structure.n_dofs()) + " DoFs, " +
+                             to_text(entries, 3) + " non-zeros (" +
+                             gigabytes(bytes) + ")";
+    require(bytes / n_processes(), "The scene has " + what, remedies(false));
+    return what + "; " + gigabytes(available_memory(limit)) + " available";
+  }
+
+
+
+  std::string
+  MemoryBudget::require_factor(const Body &body, const FactorSize &size) const
+  {
+    const std::string what =
+      "factor of " + to_text(size.non_zeros, 3) + " non-zeros (" +
+      gigabytes(dealii::Utilities::MPI::sum(size.bytes, communicator())) + ")";
+    require(size.bytes,
+            "Body '" + body.name() + "' has a " + what,
+            remedies(body.is_nodal()));
+    return "body " + body.name() + ", " + what + "; " +
+           gigabytes(available_memory(limit)) + " available";
+  }
+} // namespace lamella
