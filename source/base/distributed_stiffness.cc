@@ -54,6 +54,12 @@ namespace lamella
           add_spring(spring, use);
       }
 
+      bool
+      is_constrained(const DofIndex dof) const
+      {
+        return constrained[dof];
+      }
+
     private:
       void
       add_block(const StiffnessBlock &block, const RowUse &use) const;
@@ -105,13 +111,7 @@ namespace lamella
     {
       Row entries;
       for (unsigned int j = 0; j < columns.size(); ++j)
-        {
-          const double value = values == nullptr ? 1. : values[j];
-          entries.add(columns[j], value);
-          // A constrained DoF keeps its own diagonal, which is positive.
-          if (columns[j] == row && constrained[row])
-            use(row, {row}, values == nullptr ? nullptr : &value, true);
-        }
+        entries.add(columns[j], values == nullptr ? 1. : values[j]);
       const Row             free = entries.reduced(constraints);
       std::vector<DofIndex> free_columns;
       for (const Row::Entry &entry : free.entries())
@@ -240,6 +240,9 @@ namespace lamella
         [&](const DofIndex row, const auto &columns, auto, const bool ascend) {
           pattern.add_entries(row, columns.begin(), columns.end(), ascend);
         });
+      for (DofIndex row = first; row < end; ++row)
+        if (terms.is_constrained(row))
+          pattern.add(row, row);
       matrix.reinit(owned, owned, pattern, communicator(), true);
 
       const auto &columns = matrix.trilinos_matrix().ColMap();
@@ -288,6 +291,20 @@ namespace lamella
                              entries.values[place[columns[j]]] += values[j];
                          });
       matrix.compress(VectorOperation::add);
+
+      // Constrained DoFs get what others have on average.
+      double sum = 0., n_free = 0.;
+      for (DofIndex row = first; row < end; ++row)
+        if (!terms.is_constrained(row))
+          {
+            sum += std::abs(matrix.diag_element(row));
+            ++n_free;
+          }
+      sum    = Utilities::MPI::sum(sum, communicator());
+      n_free = Utilities::MPI::sum(n_free, communicator());
+      for (DofIndex row = first; row < end; ++row)
+        if (terms.is_constrained(row))
+          own_row(row).values[0] = n_free > 0. ? sum / n_free : 1.;
     }
 
 

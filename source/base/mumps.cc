@@ -268,9 +268,9 @@ namespace lamella
             }
           starts.push_back(dofs.size() + 1);
         }
-      mumps.rhs         = nullptr;
-      mumps.nrhs        = end - begin;
-      mumps.nz_rhs      = dofs.size();
+      mumps.rhs    = nullptr;
+      mumps.nrhs   = end - begin;
+      mumps.nz_rhs = dofs.size();
       // Only the first process may point to them.
       mumps.irhs_ptr    = is_speaker() ? starts.data() : nullptr;
       mumps.irhs_sparse = is_speaker() ? dofs.data() : nullptr;
