@@ -81,6 +81,10 @@ namespace lamella
         return info(i) < 0 ? -1e6 * info(i) : info(i);
       }
 
+      /// The symbolic analysis.
+      void
+      analyse(const std::string &what);
+
       /// The factorisation itself, with more workspace if it asks for it.
       void
       factorise(const std::string &what);
@@ -145,8 +149,7 @@ namespace lamella
             throw NumericsError("The stiffness matrix of " + what +
                                 " has entries that are no finite numbers. "
                                 "Check lengths and materials.");
-          run(1);
-          check(what);
+          analyse(what);
           if (monitor)
             monitor({count(20), 1e6 * mumps.info[15 - 1]});
           factorise(what);
@@ -163,6 +166,30 @@ namespace lamella
     MumpsFactorisation::~MumpsFactorisation()
     {
       run(-2);
+    }
+
+
+
+    void
+    MumpsFactorisation::analyse(const std::string &what)
+    {
+      // CHOLMOD's rule: minimum degree is quick and good for beams, whose
+      // matrices have long rows and little fill (nested dissection then takes
+      // longer than the factorisation); where there is much fill, nested
+      // dissection pays.
+      constexpr int minimum_degree = 0, nested_dissection = 5;
+      control(7) = minimum_degree;
+      run(1);
+      check(what);
+      const double entries =
+                     Utilities::MPI::sum(double(mumps.nnz_loc), communicator()),
+                   operations = mumps.rinfog[0];
+      if (count(20) > 5. * entries && operations > 500. * count(20))
+        {
+          control(7) = nested_dissection;
+          run(1);
+          check(what);
+        }
     }
 
 
