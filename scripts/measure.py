@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The tables of doc/laminated-beams.md, doc/contact.md, doc/theories.md and
-doc/stable-basis.md; see scripts/measure."""
+"""The tables of doc/laminated-beams.md, doc/contact.md, doc/theories.md,
+doc/stable-basis.md and doc/running-in-parallel.md; see scripts/measure."""
 
 import csv
 import itertools
@@ -22,10 +22,11 @@ ENVIRONMENT = {**os.environ, "OPENBLAS_NUM_THREADS": "1", "OMP_NUM_THREADS": "1"
 class Run:
     """A scene run with overrides: its summary, probes and lines."""
 
-    def __init__(self, scene, overrides, vtu=False):
+    def __init__(self, scene, overrides, vtu=False, processes=1):
         overrides = list(overrides) + ([] if vtu else ["Write VTU=false"])
         with tempfile.TemporaryDirectory() as folder:
-            words = [PROGRAM, ROOT / "prm" / scene, "--output", folder]
+            words = ["mpirun", "-np", str(processes)] if processes > 1 else []
+            words += [PROGRAM, ROOT / "prm" / scene, "--output", folder]
             for override in overrides:
                 words += ["--set", override]
             begin = time.perf_counter()
@@ -227,6 +228,34 @@ def phases():
           f"estimate {runs[0].summary['condition_estimate']:.1e}\n")
 
 
+def parallel():
+    """Two laminated beams on one and two processes, by phase."""
+    for across, elements in ((16, 70), (4, 870)):
+        mesh = [f"Section strip/Cells across={across}"] + axis(elements)
+        rows = []
+        for processes, solver in ((1, "cholmod"), (1, "mumps"), (2, "mumps")):
+            run = Run("laminated_beams.prm", mesh + [f"Linear solver={solver}"],
+                      processes=processes)
+            if run.failure:
+                rows.append([processes, solver, run.failure.splitlines()[0][:60]])
+                continue
+            seconds = run.summary["seconds"]
+            factors = sum(body["solver"]["factor_non_zeros"]
+                          for body in run.summary["bodies"].values())
+            rows.append([processes, solver] +
+                        [f"{seconds[phase]:.1f}" for phase in
+                         ("setup", "assembly", "factorisation", "solve", "contact",
+                          "output", "total")] +
+                        [f"{factors:.2e}"] +
+                        [f"{run.summary[key] / 1024:.1f}" for key in
+                         ("peak_memory_mb", "peak_memory_of_all_mb")])
+            dofs = run.summary["dofs"]
+        print(f"{dofs} DoFs, {across} x 3 L9 and {elements} B4 each, seconds:\n")
+        table(["processes", "solver", "setup", "assembly", "factorisation", "solve",
+               "contact", "output", "total", "factors' non-zeros",
+               "peak memory, process with most [GB]", "all [GB]"], rows)
+
+
 def theories():
     """Sec. 4.2 by theory: accuracy, DoFs, seconds and memory (fastest of three)."""
     rows = []
@@ -343,11 +372,12 @@ def draw_stability(lengths, curves):
 
 def main():
     tables = {f.__name__: f for f in (variants, shear, penalty, cost, crossed, phases,
-                                      theories, stability)}
+                                      theories, stability, parallel)}
     unknown = [name for name in sys.argv[1:] if name not in tables]
     if unknown:
         sys.exit(f"no table {unknown[0]}; there are: {', '.join(tables)}")
-    for name in sys.argv[1:] or tables:
+    # A million DoFs take minutes and gigabytes: only when asked for.
+    for name in sys.argv[1:] or [name for name in tables if name != "parallel"]:
         print(f"## {name}: {tables[name].__doc__}\n")
         tables[name]()
 

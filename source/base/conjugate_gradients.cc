@@ -99,6 +99,9 @@ namespace lamella
       list.set("coarse: max size", 1000);
       if (!near_null_space.empty())
         {
+          // Six of them are rigid motions, of nodes of three rows each, which
+          // then stay together.
+          list.set("PDE equations", near_null_space.size() == 6 ? 3 : 1);
           list.set("null space: type", "pre-computed");
           list.set("null space: dimension", int(near_null_space.size()));
           list.set("null space: vectors", null_space.data());

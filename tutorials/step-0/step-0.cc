@@ -221,7 +221,9 @@ StoppedCantilever::report(const BlockVector &u) const
 
 
 int
-main()
+main(int argc, char **argv)
 {
+  // The axis is shared among processes, so there is MPI, for one, too.
+  dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   StoppedCantilever().run();
 }

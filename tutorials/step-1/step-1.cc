@@ -242,7 +242,9 @@ FiveTheories::report(const std::string &name)
 
 
 int
-main()
+main(int argc, char **argv)
 {
+  // The axis is shared among processes, so there is MPI, for one, too.
+  dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   FiveTheories().run();
 }

@@ -143,8 +143,8 @@ namespace lamella
     virtual double
     stiffness_entries() const;
 
-    /// Whether each DoF is a displacement at a node. Only then does algebraic
-    /// multigrid understand the matrix, and solver `cg` is offered.
+    /// Whether DoF 3 i + c is the displacement component c at node i. Only then
+    /// does algebraic multigrid understand the matrix, and `cg` is offered.
     virtual bool
     is_nodal() const
     {

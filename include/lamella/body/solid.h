@@ -48,6 +48,11 @@ namespace lamella
     {
       return 3 * mesh.nodes().size();
     }
+    bool
+    is_nodal() const override
+    {
+      return true;
+    }
     dealii::IndexSet
     owned_dofs() const override;
     unsigned int
