@@ -96,7 +96,7 @@ namespace lamella
       list.set("smoother: type", "Chebyshev");
       list.set("smoother: sweeps", 3);
       list.set("coarse: type", "Amesos-KLU");
-      list.set("coarse: max size", 1000);
+      list.set("coarse: max size", 300);
       if (!near_null_space.empty())
         {
           // Six of them are rigid motions, of nodes of three rows each, which
