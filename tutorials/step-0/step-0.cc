@@ -14,6 +14,7 @@
 
 // A beam is a section times an axis; each has its own room in the library.
 #include <lamella/axis/axis.h>
+#include <lamella/base/factorisation.h>
 #include <lamella/body/beam.h>
 #include <lamella/conditions/load.h>
 #include <lamella/conditions/row_reduction.h>
@@ -26,7 +27,6 @@
 #include <iostream>
 
 using namespace lamella;
-using dealii::FullMatrix;
 using dealii::Point;
 
 class StoppedCantilever
@@ -39,7 +39,7 @@ public:
 private:
   void
   make_gap_rows();
-  Matrix
+  UpperTriangle
   stiffness_with_penalty(const std::vector<unsigned int> &active) const;
   void
   report(const BlockVector &u) const;
@@ -127,26 +127,22 @@ StoppedCantilever::make_gap_rows()
 
 // K comes from four small matrices of the section and four of the axis, never
 // from an integral over the volume. A closed stop adds k^p = eps n^T n (Eq. 23)
-// with the gap row in the place of n.
-Matrix
+// with the gap row in the place of n, of which the supports leave what is free.
+UpperTriangle
 StoppedCantilever::stiffness_with_penalty(
   const std::vector<unsigned int> &active) const
 {
-  Matrix matrix;
-  matrix.reinit(bodies[0]->stiffness().get_sparsity_pattern());
-  matrix.copy_from(bodies[0]->stiffness());
+  UpperTriangle matrix;
+  bodies[0]->stiffness().for_each_entry(
+    [&matrix](const DofIndex i, const DofIndex j, const double k) {
+      matrix.add(i, j, k);
+    });
   for (const unsigned int r : active)
     {
-      const auto           &row = gaps[r].parts[0].row.entries();
-      std::vector<DofIndex> dofs;
-      FullMatrix<double>    k_p(row.size());
-      for (unsigned int i = 0; i < row.size(); ++i)
-        {
-          dofs.push_back(row[i].first);
-          for (unsigned int j = 0; j < row.size(); ++j)
-            k_p(i, j) = gaps[r].penalty * row[i].second * row[j].second;
-        }
-      supports->constraints().distribute_local_to_global(k_p, dofs, matrix);
+      const Row n = gaps[r].parts[0].row.reduced(supports->constraints());
+      for (const auto &[i, n_i] : n.entries())
+        for (const auto &[j, n_j] : n.entries())
+          matrix.add(i, j, gaps[r].penalty * n_i * n_j);
     }
   return matrix;
 }
@@ -171,7 +167,9 @@ StoppedCantilever::run()
       for (const unsigned int r : active)
         gaps[r].add_to(u, -gaps[r].penalty * gaps[r].initial_gap);
       supports->constraints().condense(u.block(0));
-      factorise(stiffness_with_penalty(active), "the cantilever")
+      factorise_shared(bodies[0]->n_dofs(),
+                       stiffness_with_penalty(active),
+                       "the cantilever")
         ->solve(u.block(0));
       supports->constraints().distribute(u.block(0));
 
