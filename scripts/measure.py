@@ -371,8 +371,10 @@ def draw_stability(lengths, curves):
 
 
 def main():
+    from measure_solids import calculix, hanging, solids
     tables = {f.__name__: f for f in (variants, shear, penalty, cost, crossed, phases,
-                                      theories, stability, parallel)}
+                                      theories, stability, solids, hanging, calculix,
+                                      parallel)}
     unknown = [name for name in sys.argv[1:] if name not in tables]
     if unknown:
         sys.exit(f"no table {unknown[0]}; there are: {', '.join(tables)}")

@@ -118,6 +118,32 @@ namespace lamella
 
 
 
+  double
+  Solid::stiffness_entries() const
+  {
+    // Three by three for each pair of nodes that share a hexahedron.
+    std::vector<std::vector<unsigned int>> cells_of_node(mesh.nodes().size());
+    for (unsigned int cell = 0; cell < mesh.cells().size(); ++cell)
+      for (const unsigned int node : mesh.cells()[cell].nodes)
+        cells_of_node[node].push_back(cell);
+    std::vector<unsigned int> seen_by(mesh.nodes().size(),
+                                      numbers::invalid_unsigned_int);
+    double                    pairs = 0.;
+    for (unsigned int i = mesh.owned_nodes().first;
+         i < mesh.owned_nodes().second;
+         ++i)
+      for (const unsigned int cell : cells_of_node[i])
+        for (const unsigned int j : mesh.cells()[cell].nodes)
+          if (seen_by[j] != i)
+            {
+              seen_by[j] = i;
+              ++pairs;
+            }
+    return 9. * Utilities::MPI::sum(pairs, communicator());
+  }
+
+
+
   IndexSet
   Solid::owned_dofs() const
   {

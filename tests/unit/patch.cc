@@ -6,7 +6,7 @@
 // plies of the same material, distorted section meshes, all orders, bodies in
 // any direction. And rigid motions, which make no strain.
 
-#include "fixtures.h"
+#include "patch_states.h"
 
 #include <lamella/section/shapes.h>
 
@@ -35,65 +35,6 @@ namespace
     mesh->boundaries = regular->boundaries;
     dealii::GridTools::distort_random(0.25, mesh->mesh, true, 7);
     return mesh;
-  }
-
-
-
-  /// The tensor of the Voigt strain that is 1 in @p place.
-  Tensor<2, 3>
-  unit_strain(const unsigned int place)
-  {
-    constexpr unsigned int axes[6][2] = {
-      {0, 0}, {1, 1}, {2, 2}, {0, 1}, {0, 2}, {1, 2}};
-    Tensor<2, 3> E;
-    E[axes[place][0]][axes[place][1]] += 0.5;
-    E[axes[place][1]][axes[place][0]] += 0.5;
-    return E;
-  }
-
-
-
-  void
-  check_patch(Beam &beam, const ElasticTensor &C_scene)
-  {
-    // All states prescribe the same rows, with other values.
-    std::vector<PrescribedRow> rows =
-      prescribe_on_surface(beam,
-                           [](const Point<3> &) { return Tensor<1, 3>(); });
-    for (unsigned int place = 0; place < 6; ++place)
-      {
-        const Tensor<2, 3> E     = unit_strain(place);
-        const Field        field = [&E](const Point<3> &x) {
-          return E * Tensor<1, 3>(x);
-        };
-        for (PrescribedRow &row : rows)
-          row.value = field(row.position) * row.direction;
-        const RowReduction reduction(beam, 0, rows, {"surface"});
-        if (place == 0)
-          {
-            beam.assemble(reduction.constraints());
-            beam.factorise();
-          }
-        const Vector u = solve_factorised(beam, reduction);
-
-        Voigt strain;
-        strain[place]      = 1.;
-        const Voigt stress = C_scene * strain;
-        double      worst  = 0.;
-        for (const OutputCell &cell : beam.output_cells(2, u))
-          for (unsigned int k = 0; k < cell.samples.size(); ++k)
-            {
-              const FieldSample &s = cell.samples[k];
-              worst =
-                std::max({worst,
-                          (s.displacement - field(cell.positions[k])).norm(),
-                          (s.strain - strain).norm(),
-                          (s.stress - stress).norm() / stress.norm()});
-            }
-        BOOST_TEST(worst < 1e-10,
-                   beam.theory()
-                     << ", strain state " << place << ": error " << worst);
-      }
   }
 } // namespace
 

@@ -53,6 +53,8 @@ namespace lamella
     {
       return true;
     }
+    double
+    stiffness_entries() const override;
     dealii::IndexSet
     owned_dofs() const override;
     unsigned int
