@@ -11,6 +11,7 @@ import subprocess
 import sys
 import tempfile
 import time
+from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
@@ -230,6 +231,14 @@ def phases():
 
 def parallel():
     """Two laminated beams on one and two processes, by phase."""
+    mesh = ["Section strip/Cells across=12"] + axis(30)
+    alone = Run("laminated_beams.prm", mesh).summary["seconds"]["total"]
+    with ThreadPoolExecutor() as pool:
+        both = list(pool.map(lambda _: Run("laminated_beams.prm", mesh), range(2)))
+    at_once = max(run.summary["seconds"]["total"] for run in both)
+    print(f"What two processes can gain here: two separate runs at once take "
+          f"{at_once / alone:.2f} times as long as one (1 on two idle cores, 2 where "
+          "they get no more than one).\n")
     for across, elements in ((16, 70), (4, 870)):
         mesh = [f"Section strip/Cells across={across}"] + axis(elements)
         rows = []
