@@ -17,7 +17,9 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parent.parent
 PROGRAM = Path(os.environ.get("LAMELLA_BUILD", ROOT / "build")) / "lamella"
 POINT = ["Support press/On=upper: point", "Support press/At=0.05, 1, 0.106"]
-ENVIRONMENT = {**os.environ, "OPENBLAS_NUM_THREADS": "1", "OMP_NUM_THREADS": "1"}
+# Root in a container has to tell Open MPI that it means it.
+ENVIRONMENT = {**os.environ, "OPENBLAS_NUM_THREADS": "1", "OMP_NUM_THREADS": "1",
+               "OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1"}
 
 
 class Run:
@@ -380,15 +382,16 @@ def draw_stability(lengths, curves):
 
 
 def main():
-    from measure_solids import calculix, hanging, solids
+    from measure_solids import calculix, hanging, million, solids
     tables = {f.__name__: f for f in (variants, shear, penalty, cost, crossed, phases,
                                       theories, stability, solids, hanging, calculix,
-                                      parallel)}
+                                      parallel, million)}
     unknown = [name for name in sys.argv[1:] if name not in tables]
     if unknown:
         sys.exit(f"no table {unknown[0]}; there are: {', '.join(tables)}")
     # A million DoFs take minutes and gigabytes: only when asked for.
-    for name in sys.argv[1:] or [name for name in tables if name != "parallel"]:
+    for name in sys.argv[1:] or [name for name in tables
+                                 if name not in ("parallel", "million")]:
         print(f"## {name}: {tables[name].__doc__}\n")
         tables[name]()
 

@@ -218,3 +218,22 @@ def calculix():
                          f"{seconds:.2f}"])
     table(["length", "mesh", "theory", "DoFs", "u_z of the tip", "C3D20R: DoFs",
            "u_z", "difference", "seconds", "C3D20R: seconds"], rows)
+
+
+def million():
+    """A cantilever of 40,000 Q2 hexahedra, conjugate gradients, by phase."""
+    mesh = ["Theory=solid-2", "Section square/Cells across=20",
+            "Section square/Cells per ply=20", "Body beam/Kinematics/Axis elements=100"]
+    rows = []
+    for processes in (1, 2):
+        run = Run("cantilever.prm", mesh, processes=processes)
+        seconds, solver = run.summary["seconds"], run.summary["bodies"]["beam"]["solver"]
+        rows.append([processes, run.summary["dofs"]] +
+                    [f"{seconds[phase]:.1f}" for phase in
+                     ("setup", "assembly", "factorisation", "solve", "output", "total")] +
+                    [solver["solutions"], solver["iterations"]] +
+                    [f"{run.summary[key] / 1024:.1f}" for key in
+                     ("peak_memory_mb", "peak_memory_of_all_mb")])
+    table(["processes", "DoFs", "setup", "assembly", "multigrid", "solve", "output",
+           "total", "solutions", "iterations", "memory of a process [GB]", "of all"],
+          rows)

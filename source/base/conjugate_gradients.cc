@@ -29,9 +29,9 @@ namespace lamella
     class ConjugateGradients : public LinearSolver
     {
     public:
-      ConjugateGradients(const TrilinosWrappers::SparseMatrix &matrix,
-                         const std::vector<Vector>            &near_null_space,
-                         const std::string                    &what);
+      ConjugateGradients(const SharedMatrix        &matrix,
+                         const std::vector<Vector> &near_null_space,
+                         const std::string         &what);
 
       void
       solve(Vector &x) const override;
@@ -63,8 +63,8 @@ namespace lamella
       std::vector<double>
       products(const std::vector<Row> &rows, const unsigned int first) const;
 
-      const TrilinosWrappers::SparseMatrix &matrix;
-      const std::string                     what;
+      const SharedMatrix &matrix;
+      const std::string   what;
       /// The vectors of the near-null space one after the other, own rows only:
       /// ML refers to them.
       std::vector<double>               null_space;
@@ -75,9 +75,9 @@ namespace lamella
 
 
     ConjugateGradients::ConjugateGradients(
-      const TrilinosWrappers::SparseMatrix &matrix,
-      const std::vector<Vector>            &near_null_space,
-      const std::string                    &what)
+      const SharedMatrix        &matrix,
+      const std::vector<Vector> &near_null_space,
+      const std::string         &what)
       : matrix(matrix)
       , what(what)
     {
@@ -116,8 +116,7 @@ namespace lamella
     ConjugateGradients::solve(Vector &x) const
     {
       const IndexSet owned = matrix.locally_owned_range_indices();
-      TrilinosWrappers::MPI::Vector b(owned, communicator()),
-        y(owned, communicator());
+      SharedVector   b(owned, communicator()), y(owned, communicator());
       for (const DofIndex i : owned)
         b[i] = x[i];
       b.compress(VectorOperation::insert);
@@ -125,8 +124,8 @@ namespace lamella
       ++taken.solutions;
       if (size > 0.)
         {
-          SolverControl control(max_iterations, tolerance * size);
-          SolverCG<TrilinosWrappers::MPI::Vector> cg(control);
+          SolverControl          control(max_iterations, tolerance * size);
+          SolverCG<SharedVector> cg(control);
           try
             {
               cg.solve(matrix, y, b, multigrid);
@@ -172,9 +171,9 @@ namespace lamella
 
 
   std::unique_ptr<LinearSolver>
-  iterate(const TrilinosWrappers::SparseMatrix &matrix,
-          const std::vector<Vector>            &near_null_space,
-          const std::string                    &what)
+  iterate(const SharedMatrix        &matrix,
+          const std::vector<Vector> &near_null_space,
+          const std::string         &what)
   {
     return std::make_unique<ConjugateGradients>(matrix, near_null_space, what);
   }

@@ -188,8 +188,8 @@ namespace lamella
       void
       fill(const CondensedTerms &terms);
 
-      DofIndex                       n_dofs, first, end;
-      TrilinosWrappers::SparseMatrix matrix;
+      DofIndex     n_dofs, first, end;
+      SharedMatrix matrix;
       /// What the columns of own rows are in the whole matrix.
       std::vector<DofIndex> global_column;
       SolverKind            kind;

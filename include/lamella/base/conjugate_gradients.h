@@ -17,9 +17,9 @@ namespace lamella
    * is expensive. @p matrix is referred to.
    */
   std::unique_ptr<LinearSolver>
-  iterate(const dealii::TrilinosWrappers::SparseMatrix &matrix,
-          const std::vector<Vector>                    &near_null_space,
-          const std::string                            &what);
+  iterate(const SharedMatrix        &matrix,
+          const std::vector<Vector> &near_null_space,
+          const std::string         &what);
 } // namespace lamella
 
 #endif

@@ -11,6 +11,15 @@
 #include <deal.II/lac/sparsity_pattern.h>
 #include <deal.II/lac/vector.h>
 
+namespace dealii::TrilinosWrappers
+{
+  class SparseMatrix;
+  namespace MPI
+  {
+    class Vector;
+  }
+} // namespace dealii::TrilinosWrappers
+
 namespace lamella
 {
   // The one place that decides the linear algebra of the program. A vector of
@@ -21,6 +30,10 @@ namespace lamella
   using BlockVector = dealii::BlockVector<double>;
   using Matrix      = dealii::SparseMatrix<double>;
   using Constraints = dealii::AffineConstraints<double>;
+
+  // What several processes share, by rows (base/processes.h).
+  using SharedMatrix = dealii::TrilinosWrappers::SparseMatrix;
+  using SharedVector = dealii::TrilinosWrappers::MPI::Vector;
 } // namespace lamella
 
 #endif

@@ -291,7 +291,7 @@ namespace lamella
     line_quadrature(const dealii::Point<3> &a, const dealii::Point<3> &b) const;
 
     /// Numbers of the elements in the section at @p position along the axis and
-    /// their fields on an n x n grid each, for contours (solid: not offered).
+    /// their fields on an n x n grid each, for contours.
     virtual std::vector<OutputCell>
     cut(const double position, const unsigned int n, const Vector &u) const = 0;
 
