@@ -3,6 +3,7 @@
 // The fields of a beam at points, for probes, lines, contours and pictures.
 
 #include <lamella/body/beam.h>
+#include <lamella/body/fields.h>
 
 namespace lamella
 {
@@ -11,19 +12,11 @@ namespace lamella
   FieldSample
   Beam::field_sample(const PointState &state, const unsigned int cell) const
   {
-    const Ply  &ply    = beam_section->plies()[beam_section->cell_ply(cell)];
-    const Voigt stress = beam_section->elasticity(cell) * state.strain;
-    const ElasticTensor to_scene = placement.strain_to_scene();
-    // sigma' = T^-T sigma, and T^-1 is the strain rotation of the way back.
-    const ElasticTensor from_scene = strain_rotation(placement.axes);
-    const ElasticTensor from_ply   = strain_rotation(transpose(ply.axes()));
-
-    FieldSample sample;
-    sample.displacement = placement.vector_to_scene(state.displacement);
-    sample.strain       = to_scene * state.strain;
-    sample.stress       = transpose(from_scene) * stress;
-    sample.ply_stress   = transpose(from_ply) * stress;
-    return sample;
+    return sample_of(state.displacement,
+                     state.strain,
+                     placement,
+                     beam_section->plies()[beam_section->cell_ply(cell)].axes(),
+                     beam_section->elasticity(cell));
   }
 
 
@@ -31,9 +24,7 @@ namespace lamella
   FieldSample
   Beam::sample(const Location &where, const Vector &u) const
   {
-    FieldSample        mean;
-    std::vector<Voigt> stresses;
-    double             largest = 0.;
+    std::vector<FieldSample> samples;
     for (const Location::Place &place : where.places)
       {
         const unsigned int section_cell = place.cell % beam_section->n_cells();
@@ -41,24 +32,13 @@ namespace lamella
           axis_state(beam_axis->evaluate(place.cell / beam_section->n_cells(),
                                          place.unit[1]),
                      u);
-        const FieldSample one = field_sample(
+        samples.push_back(field_sample(
           point_state(beam_section->evaluate(section_cell,
                                              {place.unit[0], place.unit[2]}),
                       state),
-          section_cell);
-        const double share = 1. / where.places.size();
-        mean.displacement += share * one.displacement;
-        mean.strain += share * one.strain;
-        mean.stress += share * one.stress;
-        mean.ply_stress += share * one.ply_stress;
-        stresses.push_back(one.stress);
-        largest = std::max(largest, one.stress.norm());
+          section_cell));
       }
-    for (const Voigt &a : stresses)
-      for (const Voigt &b : stresses)
-        if (largest > 0.)
-          mean.jump = std::max(mean.jump, (a - b).norm() / largest);
-    return mean;
+    return mean_of(samples);
   }
 
 

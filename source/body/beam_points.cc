@@ -5,6 +5,7 @@
 
 #include <lamella/base/exceptions.h>
 #include <lamella/body/beam.h>
+#include <lamella/body/fields.h>
 #include <lamella/body/line_crossings.h>
 
 #include <deal.II/base/quadrature_lib.h>
@@ -102,18 +103,13 @@ namespace lamella
     std::vector<std::vector<Row>> result;
     for (const Location &where : locations)
       {
-        // Body axes to those asked for, and for stresses the elasticity.
-        const Triad axes = beam_section->plies()[where.ply].axes();
-        const Triad to_axes =
-          frame == Frame::scene ? transpose(placement.axes) : axes;
-        ElasticTensor to_frame = strain_rotation(to_axes);
-        if (quantity == Quantity::stress)
-          // sigma' = T^-T sigma, and T^-1 is the strain rotation of the way
-          // back.
-          to_frame = transpose(strain_rotation(transpose(to_axes))) *
-                     beam_section->elasticity(where.places[0].cell %
-                                              beam_section->n_cells());
-
+        const ElasticTensor to_frame =
+          from_strain(quantity,
+                      frame,
+                      placement,
+                      beam_section->plies()[where.ply].axes(),
+                      beam_section->elasticity(where.places[0].cell %
+                                               beam_section->n_cells()));
         std::vector<Row> rows(n);
         for (const Location::Place &place : where.places)
           {

@@ -2,6 +2,7 @@
 
 // The fields of a solid at points, for probes, lines, contours and pictures.
 
+#include <lamella/body/fields.h>
 #include <lamella/body/solid.h>
 
 namespace lamella
@@ -28,16 +29,11 @@ namespace lamella
         strain += v[d] * B[d];
       }
 
-    const Ply  &ply    = mesh.section().plies[mesh.cells()[place.cell].ply];
-    const Voigt stress = elasticity(place.cell) * strain;
-    // sigma' = T^-T sigma, and T^-1 is the strain rotation of the way back.
-    FieldSample sample;
-    sample.displacement = placement.vector_to_scene(displacement);
-    sample.strain       = placement.strain_to_scene() * strain;
-    sample.stress       = transpose(strain_rotation(placement.axes)) * stress;
-    sample.ply_stress =
-      transpose(strain_rotation(transpose(ply.axes()))) * stress;
-    return sample;
+    return sample_of(displacement,
+                     strain,
+                     placement,
+                     mesh.section().plies[mesh.cells()[place.cell].ply].axes(),
+                     elasticity(place.cell));
   }
 
 
@@ -45,25 +41,10 @@ namespace lamella
   FieldSample
   Solid::sample(const Location &where, const Vector &u) const
   {
-    FieldSample        mean;
-    std::vector<Voigt> stresses;
-    double             largest = 0.;
+    std::vector<FieldSample> samples;
     for (const Location::Place &place : where.places)
-      {
-        const FieldSample one   = sample_place(place, u);
-        const double      share = 1. / where.places.size();
-        mean.displacement += share * one.displacement;
-        mean.strain += share * one.strain;
-        mean.stress += share * one.stress;
-        mean.ply_stress += share * one.ply_stress;
-        stresses.push_back(one.stress);
-        largest = std::max(largest, one.stress.norm());
-      }
-    for (const Voigt &a : stresses)
-      for (const Voigt &b : stresses)
-        if (largest > 0.)
-          mean.jump = std::max(mean.jump, (a - b).norm() / largest);
-    return mean;
+      samples.push_back(sample_place(place, u));
+    return mean_of(samples);
   }
 
 

@@ -3,6 +3,7 @@
 // The points of a solid: where they are, which rows they give, and those that
 // make up its surfaces.
 
+#include <lamella/body/fields.h>
 #include <lamella/body/line_crossings.h>
 #include <lamella/body/solid.h>
 
@@ -174,17 +175,12 @@ namespace lamella
     std::vector<std::vector<Row>> result;
     for (const Location &where : locations)
       {
-        // Body axes to those asked for, and for stresses the elasticity.
-        const Triad axes = mesh.section().plies[where.ply].axes();
-        const Triad to_axes =
-          frame == Frame::scene ? transpose(placement.axes) : axes;
-        ElasticTensor to_frame = strain_rotation(to_axes);
-        if (quantity == Quantity::stress)
-          // sigma' = T^-T sigma, and T^-1 is the strain rotation of the way
-          // back.
-          to_frame = transpose(strain_rotation(transpose(to_axes))) *
-                     elasticities[where.ply];
-
+        const ElasticTensor to_frame =
+          from_strain(quantity,
+                      frame,
+                      placement,
+                      mesh.section().plies[where.ply].axes(),
+                      elasticities[where.ply]);
         std::vector<Row> rows(n);
         const double     share = 1. / where.places.size();
         for (const Location::Place &place : where.places)

@@ -103,6 +103,20 @@ namespace lamella
       sizes.push_back(body->n_dofs());
     return BlockVector(sizes);
   }
+
+  /// For two blocks, the first above: walls at left and start, a floor, and a
+  /// press that moves down by @p distance.
+  inline std::vector<Support>
+  walls_and_press(const double distance)
+  {
+    using Kind = Region::Kind;
+    std::vector<Region> still{{1, Kind::surface, "bottom", {}}};
+    for (const unsigned int body : {0, 1})
+      for (const char *surface : {"left", "start"})
+        still.push_back({body, Kind::surface, surface, {}});
+    return {{"walls", still, {}, 0.},
+            {"press", {{0, Kind::surface, "top", {}}}, {}, -distance}};
+  }
 } // namespace lamella
 
 #endif

@@ -94,20 +94,6 @@ namespace
 
 
 
-  /// Walls at left and start, a floor, a press.
-  std::vector<Support>
-  walls()
-  {
-    std::vector<Region> still{{1, Kind::surface, "bottom", {}}};
-    for (const unsigned int body : {0, 1})
-      for (const char *surface : {"left", "start"})
-        still.push_back({body, Kind::surface, surface, {}});
-    return {{"walls", still, {}, 0.},
-            {"press", {{0, Kind::surface, "top", {}}}, {}, -moved}};
-  }
-
-
-
   ContactPair
   blocks_contact(const Discretisation discretisation, const PointsOn points_on)
   {
@@ -146,7 +132,7 @@ BOOST_AUTO_TEST_CASE(uniform_pressure_through_meshes_that_do_not_match)
           const Touching touching =
             solve(two_blocks(placement, theory, nu),
                   blocks_contact(Discretisation::surface_to_surface, points_on),
-                  walls());
+                  walls_and_press(moved));
           BOOST_TEST(pressure_error(touching) < 1e-9,
                      "nu " << nu << ": " << pressure_error(touching));
           // Penetration p / eps in every row, and the whole force.
@@ -189,10 +175,11 @@ BOOST_AUTO_TEST_CASE(uniform_pressure_without_penetration)
         {
           ContactPair contact =
             blocks_contact(Discretisation::surface_to_surface, points_on);
-          contact.enforcement = Enforcement::exact;
-          const Touching touching =
-            solve(two_blocks(placement, theory, nu), contact, walls());
-          const KuhnTucker &kkt = touching.checks.contacts[0];
+          contact.enforcement        = Enforcement::exact;
+          const Touching    touching = solve(two_blocks(placement, theory, nu),
+                                          contact,
+                                          walls_and_press(moved));
+          const KuhnTucker &kkt      = touching.checks.contacts[0];
           BOOST_TEST((kkt.force + 6. * p * placement.axes[2]).norm() <
                      1e-9 * p);
           const Point<3> centre = placement.to_body(kkt.centre_of_pressure);
@@ -254,7 +241,7 @@ BOOST_AUTO_TEST_CASE(node_to_surface_leaves_an_error)
       const Touching touching =
         solve(two_blocks(Placement(), layer_wise(2), 0.),
               blocks_contact(Discretisation::node_to_surface, points_on),
-              walls());
+              walls_and_press(moved));
       BOOST_TEST(std::abs(pressure_error(touching) - largest) < 1e-4);
       BOOST_TEST(
         std::abs(touching.checks.contacts[0].force[2] / (-6. * pressure) - 1. -

@@ -50,6 +50,23 @@ namespace lamella::harmonic
     strain[5] = 2. * derivative(x, 0, 1, 1);
     return strain;
   }
+
+  /// Root mean square errors of displacement and strain over (n + 1)^3 points
+  /// of each element.
+  inline std::array<double, 2>
+  errors(const Body &body, const Vector &u, const unsigned int n)
+  {
+    std::array<double, 2> sums{{0., 0.}};
+    unsigned int          count = 0;
+    for (const OutputCell &cell : body.output_cells(n, u))
+      for (unsigned int i = 0; i < cell.samples.size(); ++i, ++count)
+        {
+          const Point<3> &x = cell.positions[i];
+          sums[0] += (cell.samples[i].displacement - exact(x)).norm_square();
+          sums[1] += (cell.samples[i].strain - exact_strain(x)).norm_square();
+        }
+    return {{std::sqrt(sums[0] / count), std::sqrt(sums[1] / count)}};
+  }
 } // namespace lamella::harmonic
 
 #endif

@@ -205,20 +205,7 @@ BOOST_AUTO_TEST_CASE(rows_are_the_fields)
       BOOST_TEST(locations.size() == (x[2] == 0.25 ? 2 : 1));
       for (const Location &where : locations)
         {
-          const FieldSample s     = beam.sample(where, u);
-          const auto        check = [&](const Quantity quantity,
-                                 const Frame    frame,
-                                 const auto    &expected) {
-            const std::vector<Row> rows =
-              beam.rows({where}, quantity, frame)[0];
-            for (unsigned int c = 0; c < rows.size(); ++c)
-              BOOST_TEST(std::abs(rows[c](u) - expected[c]) <
-                         1e-10 * expected.norm());
-          };
-          check(Quantity::displacement, Frame::scene, s.displacement);
-          check(Quantity::strain, Frame::scene, s.strain);
-          check(Quantity::stress, Frame::scene, s.stress);
-          check(Quantity::stress, Frame::ply, s.ply_stress);
+          check_rows_are_fields(beam, where, u);
         }
     }
 }

@@ -68,6 +68,27 @@ namespace lamella
                      << ", strain state " << place << ": error " << worst);
       }
   }
+
+
+  /// A row applied to @p u is what sample() gives, in scene and in ply axes.
+  inline void
+  check_rows_are_fields(const Body     &body,
+                        const Location &where,
+                        const Vector   &u)
+  {
+    const FieldSample s = body.sample(where, u);
+    const auto        check =
+      [&](const Quantity quantity, const Frame frame, const auto &expected) {
+        const std::vector<Row> rows = body.rows({where}, quantity, frame)[0];
+        for (unsigned int c = 0; c < rows.size(); ++c)
+          BOOST_TEST(std::abs(rows[c](u) - expected[c]) <
+                     1e-10 * expected.norm());
+      };
+    check(Quantity::displacement, Frame::scene, s.displacement);
+    check(Quantity::strain, Frame::scene, s.strain);
+    check(Quantity::stress, Frame::scene, s.stress);
+    check(Quantity::stress, Frame::ply, s.ply_stress);
+  }
 } // namespace lamella
 
 #endif

@@ -31,18 +31,7 @@ namespace
     const Vector u =
       solve_prescribed(beam, prescribe_on_surface(beam, harmonic::exact), 0);
 
-    std::array<double, 2> sums{{0., 0.}};
-    unsigned int          n = 0;
-    for (const OutputCell &cell : beam.output_cells(5, u))
-      for (unsigned int i = 0; i < cell.samples.size(); ++i, ++n)
-        {
-          const Point<3> &x = cell.positions[i];
-          sums[0] +=
-            (cell.samples[i].displacement - harmonic::exact(x)).norm_square();
-          sums[1] +=
-            (cell.samples[i].strain - harmonic::exact_strain(x)).norm_square();
-        }
-    return {{std::sqrt(sums[0] / n), std::sqrt(sums[1] / n)}};
+    return harmonic::errors(beam, u, 5);
   }
 
 

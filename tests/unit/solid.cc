@@ -4,6 +4,7 @@
 // points of their surfaces.
 
 #include "harmonic.h"
+#include "patch_states.h"
 #include "solid_fixtures.h"
 
 #include <lamella/base/exceptions.h>
@@ -78,19 +79,7 @@ BOOST_AUTO_TEST_CASE(rates)
                 degree);
     const Vector u =
       solve_prescribed(solid, prescribe_on_surface(solid, harmonic::exact), 0);
-    std::array<double, 2> sums{{0., 0.}};
-    unsigned int          n = 0;
-    for (const OutputCell &cell : solid.output_cells(3, u))
-      for (unsigned int i = 0; i < cell.samples.size(); ++i, ++n)
-        {
-          const Point<3> &x = cell.positions[i];
-          sums[0] +=
-            (cell.samples[i].displacement - harmonic::exact(x)).norm_square();
-          sums[1] +=
-            (cell.samples[i].strain - harmonic::exact_strain(x)).norm_square();
-        }
-    return std::array<double, 2>{
-      {std::sqrt(sums[0] / n), std::sqrt(sums[1] / n)}};
+    return harmonic::errors(solid, u, 3);
   };
   for (const unsigned int degree : {1, 2})
     {
@@ -278,20 +267,7 @@ BOOST_AUTO_TEST_CASE(points)
               for (const Location::Place &place : where.places)
                 BOOST_TEST(solid.position(place).distance(tilted.to_scene(x)) <
                            1e-12);
-              const FieldSample s     = solid.sample(where, u);
-              const auto        check = [&](const Quantity quantity,
-                                     const Frame    frame,
-                                     const auto    &expected) {
-                const std::vector<Row> rows =
-                  solid.rows({where}, quantity, frame)[0];
-                for (unsigned int c = 0; c < rows.size(); ++c)
-                  BOOST_TEST(std::abs(rows[c](u) - expected[c]) <
-                             1e-10 * expected.norm());
-              };
-              check(Quantity::displacement, Frame::scene, s.displacement);
-              check(Quantity::strain, Frame::scene, s.strain);
-              check(Quantity::stress, Frame::scene, s.stress);
-              check(Quantity::stress, Frame::ply, s.ply_stress);
+              check_rows_are_fields(solid, where, u);
             }
         }
       BOOST_TEST(solid.locate({tilted.to_scene({0.8, 0.3, 0.1})})[0].empty());

@@ -21,8 +21,6 @@ namespace
                    gap = 0.01, moved = 0.03;
   constexpr double p = (moved - gap) * E / (upper_height + lower_height);
 
-  using Kind = Region::Kind;
-
   const auto material = EngineeringConstants::isotropic(E, nu);
 
   std::unique_ptr<Body>
@@ -44,18 +42,6 @@ namespace
       refinement);
   }
 
-  /// Walls at left and start, a floor, a press.
-  std::vector<Support>
-  walls()
-  {
-    std::vector<Region> still{{1, Kind::surface, "bottom", {}}};
-    for (const unsigned int body : {0, 1})
-      for (const char *surface : {"left", "start"})
-        still.push_back({body, Kind::surface, surface, {}});
-    return {{"walls", still, {}, 0.},
-            {"press", {{0, Kind::surface, "top", {}}}, {}, -moved}};
-  }
-
   /// The largest relative error of stress, and of a row's force over its area.
   std::array<double, 2>
   errors(Bodies bodies, const PointsOn points_on, const Placement &placement)
@@ -66,15 +52,15 @@ namespace
     contact.enforcement = Enforcement::exact;
     const std::vector<ContactInterface> contacts{
       make_interface(contact, bodies)};
-    Structure structure(std::move(bodies), walls(), {});
+    Structure structure(std::move(bodies), walls_and_press(moved), {});
     structure.assemble();
     structure.factorise();
     const auto       &rows = contacts[0].rows;
     CondensedStrategy strategy(structure, rows);
     const Newton      newton(structure, rows, strategy);
-    const State       state = newton.solve_contact(newton.solve_free(1.), 1.);
-    const Checks      checks =
-      check_state(structure, contacts, walls().size(), state, 1.);
+    const State       state  = newton.solve_contact(newton.solve_free(1.), 1.);
+    const Checks      checks = check_state(
+      structure, contacts, walls_and_press(moved).size(), state, 1.);
     BOOST_TEST(checks.force_balance < 1e-9);
     BOOST_TEST((checks.contacts[0].force + 6. * p * placement.axes[2]).norm() <
                1e-9 * p);

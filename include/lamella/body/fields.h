@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef lamella_body_fields_h
+#define lamella_body_fields_h
+
+#include <lamella/body/body.h>
+#include <lamella/body/placement.h>
+
+#include <vector>
+
+namespace lamella
+{
+  /**
+   * The matrix that takes a strain in the axes of a body at @p placement into
+   * @p quantity (strain or stress) in the axes of @p frame, where the ply has
+   * the axes @p ply and the elasticity @p C in those of the body.
+   */
+  ElasticTensor
+  from_strain(const Quantity       quantity,
+              const Frame          frame,
+              const Placement     &placement,
+              const Triad         &ply,
+              const ElasticTensor &C);
+
+  /// All fields of a displacement and a strain in the axes of a body; the other
+  /// arguments as above.
+  FieldSample
+  sample_of(const dealii::Tensor<1, 3> &displacement,
+            const Voigt                &strain,
+            const Placement            &placement,
+            const Triad                &ply,
+            const ElasticTensor        &C);
+
+  /// The mean of the @p samples at the places of a location, with their jump.
+  FieldSample
+  mean_of(const std::vector<FieldSample> &samples);
+} // namespace lamella
+
+#endif

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <lamella/body/fields.h>
+
+namespace lamella
+{
+  using namespace dealii;
+
+  ElasticTensor
+  from_strain(const Quantity       quantity,
+              const Frame          frame,
+              const Placement     &placement,
+              const Triad         &ply,
+              const ElasticTensor &C)
+  {
+    const Triad to_axes =
+      frame == Frame::scene ? transpose(placement.axes) : ply;
+    if (quantity == Quantity::strain)
+      return strain_rotation(to_axes);
+    // sigma' = T^-T sigma, and T^-1 is the strain rotation of the way back.
+    return transpose(strain_rotation(transpose(to_axes))) * C;
+  }
+
+
+
+  FieldSample
+  sample_of(const Tensor<1, 3>  &displacement,
+            const Voigt         &strain,
+            const Placement     &placement,
+            const Triad         &ply,
+            const ElasticTensor &C)
+  {
+    const Voigt stress = C * strain;
+    FieldSample sample;
+    sample.displacement = placement.vector_to_scene(displacement);
+    sample.strain       = placement.strain_to_scene() * strain;
+    sample.stress       = transpose(strain_rotation(placement.axes)) * stress;
+    sample.ply_stress   = transpose(strain_rotation(transpose(ply))) * stress;
+    return sample;
+  }
+
+
+
+  FieldSample
+  mean_of(const std::vector<FieldSample> &samples)
+  {
+    FieldSample  mean;
+    double       largest = 0.;
+    const double share   = 1. / samples.size();
+    for (const FieldSample &one : samples)
+      {
+        mean.displacement += share * one.displacement;
+        mean.strain += share * one.strain;
+        mean.stress += share * one.stress;
+        mean.ply_stress += share * one.ply_stress;
+        largest = std::max(largest, one.stress.norm());
+      }
+    if (largest > 0.)
+      for (const FieldSample &a : samples)
+        for (const FieldSample &b : samples)
+          mean.jump =
+            std::max(mean.jump, (a.stress - b.stress).norm() / largest);
+    return mean;
+  }
+} // namespace lamella
