@@ -136,8 +136,9 @@ namespace lamella
                 "Conjugate gradients for " + what + " left " +
                 lamella::to_text(control.last_value() / size, 2) + " after " +
                 std::to_string(control.last_step()) +
-                " iterations. Take a factorisation (Linear solver = mumps), "
-                "elements less flat, or stiffnesses less different.");
+                " iterations. Long elements and different stiffnesses do that: "
+                "take a factorisation (Linear solver = mumps), which holds "
+                "more, or a less slender body.");
             }
           taken.iterations += control.last_step();
           taken.most_iterations =

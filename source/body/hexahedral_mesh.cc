@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <lamella/base/exceptions.h>
+#include <lamella/base/memory.h>
 #include <lamella/base/processes.h>
+#include <lamella/base/text.h>
 #include <lamella/body/hexahedral_mesh.h>
 
 #include <deal.II/dofs/dof_tools.h>
@@ -92,7 +94,7 @@ namespace lamella
   {
     extrude(axis, what);
     curve();
-    refine(refinement);
+    refine(refinement, degree, what);
     gather(degree);
   }
 
@@ -177,25 +179,84 @@ namespace lamella
 
 
 
-  void
-  HexahedralMesh::refine(const SolidRefinement &refinement)
+  namespace
   {
+    /// Throws InputError if the mesh and the matrix of @p n_cells hexahedra are
+    /// sure not to fit in memory.
+    void
+    require_memory(const double       n_cells,
+                   const unsigned int degree,
+                   const double       limit,
+                   const std::string &what)
+    {
+      // Far below what there is inside of a mesh, nodes at its surface have
+      // less: a node for the first, eight for the second degree in each cell,
+      // rows of 40 and 100 entries with all that is kept of each.
+      const double dofs    = 3. * (degree == 1 ? 1. : 8.) * n_cells;
+      const double matrix  = dofs * (degree == 1 ? 40. : 100.) * 24.;
+      const double cells   = 1000. * n_cells;
+      const double needed  = (matrix + cells) / n_processes();
+      const double allowed = available_memory(limit);
+      if (sum_over_machine(needed) > allowed)
+        throw InputError(
+          what + " refined to " + to_text(n_cells, 3) + " hexahedra has some " +
+          to_text(dofs, 2) + " DoFs and needs more than " +
+          gigabytes(matrix + cells) + ", and " + gigabytes(allowed) +
+          " are available on each machine. Refine less often, "
+          "or near a point only (Refine near).");
+    }
+
+
+
+    /// Flags the own cells of @p mesh that reach into @p ball; how many there
+    /// are on all processes.
+    unsigned int
+    flag_cells(parallel::distributed::Triangulation<3> &mesh,
+               const SolidRefinement::Ball             &ball)
+    {
+      unsigned int flagged = 0;
+      for (const auto &cell : mesh.active_cell_iterators())
+        if (cell->is_locally_owned())
+          {
+            const BoundingBox<3> box     = cell->bounding_box();
+            Point<3>             nearest = ball.centre;
+            for (unsigned int d = 0; d < 3; ++d)
+              nearest[d] = std::min(box.upper_bound(d),
+                                    std::max(box.lower_bound(d), nearest[d]));
+            if (nearest.distance(ball.centre) < ball.radius)
+              {
+                cell->set_refine_flag();
+                ++flagged;
+              }
+          }
+      return Utilities::MPI::sum(flagged, communicator());
+    }
+  } // namespace
+
+
+
+  void
+  HexahedralMesh::refine(const SolidRefinement &refinement,
+                         const unsigned int     degree,
+                         const std::string     &what)
+  {
+    const auto require = [&](const double n_cells) {
+      require_memory(n_cells, degree, refinement.memory_limit, what);
+    };
+    require(mesh.n_global_active_cells() * std::pow(8., refinement.everywhere));
     mesh.refine_global(refinement.everywhere);
     for (const SolidRefinement::Ball &ball : refinement.balls)
       for (unsigned int k = 0; k < ball.times; ++k)
         {
-          for (const auto &cell : mesh.active_cell_iterators())
-            if (cell->is_locally_owned())
-              {
-                const BoundingBox<3> box     = cell->bounding_box();
-                Point<3>             nearest = ball.centre;
-                for (unsigned int d = 0; d < 3; ++d)
-                  nearest[d] =
-                    std::min(box.upper_bound(d),
-                             std::max(box.lower_bound(d), nearest[d]));
-                if (nearest.distance(ball.centre) < ball.radius)
-                  cell->set_refine_flag();
-              }
+          const unsigned int flagged = flag_cells(mesh, ball);
+          if (flagged == 0)
+            throw InputError(what +
+                             "/Kinematics/Refine near: no hexahedron of "
+                             "the body reaches into the ball of radius " +
+                             to_text(ball.radius) +
+                             ". Its centre is in the "
+                             "scene's axes; is it near the body?");
+          require(mesh.n_global_active_cells() + 7. * flagged);
           mesh.execute_coarsening_and_refinement();
         }
   }

@@ -108,7 +108,8 @@ namespace lamella
   Solid::theory() const
   {
     return "solid-" + std::to_string(degree()) + ", " +
-           std::to_string(mesh.cells().size()) + " hexahedra" +
+           std::to_string(mesh.cells().size()) +
+           (mesh.cells().size() == 1 ? " hexahedron" : " hexahedra") +
            (degree() == 1 ? " with incompatible modes" : "") +
            (mesh.hanging_nodes().empty() ?
               "" :

@@ -594,6 +594,9 @@ namespace lamella
       std::vector<bool> hangs(nodes.size(), false);
       for (const MeshSurface::HangingNode &hanging : carrying.hanging_nodes())
         {
+          // Those that others hang on come later.
+          Assert(!hangs[hanging.ends[0]] && !hangs[hanging.ends[1]],
+                 ExcInternalError());
           share_out(hanging);
           hangs[hanging.node] = true;
         }

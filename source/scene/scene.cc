@@ -338,6 +338,30 @@ namespace lamella
 
 
 
+    /// Where incompatible modes do not do what they are for, in words.
+    std::vector<std::string>
+    warnings_of_hexahedra(const Scene &scene)
+    {
+      std::vector<std::string> warnings;
+      for (const BodyDescription &body : scene.bodies)
+        {
+          const SectionShape &shape = scene.sections.at(body.section);
+          if (body.theory.kind == Theory::Kind::solid &&
+              body.theory.order == 1 &&
+              !std::holds_alternative<Laminate>(shape) &&
+              !std::holds_alternative<ThinWalled>(shape))
+            warnings.push_back(
+              "body " + body.name +
+              ": hexahedra of solid-1 have straight edges and are too stiff in "
+              "bending where section cells are no rectangles and elements "
+              "long, tens of per cent on a section of this shape (" +
+              name_of(shape) + "); use solid-2");
+        }
+      return warnings;
+    }
+
+
+
     /// What theories without free twist miss on off-axis plies, in words.
     std::vector<std::string>
     warnings_of_coupling(const Scene &scene)
@@ -432,6 +456,8 @@ namespace lamella
             parse_body(prm, name, theory, names.at("Sections")));
         });
       scene.warnings = warnings_of_orders(scene.bodies);
+      for (const std::string &warning : warnings_of_hexahedra(scene))
+        scene.warnings.push_back(warning);
       for (const std::string &warning : warnings_of_coupling(scene))
         scene.warnings.push_back(warning);
       for (const std::string &name : names.at("Supports"))
@@ -533,12 +559,14 @@ namespace lamella
         const auto &mesh = meshes.at(description.section);
         if (description.theory.kind == Theory::Kind::solid)
           {
+            SolidRefinement refinement = description.refinement;
+            refinement.memory_limit    = scene.solve.memory_limit;
             bodies.push_back(std::make_unique<Solid>(description.name,
                                                      mesh,
                                                      description.axis,
                                                      description.placement,
                                                      description.theory.order,
-                                                     description.refinement));
+                                                     refinement));
             continue;
           }
         auto &section = sections[{description.section, description.theory}];

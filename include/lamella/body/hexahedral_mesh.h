@@ -32,6 +32,8 @@ namespace lamella
       unsigned int     times  = 0;
     };
     std::vector<Ball> balls;
+    /// What a run may take, in bytes; 0: what the machine has.
+    double memory_limit = 0.;
   };
 
   /**
@@ -42,7 +44,7 @@ namespace lamella
    * p4est decides which process has which cell, and the nodes are numbered
    * process by process. Each process also keeps a directory of all cells,
    * with their nodes and sides, so that points, rows and surfaces read alike
-   * everywhere: four bytes a cell and node, 24 bytes a node.
+   * everywhere: some 250 bytes a cell of degree 2, 24 bytes a node.
    *
    * The geometry is isoparametric: nodes lie on the section's curved edges,
    * hanging ones where their constraints put them.
@@ -70,8 +72,10 @@ namespace lamella
     };
 
     /// Balls are in the body's axes. Throws InputError, beginning with @p what,
-    /// if the section mesh has hanging nodes itself: those do not extrude into
-    /// the conforming coarse mesh that p4est refines.
+    /// if the section mesh has hanging nodes itself (those do not extrude into
+    /// the conforming coarse mesh that p4est refines), if a ball meets no
+    /// hexahedron, or, before they are made, if so many hexahedra do not fit in
+    /// memory.
     HexahedralMesh(std::shared_ptr<const SectionMesh> section,
                    const AxisMesh                    &axis,
                    const unsigned int                 degree,
@@ -129,7 +133,9 @@ namespace lamella
     void
     curve();
     void
-    refine(const SolidRefinement &refinement);
+    refine(const SolidRefinement &refinement,
+           const unsigned int     degree,
+           const std::string     &what);
     void
     gather(const unsigned int degree);
 
