@@ -348,13 +348,19 @@ def stability():
     draw_stability(lengths, curves)
 
 
-def draw_stability(lengths, curves):
+def drawing():
+    """pyplot in the style of the pages' pictures, without a screen."""
     import matplotlib
     matplotlib.use("Agg")
     import matplotlib.pyplot as plt
     plt.rcParams.update({"font.size": 11, "figure.dpi": 150,
                          "figure.constrained_layout.use": True,
                          "axes.spines.top": False, "axes.spines.right": False})
+    return plt
+
+
+def draw_stability(lengths, curves):
+    plt = drawing()
     figure, panels = plt.subplots(1, 2, figsize=(8.4, 4.2), sharey=True)
     marks = dict(zip(("EBBT", "TBT", "TE-2", "LE-2"), "sv^o"))
     colours = dict(zip(SECTIONS, ("#0072B2", "#D55E00", "#009E73")))

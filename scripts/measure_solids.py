@@ -10,7 +10,7 @@ import tempfile
 import time
 from pathlib import Path
 
-from measure import ENVIRONMENT, PROGRAM, ROOT, Run, axis, table
+from measure import ENVIRONMENT, PROGRAM, ROOT, Run, axis, drawing, table
 
 PLANE = "hertz_plane_strain.prm"
 BOTH = ("upper", "lower")
@@ -107,12 +107,7 @@ def hanging():
 
 
 def draw_hanging(profiles, width):
-    import matplotlib
-    matplotlib.use("Agg")
-    import matplotlib.pyplot as plt
-    plt.rcParams.update({"font.size": 11, "figure.dpi": 150,
-                         "figure.constrained_layout.use": True,
-                         "axes.spines.top": False, "axes.spines.right": False})
+    plt = drawing()
     figure, (top, bottom) = plt.subplots(2, 1, figsize=(7.2, 5.2), sharex=True,
                                          height_ratios=(2, 1))
     fine = [width * k / 400 for k in range(-400, 401)]
