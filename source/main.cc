@@ -91,6 +91,13 @@ namespace
     limit_threads(command.threads);
     const SceneText text  = SceneText::read(command.scene, command.overrides);
     const Scene     scene = read_scene(text);
+    if (command.task != CommandLine::Task::run && n_processes() > 1)
+      throw InputError("trade and export are the work of one process: start "
+                       "lamella without mpirun.");
+    if (command.task == CommandLine::Task::trade)
+      throw InputError("trade: not there yet.");
+    if (command.task == CommandLine::Task::export_calculix)
+      throw InputError("export: not there yet.");
     if (command.print_parameters)
       {
         output() << scene.resolved;

@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <filesystem>
+#include <map>
 
 namespace lamella
 {
@@ -13,13 +14,21 @@ namespace lamella
   usage()
   {
     return R"(usage: lamella SCENE.prm [options]
+       lamella trade SCENE.prm [options]
+       lamella export --calculix SCENE.prm [options]
 
-  --output DIR          where results go (default: results/SCENE)
+runs the scene; or a ladder of theories and meshes on it, what each costs and how
+far it is off; or writes it as an input deck of CalculiX.
+
+  --output DIR          where results go (default: results/SCENE, of a trade
+                        results/SCENE-trade; of an export the deck, SCENE.inp)
   --set PATH=VALUE      override an entry, as in
                         --set "Body upper/Kinematics/Theory=LE-3"; repeatable
   --validate            check the scene and print its plies and stiffnesses
   --print-parameters    print all entries (with a scene: as they are resolved)
   --threads N           threads (default 1)
+  --element NAME        of an exported deck: C3D20R (default), C3D8I or C3D8R
+  --contact-stiffness K of an exported deck [force/length^3] (default: auto)
   --version, --help
 
 Exit status: 0 done, 1 a fault of the input, 2 a failure of the numerics.
@@ -28,18 +37,93 @@ Exit status: 0 done, 1 a fault of the input, 2 a failure of the numerics.
 
 
 
+  namespace
+  {
+    unsigned int
+    n_threads(const std::string &text)
+    {
+      const double n = to_number(text, "--threads");
+      if (!(n >= 1. && n <= 1024. && n == std::floor(n)))
+        throw InputError("--threads must be a whole number from 1 to 1024.");
+      return static_cast<unsigned int>(n);
+    }
+
+
+
+    /// Throws InputError for options that belong to another task.
+    void
+    check_task(const CommandLine &command, const bool calculix)
+    {
+      using Task           = CommandLine::Task;
+      const bool exporting = command.task == Task::export_calculix;
+      if (exporting && !calculix)
+        throw InputError("export writes decks of CalculiX only: say lamella "
+                         "export --calculix SCENE.prm.");
+      if (!exporting && (calculix || !command.element.empty() ||
+                         !command.contact_stiffness.empty()))
+        throw InputError("--calculix, --element and --contact-stiffness belong "
+                         "to lamella export.");
+      if (command.task != Task::run &&
+          (command.validate || command.print_parameters))
+        throw InputError("--validate and --print-parameters belong to a run: "
+                         "leave out trade or export.");
+      const bool needs_scene =
+        !command.version && !command.help && !command.print_parameters;
+      if (needs_scene && command.scene.empty())
+        throw InputError("no scene is given.\n" + usage());
+    }
+
+
+
+    std::string
+    default_output(const CommandLine &command)
+    {
+      const std::string name =
+        std::filesystem::path(command.scene).stem().string();
+      switch (command.task)
+        {
+          case CommandLine::Task::trade:
+            return "results/" + name + "-trade";
+          case CommandLine::Task::export_calculix:
+            return name + ".inp";
+          default:
+            return "results/" + name;
+        }
+    }
+  } // namespace
+
+
+
   CommandLine
   CommandLine::parse(const std::vector<std::string> &words)
   {
-    const std::vector<std::string> options{"--output",
-                                           "--set",
-                                           "--validate",
-                                           "--print-parameters",
-                                           "--threads",
-                                           "--version",
-                                           "--help"};
-    CommandLine                    result;
-    for (unsigned int i = 0; i < words.size(); ++i)
+    CommandLine  result;
+    bool         calculix = false;
+    unsigned int i        = 0;
+    if (!words.empty() && words[0] == "trade")
+      result.task = Task::trade;
+    else if (!words.empty() && words[0] == "export")
+      result.task = Task::export_calculix;
+    if (result.task != Task::run)
+      ++i;
+
+    const std::map<std::string, std::string *> texts{
+      {"--output", &result.output},
+      {"--element", &result.element},
+      {"--contact-stiffness", &result.contact_stiffness}};
+    const std::map<std::string, bool *> flags{{"--calculix", &calculix},
+                                              {"--validate", &result.validate},
+                                              {"--print-parameters",
+                                               &result.print_parameters},
+                                              {"--version", &result.version},
+                                              {"--help", &result.help}};
+    std::vector<std::string>            options{"--set", "--threads"};
+    for (const auto &option : texts)
+      options.push_back(option.first);
+    for (const auto &option : flags)
+      options.push_back(option.first);
+
+    for (; i < words.size(); ++i)
       {
         const std::string &word  = words[i];
         const auto         value = [&]() -> const std::string         &{
@@ -47,26 +131,14 @@ Exit status: 0 done, 1 a fault of the input, 2 a failure of the numerics.
             throw InputError(word + " needs a value after it.");
           return words[++i];
         };
-        if (word == "--output")
-          result.output = value();
+        if (texts.count(word) > 0)
+          *texts.at(word) = value();
+        else if (flags.count(word) > 0)
+          *flags.at(word) = true;
         else if (word == "--set")
           result.overrides.push_back(value());
-        else if (word == "--validate")
-          result.validate = true;
-        else if (word == "--print-parameters")
-          result.print_parameters = true;
-        else if (word == "--version")
-          result.version = true;
-        else if (word == "--help")
-          result.help = true;
         else if (word == "--threads")
-          {
-            const double n = to_number(value(), "--threads");
-            if (!(n >= 1. && n <= 1024. && n == std::floor(n)))
-              throw InputError("--threads must be a whole number from 1 to "
-                               "1024.");
-            result.threads = static_cast<unsigned int>(n);
-          }
+          result.threads = n_threads(value());
         else if (word.compare(0, 1, "-") == 0)
           throw InputError("there is no option " + word + "; the nearest is " +
                            nearest_name(word, options) + ".");
@@ -76,13 +148,9 @@ Exit status: 0 done, 1 a fault of the input, 2 a failure of the numerics.
           throw InputError("one scene at a time: both '" + result.scene +
                            "' and '" + word + "' are given.");
       }
-    const bool needs_scene =
-      !result.version && !result.help && !result.print_parameters;
-    if (needs_scene && result.scene.empty())
-      throw InputError("no scene is given.\n" + usage());
+    check_task(result, calculix);
     if (result.output.empty())
-      result.output =
-        "results/" + std::filesystem::path(result.scene).stem().string();
+      result.output = default_output(result);
     return result;
   }
 } // namespace lamella

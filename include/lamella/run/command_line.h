@@ -11,8 +11,20 @@ namespace lamella
   /// What the user asks for.
   struct CommandLine
   {
-    std::string              scene;
-    std::string              output;
+    enum class Task
+    {
+      run,
+      /// `lamella trade SCENE`
+      trade,
+      /// `lamella export --calculix SCENE`
+      export_calculix
+    };
+    Task        task = Task::run;
+    std::string scene;
+    /// As given, or the default of the task.
+    std::string output;
+    /// Of CalculiX; empty if not given.
+    std::string              element, contact_stiffness;
     std::vector<std::string> overrides;
     unsigned int             threads          = 1;
     bool                     validate         = false;
