@@ -34,14 +34,16 @@ namespace
 
 
   /// A process that no launcher started talks to nobody: Open MPI then need not
-  /// look for networks, which takes longer than a small scene.
+  /// look for networks, nor start a daemon of its own; both take longer than a
+  /// small scene.
   void
-  skip_network_search()
+  stay_alone()
   {
     for (const char *launched :
          {"OMPI_COMM_WORLD_SIZE", "PMIX_RANK", "PMI_RANK", "SLURM_PROCID"})
       if (std::getenv(launched) != nullptr)
         return;
+    setenv("OMPI_MCA_ess_singleton_isolated", "1", 0);
     setenv("OMPI_MCA_btl", "self", 0);
     setenv("OMPI_MCA_pml", "ob1", 0);
   }
@@ -171,7 +173,7 @@ namespace
 int
 main(int argc, char **argv)
 {
-  skip_network_search();
+  stay_alone();
   dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   MPI_Comm                                 arrivals;
   MPI_Comm_dup(communicator(), &arrivals);
