@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <lamella/base/child_process.h>
 #include <lamella/base/exceptions.h>
 #include <lamella/base/processes.h>
 #include <lamella/run/command_line.h>
 #include <lamella/run/simulation.h>
+#include <lamella/run/trade.h>
 #include <lamella/scene/scene.h>
 
 #include <deal.II/base/mpi.h>
@@ -97,7 +99,9 @@ namespace
       throw InputError("trade and export are the work of one process: start "
                        "lamella without mpirun.");
     if (command.task == CommandLine::Task::trade)
-      throw InputError("trade: not there yet.");
+      return Trade(
+               command.scene, command.overrides, scene, own_program(), output())
+        .run(command.output);
     if (command.task == CommandLine::Task::export_calculix)
       throw InputError("export: not there yet.");
     if (command.print_parameters)

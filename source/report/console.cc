@@ -10,34 +10,32 @@
 
 namespace lamella
 {
+  void
+  print_table(std::ostream &out, const TextTable &table)
+  {
+    std::vector<std::size_t> width(table.front().size(), 0);
+    for (const auto &row : table)
+      for (unsigned int c = 0; c < row.size(); ++c)
+        width[c] = std::max(width[c], row[c].size());
+    for (const auto &row : table)
+      {
+        out << "  ";
+        for (unsigned int c = 0; c < row.size(); ++c)
+          {
+            const bool left = c == 0 || c + 1 == row.size();
+            out << (left ? std::left : std::right);
+            if (c + 1 < row.size())
+              out << std::setw(width[c]);
+            out << row[c] << (c + 1 < row.size() ? "  " : "\n");
+          }
+      }
+  }
+
+
+
   namespace
   {
-    using Table = std::vector<std::vector<std::string>>;
-
-    /// The first column to the left, numbers to the right, the last to the
-    /// left.
-    void
-    print_table(std::ostream &out, const Table &table)
-    {
-      std::vector<std::size_t> width(table.front().size(), 0);
-      for (const auto &row : table)
-        for (unsigned int c = 0; c < row.size(); ++c)
-          width[c] = std::max(width[c], row[c].size());
-      for (const auto &row : table)
-        {
-          out << "  ";
-          for (unsigned int c = 0; c < row.size(); ++c)
-            {
-              const bool left = c == 0 || c + 1 == row.size();
-              out << (left ? std::left : std::right);
-              if (c + 1 < row.size())
-                out << std::setw(width[c]);
-              out << row[c] << (c + 1 < row.size() ? "  " : "\n");
-            }
-        }
-    }
-
-
+    using Table = TextTable;
 
     std::string
     percent(const double value)

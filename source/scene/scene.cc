@@ -163,6 +163,9 @@ namespace lamella
               declare_references(prm);
             prm.leave_subsection();
           }
+      prm.enter_subsection("Trade");
+      TradeParameters::declare(prm);
+      prm.leave_subsection();
     }
 
 
@@ -392,7 +395,8 @@ namespace lamella
 
 
 
-    /// Probes, lines and cuts; @p in enters a subsection and parses it.
+    /// Probes, lines, cuts, and the trade of what these and the resultants
+    /// give; @p in enters a subsection and parses it.
     template <typename In>
     void
     resolve_requests(ParameterHandler &prm,
@@ -413,6 +417,13 @@ namespace lamella
         in("Cut " + name, [&](const std::string &) {
           scene.cuts.push_back(parse_cut(prm, name, bodies));
         });
+      prm.enter_subsection("Trade");
+      scene.trade = TradeParameters::parse(prm,
+                                           {bodies,
+                                            scene.probes,
+                                            scene.support_references,
+                                            scene.contact_references});
+      prm.leave_subsection();
     }
 
 
@@ -486,6 +497,16 @@ namespace lamella
       return scene;
     }
   } // namespace
+
+
+
+  void
+  check_entries(const SceneText &text)
+  {
+    ParameterHandler prm;
+    declare_all(prm, read_names(text));
+    text.check_declared(prm);
+  }
 
 
 

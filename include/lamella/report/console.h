@@ -10,6 +10,14 @@
 
 namespace lamella
 {
+  /// Rows of cells, the first row the headings.
+  using TextTable = std::vector<std::vector<std::string>>;
+
+  /// Prints @p table in columns: the first to the left, numbers to the right,
+  /// the last to the left.
+  void
+  print_table(std::ostream &out, const TextTable &table);
+
   /// References of a contact's or a support's resultant.
   struct ResultantReferences
   {

@@ -13,6 +13,7 @@
 #include <lamella/contact/parameters.h>
 #include <lamella/report/requests.h>
 #include <lamella/scene/scene_text.h>
+#include <lamella/scene/trade_parameters.h>
 #include <lamella/section/shapes.h>
 #include <lamella/section/theory.h>
 #include <lamella/solve/parameters.h>
@@ -59,6 +60,7 @@ namespace lamella
     std::vector<Cut>   cuts;
     ReferencesByName   support_references, contact_references;
     bool               write_vtu = true;
+    TradeParameters    trade;
 
     /// What is known to be inaccurate in the choices made, a sentence each.
     std::vector<std::string> warnings;
@@ -71,6 +73,11 @@ namespace lamella
   /// InputError with the place in the text.
   Scene
   read_scene(const SceneText &text);
+
+  /// Throws InputError for entries and subsections of @p text that no scene
+  /// has; their values are not looked at.
+  void
+  check_entries(const SceneText &text);
 
   /// All entries with documentation and default, with one subsection of each
   /// kind, called NAME.

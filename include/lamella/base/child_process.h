@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef lamella_base_child_process_h
+#define lamella_base_child_process_h
+
+#include <string>
+#include <vector>
+
+namespace lamella
+{
+  /// How a program that was started came to its end.
+  struct ProcessEnd
+  {
+    /// Its exit status; -1 if a signal ended it.
+    int status = 0;
+    /// The signal, or 0.
+    int signal = 0;
+    /// Whether it had used up its processor time.
+    bool out_of_time = false;
+    /// Wall seconds from before its start to its end.
+    double seconds = 0.;
+  };
+
+  /**
+   * Runs @p program with the arguments @p words and waits for its end. What it
+   * prints goes into the files @p output and @p errors; after
+   * @p processor_seconds (0: never) the system ends it. It does not outlive
+   * this process, even one that is killed.
+   *
+   * The program sees nothing of this process' MPI: it starts as a process of
+   * its own. Throws InputError if it cannot be started.
+   */
+  ProcessEnd
+  run_process(const std::string              &program,
+              const std::vector<std::string> &words,
+              const std::string              &output,
+              const std::string              &errors,
+              const double                    processor_seconds = 0.);
+
+  /// The path of the program that this process runs.
+  std::string
+  own_program();
+} // namespace lamella
+
+#endif

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef lamella_run_trade_h
+#define lamella_run_trade_h
+
+#include <lamella/run/ladder.h>
+#include <lamella/run/trade_table.h>
+#include <lamella/scene/scene.h>
+
+#include <iosfwd>
+#include <string>
+#include <vector>
+
+namespace lamella
+{
+  /**
+   * `lamella trade SCENE.prm`: runs a ladder of theories and meshes on a scene
+   * and sets what each rung costs against how far it is off.
+   *
+   * Each rung is a process of its own, `lamella SCENE.prm` with the rung's
+   * overrides, so that seconds and memory are those of a whole run, and a rung
+   * that fails, whatever of, is a row that says why. When it has ended, a
+   * record of it is put into its folder in one step; an interrupted trade
+   * (also a killed one) goes on with the rungs that have none. A record counts
+   * only for the same scene, mesh files and program.
+   */
+  class Trade
+  {
+  public:
+    /// The scene in the file @p scene_file with @p overrides, as it was read
+    /// into @p scene; @p program runs the rungs. Throws InputError for
+    /// overrides of rungs that no scene has.
+    Trade(const std::string              &scene_file,
+          const std::vector<std::string> &overrides,
+          const Scene                    &scene,
+          const std::string              &program,
+          std::ostream                   &out);
+
+    /// Runs what is missing of the ladder in @p directory and writes trade.csv,
+    /// trade.gp, trade.png and trade.svg there. Throws InputError if another
+    /// trade is at work there or nothing can be written, NumericsError if no
+    /// reference succeeded.
+    void
+    run(const std::string &directory);
+
+  private:
+    /// What the rung's record must say to be of this scene and this program.
+    std::string
+    fingerprint(const std::vector<std::string> &rung_overrides) const;
+    /// Runs the rungs of the ladder that differ from those before them.
+    void
+    climb(const std::string &directory);
+    RungResult
+    run_rung(const Rung &rung, const std::string &folder) const;
+    /// Adds the largest quantities of the probes of which the scene only says
+    /// that they are compared, as the finest run has them.
+    void
+    complete_quantities();
+    void
+    read_values();
+
+    std::string              scene_file;
+    std::vector<std::string> overrides;
+    const Scene             &scene;
+    std::string              program;
+    std::ostream            &out;
+
+    std::vector<TradeQuantity> quantities;
+    std::vector<RungResult>    results;
+    /// Of each result, where its run is.
+    std::vector<std::string> folders;
+  };
+} // namespace lamella
+
+#endif

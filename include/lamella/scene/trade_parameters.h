@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef lamella_scene_trade_parameters_h
+#define lamella_scene_trade_parameters_h
+
+#include <lamella/report/requests.h>
+
+#include <deal.II/base/parameter_handler.h>
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace lamella
+{
+  /// A number of a run's results that a trade compares: a column of probes.csv
+  /// at a probe, or a component of the resultant of a support or a contact, at
+  /// the last load step.
+  struct TradeQuantity
+  {
+    enum class Of
+    {
+      undefined,
+      probe,
+      support,
+      contact
+    };
+    Of          of = Of::undefined;
+    std::string name;
+    /// Of a probe on a ply interface, from 1 at the bottom; 0: not said.
+    unsigned int ply = 0;
+    std::string  column;
+    /// The first of the scene's References of this quantity.
+    std::optional<double> given;
+
+    /// `upper_top: uz`, as the scene says it.
+    std::string
+    label() const;
+  };
+
+  /// One rung of a ladder: a theory, and how much finer than the scene's its
+  /// meshes are.
+  struct LadderEntry
+  {
+    /// As the scene says it: `LE-2, axis 2`.
+    std::string name;
+    std::string theory;
+    /// Factors on the axis elements and on the section's cells (per direction).
+    double axis = 1., section = 1.;
+    /// PATH=VALUE each, as of --set.
+    std::vector<std::string> overrides;
+  };
+
+  /// What the names in a trade can mean.
+  struct TradeNames
+  {
+    std::vector<std::string>                      bodies;
+    std::vector<Probe>                            probes;
+    std::map<std::string, std::vector<Reference>> supports, contacts;
+  };
+
+  /// The entries of `subsection Trade`, see `lamella trade`.
+  struct TradeParameters
+  {
+    std::vector<LadderEntry> ladder;
+    /// Those named; or those that the scene gives References for.
+    std::vector<TradeQuantity> quantities;
+    /// Probes that Quantities, left empty, asks for without naming columns: the
+    /// largest displacement and stress there are taken.
+    std::vector<std::string> whole_probes;
+    /// Whose theory and meshes the ladder changes.
+    std::vector<std::string> bodies;
+    /// `finest`, `solid`, `given`, or the name of a rung.
+    std::string reference = "finest";
+    /// Relative errors that the last sentences ask for.
+    std::vector<double> tolerances;
+    /// Processor seconds that a rung may take; 0: as long as it wants.
+    double time_limit = 0.;
+
+    static void
+    declare(dealii::ParameterHandler &prm);
+    /// Throws InputError for a rung that does not parse, a quantity that no
+    /// probe, support or contact of @p names gives, and references that are
+    /// missing or zero where `given` needs them.
+    static TradeParameters
+    parse(const dealii::ParameterHandler &prm, const TradeNames &names);
+  };
+} // namespace lamella
+
+#endif

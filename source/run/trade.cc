@@ -1,0 +1,358 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <lamella/base/child_process.h>
+#include <lamella/base/exceptions.h>
+#include <lamella/base/text.h>
+#include <lamella/run/trade.h>
+#include <lamella/run/trade_picture.h>
+
+#include <boost/interprocess/sync/file_lock.hpp>
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <iomanip>
+#include <ostream>
+#include <set>
+#include <sstream>
+
+namespace lamella
+{
+  using nlohmann::json;
+  namespace fs = std::filesystem;
+
+  namespace
+  {
+    /// The record of a rung that has ended, in its folder.
+    constexpr const char *record_name = "rung.json";
+
+    std::vector<std::string>
+    operator+(std::vector<std::string> a, const std::vector<std::string> &b)
+    {
+      a.insert(a.end(), b.begin(), b.end());
+      return a;
+    }
+
+
+
+    /// @p resolved without its `subsection Trade`, which no rung looks at.
+    std::string
+    without_trade(const std::string &resolved)
+    {
+      const std::string begin = "subsection Trade\n", end = "\nend\n";
+      const auto        first = resolved.find(begin);
+      const auto        last  = resolved.find(end, first);
+      if (first == std::string::npos || last == std::string::npos)
+        return resolved;
+      return resolved.substr(0, first) + resolved.substr(last + end.size());
+    }
+
+
+
+    /// Of a file: its size and when it was last written.
+    std::string
+    state_of_file(const std::string &path)
+    {
+      std::error_code error;
+      const auto      size = fs::file_size(path, error);
+      const auto      time = fs::last_write_time(path, error);
+      return std::to_string(size) + " bytes, " +
+             std::to_string(time.time_since_epoch().count());
+    }
+
+
+
+    /// A folder's name for the rung @p name: letters, digits, '-' and '.'.
+    std::string
+    folder_name(const unsigned int number, const std::string &name)
+    {
+      std::ostringstream text;
+      text << std::setw(2) << std::setfill('0') << number << '_';
+      for (const char c : name)
+        text << (std::isalnum(static_cast<unsigned char>(c)) || c == '.' ||
+                     c == '-' ?
+                   c :
+                   '_');
+      // File systems end names at 255 bytes.
+      return text.str().substr(0, 100);
+    }
+
+
+
+    std::string
+    whole_file(const std::string &path)
+    {
+      std::ostringstream text;
+      text << std::ifstream(path).rdbuf();
+      return text.str();
+    }
+
+
+
+    /// Why a run that ended so has no results; empty if it has.
+    std::string
+    failure_of(const ProcessEnd  &end,
+               const std::string &errors,
+               const double       time_limit)
+    {
+      if (end.out_of_time)
+        return "took more than the time limit of " + to_text(time_limit) +
+               " s.";
+      if (end.signal != 0)
+        return "was ended by signal " + std::to_string(end.signal) +
+               (end.signal == 9 ? ", perhaps because memory ran out." : ".");
+      if (end.status == 0)
+        return "";
+      std::string       message = trimmed(whole_file(errors));
+      const std::string prefix  = "lamella: ";
+      if (message.compare(0, prefix.size(), prefix) == 0)
+        message = message.substr(prefix.size());
+      return message.empty() ?
+               "ended with exit status " + std::to_string(end.status) + "." :
+               message;
+    }
+
+
+
+    /// Puts @p record into @p folder, all of it or nothing.
+    void
+    keep_record(const json &record, const std::string &folder)
+    {
+      const std::string path = folder + "/" + record_name;
+      std::ofstream     file(path + ".new");
+      file << record.dump(2) << "\n";
+      file.close();
+      std::error_code error;
+      fs::rename(path + ".new", path, error);
+      if (!file || error)
+        throw InputError("Cannot write " + path + ". Is the disk full?");
+    }
+
+
+
+    /// The record in @p folder if it says @p fingerprint; null otherwise.
+    json
+    record_in(const std::string &folder, const std::string &fingerprint)
+    {
+      std::ifstream file(folder + "/" + record_name);
+      const json    record = json::parse(file, nullptr, false);
+      return record.is_object() && record.value("of", "") == fingerprint ?
+               record :
+               json();
+    }
+
+
+
+    void
+    prepare_directory(const std::string &directory)
+    {
+      std::error_code error;
+      fs::create_directories(directory + "/rungs", error);
+      // The lock needs a file; it is not emptied, should another have it.
+      if (error || !std::ofstream(directory + "/trade.lock", std::ios::app))
+        throw InputError("--output " + directory +
+                         ": results cannot be written there. Name a folder "
+                         "that can be created and written.");
+    }
+  } // namespace
+
+
+
+  Trade::Trade(const std::string              &scene_file,
+               const std::vector<std::string> &overrides,
+               const Scene                    &scene,
+               const std::string              &program,
+               std::ostream                   &out)
+    : scene_file(scene_file)
+    , overrides(overrides)
+    , scene(scene)
+    , program(program)
+    , out(out)
+    , quantities(scene.trade.quantities)
+  {
+    for (const LadderEntry &entry : scene.trade.ladder)
+      try
+        {
+          check_entries(
+            SceneText::read(scene_file, overrides + entry.overrides));
+        }
+      catch (const InputError &error)
+        {
+          throw InputError("Trade/Ladder, rung '" + entry.name +
+                           "': " + error.what());
+        }
+  }
+
+
+
+  std::string
+  Trade::fingerprint(const std::vector<std::string> &rung_overrides) const
+  {
+    std::string text;
+    try
+      {
+        const Scene rung =
+          read_scene(SceneText::read(scene_file, rung_overrides));
+        text = without_trade(rung.resolved);
+        for (const auto &[name, shape] : rung.sections)
+          if (const auto *file = std::get_if<SectionFile>(&shape))
+            text += "mesh " + state_of_file(file->path) + "\n";
+      }
+    catch (const InputError &error)
+      {
+        // The rung will say so itself.
+        text = joined(rung_overrides, "\n") + "\n" + error.what() + "\n";
+      }
+    return text + "program " + LAMELLA_VERSION + ", " + state_of_file(program);
+  }
+
+
+
+  RungResult
+  Trade::run_rung(const Rung &rung, const std::string &folder) const
+  {
+    const auto        all = overrides + rung.overrides;
+    RungResult        result{rung.name, rung.theory, "", 0., {}, 0, 0., {}};
+    const std::string of     = fingerprint(all);
+    json              record = record_in(folder, of);
+    const bool        had    = !record.is_null();
+    if (!had)
+      {
+        fs::remove_all(folder);
+        fs::create_directories(folder);
+        std::vector<std::string> words{
+          scene_file, "--output", folder + "/run", "--set", "Write VTU=false"};
+        for (const std::string &assignment : all)
+          {
+            words.push_back("--set");
+            words.push_back(assignment);
+          }
+        const ProcessEnd end = run_process(program,
+                                           words,
+                                           folder + "/output.txt",
+                                           folder + "/errors.txt",
+                                           scene.trade.time_limit);
+        record["of"]         = of;
+        record["seconds"]    = end.seconds;
+        record["failure"] =
+          failure_of(end, folder + "/errors.txt", scene.trade.time_limit);
+        keep_record(record, folder);
+      }
+    result.seconds = record.at("seconds");
+    result.failure = record.at("failure");
+    if (result.failure.empty())
+      RunFiles(folder + "/run").read_cost(result);
+    out << (result.failure.empty() ? std::to_string(result.dofs) + " DoFs, " +
+                                       to_text(result.seconds, 3) + " s" :
+                                     "failed: " + result.failure)
+        << (had ? " (of an earlier trade)" : "") << std::endl;
+    return result;
+  }
+
+
+
+  void
+  Trade::climb(const std::string &directory)
+  {
+    // The first start reads the program and its libraries from disk.
+    run_process(program,
+                {"--version"},
+                directory + "/version.txt",
+                directory + "/version.txt");
+    fs::remove(directory + "/version.txt");
+
+    std::map<std::string, std::string> seen;
+    unsigned int                       number = 0;
+    for (const LadderEntry &entry : scene.trade.ladder)
+      {
+        ++number;
+        out << "Rung " << number << " of " << scene.trade.ladder.size() << ", "
+            << entry.name << ": " << std::flush;
+        Rung rung{entry.name, entry.theory, {}};
+        try
+          {
+            rung = make_rung(entry, scene);
+          }
+        catch (const InputError &error)
+          {
+            out << "failed: " << error.what() << std::endl;
+            results.push_back(
+              {rung.name, rung.theory, error.what(), 0., {}, 0, 0., {}});
+            folders.push_back("");
+            continue;
+          }
+        const auto [same, is_new] =
+          seen.emplace(fingerprint(overrides + rung.overrides), rung.name);
+        if (!is_new)
+          {
+            out << "the same as " << same->second << ", left out" << std::endl;
+            continue;
+          }
+        folders.push_back(directory + "/rungs/" +
+                          folder_name(number, rung.name));
+        results.push_back(run_rung(rung, folders.back()));
+      }
+  }
+
+
+
+  void
+  Trade::complete_quantities()
+  {
+    for (unsigned int k = results.size(); k-- > 0;)
+      if (results[k].failure.empty())
+        {
+          const RunFiles files(folders[k] + "/run");
+          for (const std::string &probe : scene.trade.whole_probes)
+            for (const TradeQuantity &quantity : files.largest_at(probe))
+              quantities.push_back(quantity);
+          return;
+        }
+  }
+
+
+
+  void
+  Trade::read_values()
+  {
+    for (unsigned int k = 0; k < results.size(); ++k)
+      if (results[k].failure.empty())
+        {
+          const RunFiles files(folders[k] + "/run");
+          for (const TradeQuantity &quantity : quantities)
+            results[k].values.push_back(files.value(quantity));
+        }
+  }
+
+
+
+  void
+  Trade::run(const std::string &directory)
+  {
+    prepare_directory(directory);
+    boost::interprocess::file_lock lock((directory + "/trade.lock").c_str());
+    if (!lock.try_lock())
+      throw InputError("--output " + directory +
+                       ": another trade is at work there. Wait for it, or name "
+                       "another folder.");
+    results.clear();
+    folders.clear();
+    climb(directory);
+    complete_quantities();
+    read_values();
+    const TradeTable table(results,
+                           quantities,
+                           scene.trade.reference,
+                           scene.trade.tolerances);
+    write_trade_csv(table, directory + "/trade.csv");
+    print_trade(out, table);
+    const std::string no_picture = draw_trade(table, scene.title, directory);
+    if (!no_picture.empty())
+      out << "\nNo pictures: " << no_picture << ".";
+    out << "\nThe trade is in " << directory << " (trade.csv"
+        << (no_picture.empty() ? ", trade.png, trade.svg" : "")
+        << "; the runs in rungs/)" << std::endl;
+  }
+} // namespace lamella
