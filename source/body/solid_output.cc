@@ -5,6 +5,9 @@
 #include <lamella/body/fields.h>
 #include <lamella/body/solid.h>
 
+#include <array>
+#include <map>
+
 namespace lamella
 {
   using namespace dealii;
@@ -84,10 +87,15 @@ namespace lamella
     const auto middle = [this](const unsigned int of, const double eta) {
       return element.evaluate(nodes_of(of), Point<3>(0.5, eta, 0.5)).position;
     };
-    const auto meets = [&](const unsigned int before) {
-      const double tolerance = 1e-8 * (box.side_length(0) + box.side_length(2));
-      return nearest_in_cell(cell, middle(before, 1.)).second < tolerance ||
-             nearest_in_cell(before, middle(cell, 0.)).second < tolerance;
+    const double tolerance = 1e-8 * (box.side_length(0) + box.side_length(2));
+    std::map<unsigned int, bool> known;
+    const auto                   meets = [&](const unsigned int before) {
+      const auto [found, is_new] = known.emplace(before, false);
+      if (is_new)
+        found->second =
+          nearest_in_cell(cell, middle(before, 1.)).second < tolerance ||
+          nearest_in_cell(before, middle(cell, 0.)).second < tolerance;
+      return found->second;
     };
     auto locations = locate(grid.positions);
     for (unsigned int k = 0; k < grid.samples.size(); ++k)
@@ -109,27 +117,60 @@ namespace lamella
 
 
 
+  namespace
+  {
+    /// The corners of a cell at its start (half = 0) or end (2) along the axis.
+    std::array<unsigned int, 4>
+    corners(const HexahedralMesh::Cell &cell, const unsigned int half)
+    {
+      return {{cell.nodes[half],
+               cell.nodes[half + 1],
+               cell.nodes[half + 4],
+               cell.nodes[half + 5]}};
+    }
+  } // namespace
+
+
+
   std::vector<OutputCell>
   Solid::cut(const double at, const unsigned int n, const Vector &u) const
   {
-    const double            tolerance = 1e-10 * axis_length;
+    const double tolerance = 1e-10 * axis_length;
+    const auto  &all       = mesh.cells();
+    const auto   y = [&](const unsigned int cell, const unsigned int k) {
+      return mesh.nodes()[all[cell].nodes[k]][1];
+    };
+    // Where no nodes hang, a cell before has the same corners.
+    std::map<std::array<unsigned int, 4>, unsigned int> before;
+    for (unsigned int cell = 0; cell < all.size(); ++cell)
+      if (std::abs(y(cell, 2) - at) <= tolerance)
+        before[corners(all[cell], 2)] = cell;
+
     std::vector<OutputCell> cells;
-    for (unsigned int cell = 0; cell < mesh.cells().size(); ++cell)
+    for (unsigned int cell = 0; cell < all.size(); ++cell)
       {
         // Corners 0 and 2 are at the cell's two ends.
-        const auto  &nodes = mesh.cells()[cell].nodes;
-        const double begin = mesh.nodes()[nodes[0]][1],
-                     end   = mesh.nodes()[nodes[2]][1];
-        const bool between = at > begin + tolerance && at < end - tolerance,
-                   behind  = std::abs(at - begin) <= tolerance,
-                   last    = std::abs(at - end) <= tolerance &&
+        const double begin = y(cell, 0), end = y(cell, 2);
+        const bool   between = at > begin + tolerance && at < end - tolerance,
+                   behind    = std::abs(at - begin) <= tolerance,
+                   last      = std::abs(at - end) <= tolerance &&
                           end > axis_length - tolerance;
         if (!between && !behind && !last)
           continue;
         cells.push_back(
           sample_grid(cell, n, {(at - begin) / (end - begin)}, u));
-        if (behind && begin > tolerance)
+        if (!behind || begin <= tolerance)
+          continue;
+        const auto found = before.find(corners(all[cell], 0));
+        if (found == before.end())
           average_with_layer_before(cell, u, cells.back());
+        else
+          {
+            const OutputCell other = sample_grid(found->second, n, {1.}, u);
+            for (unsigned int k = 0; k < other.samples.size(); ++k)
+              cells.back().samples[k] =
+                mean_of({other.samples[k], cells.back().samples[k]});
+          }
       }
     return cells;
   }
