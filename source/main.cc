@@ -3,6 +3,7 @@
 #include <lamella/base/child_process.h>
 #include <lamella/base/exceptions.h>
 #include <lamella/base/processes.h>
+#include <lamella/run/calculix_deck.h>
 #include <lamella/run/command_line.h>
 #include <lamella/run/simulation.h>
 #include <lamella/run/trade.h>
@@ -79,6 +80,26 @@ namespace
 
 
   void
+  write_deck(const Scene       &scene,
+             const SceneText   &text,
+             const CommandLine &command)
+  {
+    try
+      {
+        export_calculix(scene, command, output());
+      }
+    catch (const InputError &error)
+      {
+        const std::string message = error.what();
+        throw InputError(
+          (message.compare(0, 2, "--") == 0 ? "" : text.place_of(message)) +
+          message);
+      }
+  }
+
+
+
+  void
   run(const CommandLine &command)
   {
     if (command.help || command.version)
@@ -103,7 +124,10 @@ namespace
                command.scene, command.overrides, scene, own_program(), output())
         .run(command.output);
     if (command.task == CommandLine::Task::export_calculix)
-      throw InputError("export: not there yet.");
+      {
+        write_deck(scene, text, command);
+        return;
+      }
     if (command.print_parameters)
       {
         output() << scene.resolved;

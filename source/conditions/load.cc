@@ -92,15 +92,6 @@ namespace lamella
 
 
 
-    /// Forces at points of a body that stand for a load on one of its regions.
-    struct PointForces
-    {
-      std::vector<Location>     locations;
-      std::vector<Tensor<1, 3>> forces;
-    };
-
-
-
     /// The expressions of a load.
     class LoadValues
     {
@@ -181,6 +172,14 @@ namespace lamella
 
 
 
+  PointForces
+  point_forces(const Load &load, const Region &region, const Body &body)
+  {
+    return LoadValues(load).on(region, body);
+  }
+
+
+
   void
   add_load(const Load &load, const Bodies &bodies, BlockVector &f)
   {
@@ -207,7 +206,7 @@ namespace lamella
              bodies[region.body]->missing_motions())
           {
             const Body       &body = *bodies[region.body];
-            const PointForces at   = LoadValues(load).on(region, body);
+            const PointForces at   = point_forces(load, region, body);
             const Point<3>    axis(missing[3], missing[4], missing[5]);
             double            torque = 0., size = 0.;
             for (unsigned int i = 0; i < at.forces.size(); ++i)

@@ -26,6 +26,19 @@ namespace lamella
     std::string pressure;
   };
 
+  /// Forces at points of a body that stand for a load on one of its regions.
+  struct PointForces
+  {
+    std::vector<Location>             locations;
+    std::vector<dealii::Tensor<1, 3>> forces;
+  };
+
+  /// @p load at load factor 1 on @p region, one of its own, of @p body:
+  /// integrated by Gauss' rule along a line and on a surface. Throws InputError
+  /// as add_load() does.
+  PointForces
+  point_forces(const Load &load, const Region &region, const Body &body);
+
   /**
    * f += the load vector of @p load at load factor 1,
    *   f . v = sum or integral of force . v.
