@@ -58,9 +58,9 @@ namespace lamella
     : scene(scene)
     , held(scene.supports.size())
   {
-    check_bodies_are_held(scene, mesh);
     for (unsigned int s = 0; s < scene.supports.size(); ++s)
       add_support(s, mesh);
+    check_bodies_are_held(scene, mesh);
 
     for (const Load &load : scene.loads)
       for (const Region &region : load.on)

@@ -14,19 +14,30 @@ namespace lamella
 
   namespace
   {
-    /// K over E_n / h.
-    constexpr double relative_stiffness = 100.;
-
-
-
     /// What decides which side is the slave, and how stiff the contact is.
     struct SideMeasures
     {
       /// Of a face in the mean.
       double area = 0.;
-      /// The largest E_n / h.
+      /// K of automatic contact stiffness.
       double stiffness = 0.;
     };
+
+
+
+    /// K over E_n / h that suits @p body.
+    double
+    relative_stiffness(const Body &body)
+    {
+      const BoundingBox<3> box      = body.bounding_box();
+      double               smallest = box.side_length(0), largest = smallest;
+      for (unsigned int d = 1; d < 3; ++d)
+        {
+          smallest = std::min(smallest, box.side_length(d));
+          largest  = std::max(largest, box.side_length(d));
+        }
+      return 100. * std::min(1., 10. * smallest / largest);
+    }
 
     SideMeasures
     measures_of(const Body &body, const std::string &surface)
@@ -41,6 +52,7 @@ namespace lamella
           result.stiffness =
             std::max(result.stiffness, middle.normal_modulus / middle.depth);
         }
+      result.stiffness *= relative_stiffness(body);
       return result;
     }
 
@@ -143,7 +155,7 @@ namespace lamella
       measures_of(side(pair.first), pair.first.surface);
     contact.name      = pair.name;
     contact.slave     = mesh.faces(pair.first.body, pair.first.surface);
-    contact.stiffness = relative_stiffness * first.stiffness;
+    contact.stiffness = first.stiffness;
     if (pair.obstacle != nullptr)
       {
         contact.layer =
@@ -160,9 +172,8 @@ namespace lamella
       {
         const SideMeasures second =
           measures_of(side(pair.second), pair.second.surface);
-        contact.master = mesh.faces(pair.second.body, pair.second.surface);
-        contact.stiffness =
-          relative_stiffness * std::min(first.stiffness, second.stiffness);
+        contact.master    = mesh.faces(pair.second.body, pair.second.surface);
+        contact.stiffness = std::min(first.stiffness, second.stiffness);
         contact.slave_is_second = pair.points_on == PointsOn::second ||
                                   (pair.points_on == PointsOn::automatic &&
                                    second.area < (1. - 1e-6) * first.area);

@@ -6,10 +6,12 @@ Usage: check_bad_input.py LAMELLA FILE.bad WORKDIR
 
 A .bad file holds comments (#) and the lines
 
-    run PATH [arguments]   the scene, relative to the file; {workdir} in a word
+    run [export] PATH [arguments]
+                           the scene, relative to the file; {workdir} in a word
                            stands for WORKDIR; the program's working directory is
-                           WORKDIR, its output folder WORKDIR/output unless the
-                           arguments name another one
+                           WORKDIR, its output folder WORKDIR/output (its deck
+                           WORKDIR/output.inp) unless the arguments name another
+                           one
     exit STATUS            the exit status that is due
     says FRAGMENT          must occur in the message (a line a fragment)
     never FRAGMENT         must not occur
@@ -58,11 +60,12 @@ def read_case(path):
 
 def run_case(program, case, path, workdir):
     words = [word.replace("{workdir}", str(workdir)) for word in case["run"]]
+    task = [words.pop(0), "--calculix"] if words[0] == "export" else []
     scene = path.parent.resolve() / words[0]
     output = [] if any(word.startswith("--output") for word in words) else [
-        "--output", str(workdir / "output")]
+        "--output", str(workdir / ("output.inp" if task else "output"))]
     return subprocess.run(
-        [str(Path(program).resolve()), str(scene), *words[1:], *output],
+        [str(Path(program).resolve()), *task, str(scene), *words[1:], *output],
         capture_output=True, text=True, cwd=workdir)
 
 

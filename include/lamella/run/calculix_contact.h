@@ -36,6 +36,10 @@ namespace lamella
    * K is @p stiffness, or a hundred times E_n / h of the softer side (normal
    * modulus over the depth of the shallowest hexahedron below the surface): the
    * penetration is then a hundredth of what that hexahedron is compressed by.
+   * For a slender body, whose smallest extension d is below a tenth of its
+   * largest one L, it is 10 d / L times that: it gives way by bending far more
+   * than where it is touched, and CalculiX' iterations on a contact much
+   * stiffer than the body end in wrong states (doc/calculix.md).
    */
   class CalculixContacts
   {

@@ -1,0 +1,109 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Solves exported decks with CalculiX and holds them against Lamella's hexahedra on
+the same mesh, and both against closed forms.
+
+Usage: check_ccx.py LAMELLA laminate|blocks|roller WORKDIR
+
+Exit status 77 where there is no ccx. Tolerances: on the same mesh C3D20R has 20
+nodes and reduced integration where solid-2 has 27 and full integration; both
+converge to the same, here within 1 % for displacements and 1.5 % for stresses.
+"""
+
+import os
+import sys
+from pathlib import Path
+
+HERE = Path(__file__).resolve().parent
+
+
+def check(condition, what):
+    if not condition:
+        sys.exit(f"FAIL: {what}")
+    print(f"ok: {what}")
+
+
+def same(a, b, tolerance, what):
+    check(abs(a - b) <= tolerance * abs(b),
+          f"{what}: {a:.6g}, {b:.6g} to {100 * tolerance:g} %")
+
+
+def solved(run):
+    check(not run.failure, f"{run.program} solves it {run.failure}")
+    return run
+
+
+def check_laminate(peers, folder):
+    """[0/30] and [0/-30], as Lamella has them: the coupling changes its sign."""
+    sideways = []
+    for layup in ("0/30", "0/-30"):
+        scene, change = HERE / "laminate.prm", [f"Section strip/Layup={layup}"]
+        ours = solved(peers.lamella_run(scene, change, folder))
+        theirs = solved(peers.peer_run(scene, change, folder=folder))
+        check(list(theirs.plies["tip"]) == [1, 2], "both plies at the interface")
+        for probe in ("tip", "corner", "inside"):
+            for name in ("ux", "uy", "uz"):
+                a, b = theirs.probes[probe][name], ours.probes[probe][name]
+                check(abs(b) > 1e-5, f"{layup}: {probe} moves, {name} = {b:.3g}")
+                same(a, b, 0.01, f"{layup}: {name} of {probe}")
+        for name in ("sxx", "syy", "sxy"):
+            check(abs(theirs.probes["inside"][name] - ours.probes["inside"][name]) <
+                  0.015 * abs(ours.probes["inside"]["syy"]),
+                  f"{layup}: {name} in the turned ply: "
+                  f"{theirs.probes['inside'][name]:.4g}, "
+                  f"{ours.probes['inside'][name]:.4g}")
+        for c, force in enumerate((0., 0., -4.)):
+            check(abs(theirs.supports["clamp"][c] - force) < 1e-6,
+                  f"{layup}: reaction {theirs.supports['clamp'][c]:.8g}")
+        sideways.append(theirs.probes["tip"]["ux"])
+    check(sideways[0] * sideways[1] < 0, f"the coupling has a sign: {sideways}")
+
+
+def check_blocks(peers, folder):
+    """A uniform state; the contact is a spring of stiffness K A between them."""
+    stiffness = 1e4
+    for element in ("C3D20R", "C3D8I", "C3D8R"):
+        run = solved(peers.peer_run(HERE / "blocks.prm", [], element, stiffness,
+                                    folder))
+        force = 0.01 * 6 / (1 / 100 + 2 / 50 + 1 / stiffness)
+        same(run.supports["press"][2], -force, 1e-5, f"{element}: force of the press")
+        same(run.supports["floor"][2], force, 1e-5, f"{element}: force of the floor")
+        same(run.contacts["faces"][2], -force, 1e-5,
+             f"{element}: force on the second body")
+        same(run.probes["middle"]["szz"], -force / 6, 1e-4, f"{element}: stress")
+    # Without a word on the stiffness the penetration hardly matters.
+    for change in ([], ["Contact faces/Points on=second"],
+                   ["Contact faces/First=lower: top",
+                    "Contact faces/Second=upper: bottom"]):
+        run = solved(peers.peer_run(HERE / "blocks.prm", change, folder=folder))
+        sign = 1. if "lower: top" in str(change) else -1.
+        same(run.contacts["faces"][2], sign * 1.2, 0.005, f"closed form, {change}")
+
+
+def check_roller(peers, folder):
+    """The roller's force depends on the mesh below it: both have the same one."""
+    ours = solved(peers.lamella_run(HERE / "roller.prm", [], folder))
+    theirs = solved(peers.peer_run(HERE / "roller.prm", [], folder=folder))
+    same(theirs.contacts["nip"][2], ours.contacts["nip"][2], 0.02, "roller")
+    same(theirs.contacts["bed"][2], ours.contacts["bed"][2], 0.03, "plane")
+    balance = sum(run[2] for run in theirs.supports.values()) - sum(
+        run[2] for run in theirs.contacts.values())
+    check(abs(balance) < 1e-4 * theirs.contacts["nip"][2],
+          f"supports and obstacles are in balance: {balance:.3g}")
+
+
+def main(program, case, folder):
+    os.environ["LAMELLA_BUILD"] = str(program.parent)
+    sys.path.insert(0, str(HERE.parent.parent / "scripts"))
+    import peers
+    if peers.find_ccx() is None:
+        print(peers.MISSING)
+        sys.exit(77)
+    {"laminate": check_laminate, "blocks": check_blocks,
+     "roller": check_roller}[case](peers, folder)
+
+
+if __name__ == "__main__":
+    if len(sys.argv) != 4:
+        sys.exit("Usage: check_ccx.py LAMELLA laminate|blocks|roller WORKDIR")
+    main(Path(sys.argv[1]).resolve(), sys.argv[2], Path(sys.argv[3]))
