@@ -28,6 +28,8 @@ ENVIRONMENT = {**os.environ, **{name: "1" for name in (
 DISPLACEMENTS = ("ux", "uy", "uz")
 STRESSES = ("sxx", "syy", "szz", "sxy", "sxz", "syz")
 FORCES = ("fx", "fy", "fz")
+# Sound states have a few places that pull, by some per cent of the largest pressure.
+LARGEST_PULL = 0.25
 MISSING = ("CalculiX (ccx) is not in PATH. Install it: apt-get install calculix-ccx")
 
 
@@ -133,16 +135,16 @@ def number(text):
 
 def read_dat(path):
     """The last table of each kind and set that CalculiX printed: {(kind, set):
-    (time, rows)}, kinds displacements, stresses, force, and CF of contacts."""
-    title = re.compile(r"^ *(displacements|stresses|total force|statistics for slave "
-                       r"set)\b.*?(?:for set )?(\S+?),? *(?:master set (\S+) )?and "
-                       r"time +(\S+)$")
+    (time, rows)}, kinds displacements, stresses, total (forces), statistics (of a
+    contact), and of all contacts (set None) contact (stress)."""
+    title = re.compile(r"^ *(displacements|stresses|total|statistics|contact)\b.*?"
+                       r"(?:(?:for|slave) set (\w+).*)?\band time +(\S+)$")
     tables, rows = {}, None
     for line in path.read_text().splitlines():
         found = title.match(line)
         if found:
             rows = []
-            tables[found[1].split()[0], found[2]] = (number(found[4]), rows)
+            tables[found[1], found[2]] = (number(found[3]), rows)
         elif rows is not None:
             words = line.split()
             try:
@@ -217,6 +219,17 @@ def what_went_wrong(folder, done, n_steps):
     return ""
 
 
+def contact_that_pulls(tables):
+    """In words, if the contacts pull at some place by a good part of what they press
+    with at most."""
+    pressures = [row[2] for row in tables.get(("contact", None), (0, []))[1]]
+    if pressures and -min(pressures) > LARGEST_PULL * max(pressures):
+        return ("CalculiX ended in a state in which surfaces pull each other, by up to "
+                f"{-min(pressures):.4g} where they press with {max(pressures):.4g}. "
+                "Use a smaller --contact-stiffness.")
+    return ""
+
+
 def read_results(run, folder, meaning):
     tables = read_dat(folder / "deck.dat")
     displacements, stresses = {}, {}
@@ -241,6 +254,7 @@ def read_results(run, folder, meaning):
         table = tables.get(("statistics", contact["slave"]), (0, [[0.] * 3]))[1]
         sign = 1. if contact["slave_is_second"] else -1.
         run.contacts[name] = [sign * force for force in table[0][:3]]
+    run.failure = contact_that_pulls(tables)
 
 
 def peer_run(scene, overrides, element="C3D20R", contact_stiffness=None, folder=None):
@@ -267,9 +281,9 @@ def peer_run(scene, overrides, element="C3D20R", contact_stiffness=None, folder=
         done, run.seconds, run.memory_mb = timed([ccx, "deck"], folder)
         (folder / "deck.log").write_text(done.stdout + done.stderr)
         run.failure = what_went_wrong(folder, done, len(meaning["steps"]))
-        run.status = 2 if run.failure else 0
         if not run.failure:
             read_results(run, folder, meaning)
+        run.status = 2 if run.failure else 0
         return run
 
     return in_folder(folder, work)

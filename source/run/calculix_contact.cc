@@ -276,6 +276,6 @@ namespace lamella
   {
     for (unsigned int k = 0; k < list.size(); ++k)
       deck << "*CONTACT PRINT, SLAVE=" << surface_name(k, true)
-           << ", MASTER=" << surface_name(k, false) << "\nCF\n";
+           << ", MASTER=" << surface_name(k, false) << "\nCF, CSTR\n";
   }
 } // namespace lamella

@@ -312,8 +312,8 @@ namespace lamella
         << ' ' << deck.mesh.element().name() << ", " << 3 * deck.mesh.n_nodes()
         << " DoFs\n";
     for (const CalculixContact &contact : deck.contacts.contacts())
-      out << "Contact " << contact.name << ": K = " << contact.stiffness << ' '
-          << scene.units.stress << '/' << scene.units.length << '\n';
+      out << "Contact " << contact.name
+          << ": pressure over penetration = " << contact.stiffness << '\n';
     out << "Run it with: ccx " << beside.replace_extension("").string()
         << std::endl;
   }

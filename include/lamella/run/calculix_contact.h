@@ -68,7 +68,8 @@ namespace lamella
     void
     write_step(std::ostream &deck, const double factor) const;
 
-    /// Asks for the contacts' resultants.
+    /// Asks for the contacts' resultants, and for the pressures: CalculiX may
+    /// end in states in which they pull.
     void
     write_output(std::ostream &deck) const;
 
