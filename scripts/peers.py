@@ -40,8 +40,10 @@ class Run:
     failure: str = ""
     #: 1 a fault of the scene, 2 one of the numerics.
     status: int = 0
-    #: Of the whole process that solves.
+    #: Of the whole process that solves: wall time, and the processor's, which a busy
+    #: machine lengthens less.
     seconds: float = 0.
+    cpu_seconds: float = 0.
     memory_mb: float = 0.
     dofs: int = 0
     #: Name -> values, of a point between plies those below; and all of them.
@@ -61,19 +63,23 @@ begin = time.perf_counter()
 child = os.spawnvp(os.P_NOWAIT, sys.argv[2], sys.argv[2:])
 _, status, usage = os.wait4(child, 0)
 with open(sys.argv[1], "w") as file:
-    print(time.perf_counter() - begin, usage.ru_maxrss / 1024, file=file)
+    print(time.perf_counter() - begin, usage.ru_utime + usage.ru_stime,
+          usage.ru_maxrss / 1024, file=file)
 sys.exit(os.waitstatus_to_exitcode(status) & 255)
 """
 
 
-def timed(words, folder):
-    """Runs a program in a folder: what it did, wall seconds, peak memory in MB."""
+def timed(words, folder, run=None):
+    """Runs a program in a folder and returns what it did; time and memory go to the
+    run."""
     usage = Path(folder) / "usage"
     done = subprocess.run([sys.executable, "-S", "-c", LAUNCHER, str(usage.resolve())] +
                           [str(word) for word in words], cwd=folder, env=ENVIRONMENT,
                           capture_output=True, text=True)
-    seconds, memory = (float(word) for word in usage.read_text().split())
-    return done, seconds, memory
+    if run is not None:
+        run.seconds, run.cpu_seconds, run.memory_mb = map(
+            float, usage.read_text().split())
+    return done
 
 
 def settings(overrides):
@@ -97,9 +103,8 @@ def lamella_run(scene, overrides, folder=None):
 
     def work(folder):
         run = Run("Lamella")
-        done, run.seconds, run.memory_mb = timed(
-            [PROGRAM, scene, "--output", "lamella"] +
-            settings([*overrides, "Write VTU=false"]), folder)
+        done = timed([PROGRAM, scene, "--output", "lamella"] +
+                     settings([*overrides, "Write VTU=false"]), folder, run)
         if done.returncode != 0:
             run.failure, run.status = done.stderr.strip(), done.returncode
             return run
@@ -270,7 +275,7 @@ def peer_run(scene, overrides, element="C3D20R", contact_stiffness=None, folder=
                  "--element", element]
         if contact_stiffness is not None:
             words += ["--contact-stiffness", contact_stiffness]
-        done, _, _ = timed(words + settings(overrides), folder)
+        done = timed(words + settings(overrides), folder)
         if done.returncode != 0:
             run.failure, run.status = done.stderr.strip(), done.returncode
             return run
@@ -278,7 +283,7 @@ def peer_run(scene, overrides, element="C3D20R", contact_stiffness=None, folder=
             (folder / old).unlink(missing_ok=True)
         meaning = json.loads((folder / "deck.json").read_text())
         run.program, run.dofs = f"CalculiX {element}", meaning["dofs"]
-        done, run.seconds, run.memory_mb = timed([ccx, "deck"], folder)
+        done = timed([ccx, "deck"], folder, run)
         (folder / "deck.log").write_text(done.stdout + done.stderr)
         run.failure = what_went_wrong(folder, done, len(meaning["steps"]))
         if not run.failure:
@@ -356,8 +361,9 @@ def print_costs(runs):
         spread = f" ({min(seconds):.2f} to {max(seconds):.2f})" if len(same) > 1 else ""
         rows.append([same[0].program, same[0].dofs,
                      f"{statistics.median(seconds):.2f}{spread}",
+                     f"{statistics.median(run.cpu_seconds for run in same):.2f}",
                      f"{statistics.median(run.memory_mb for run in same):.0f}"])
-    table(["program", "DoFs", "seconds", "memory [MB]"], rows)
+    table(["program", "DoFs", "seconds", "CPU seconds", "memory [MB]"], rows)
 
 
 def main():

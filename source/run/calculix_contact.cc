@@ -202,20 +202,14 @@ namespace lamella
          << scene.contacts[k].obstacle->name << "', rigid\n*NODE, NSET=" << name
          << '\n';
     for (unsigned int n = 0; n < contact.layer->nodes.size(); ++n)
-      {
-        deck << contact.first_node + n;
-        for (unsigned int d = 0; d < 3; ++d)
-          deck << ", " << calculix_number(contact.layer->nodes[n][d]);
-        deck << '\n';
-      }
+      write_node(deck, contact.first_node + n, contact.layer->nodes[n]);
     deck << "*ELEMENT, TYPE=C3D20R, ELSET=" << name << '\n';
     for (unsigned int e = 0; e < contact.layer->elements.size(); ++e)
       {
-        deck << contact.first_element + e;
-        const auto &nodes = contact.layer->elements[e];
-        for (unsigned int i = 0; i < nodes.size(); ++i)
-          deck << (i == 10 ? ",\n" : ", ") << contact.first_node + nodes[i];
-        deck << '\n';
+        std::vector<unsigned int> nodes = contact.layer->elements[e];
+        for (unsigned int &node : nodes)
+          node += contact.first_node;
+        write_element(deck, contact.first_element + e, nodes);
       }
     // All nodes are prescribed: any material will do.
     deck << "*MATERIAL, NAME=" << name << "\n*ELASTIC\n"

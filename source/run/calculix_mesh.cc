@@ -84,6 +84,32 @@ namespace lamella
 
 
   void
+  write_node(std::ostream      &deck,
+             const unsigned int number,
+             const Point<3>    &position)
+  {
+    deck << number;
+    for (unsigned int d = 0; d < 3; ++d)
+      deck << ", " << calculix_number(position[d]);
+    deck << '\n';
+  }
+
+
+
+  void
+  write_element(std::ostream                    &deck,
+                const unsigned int               number,
+                const std::vector<unsigned int> &nodes)
+  {
+    deck << number;
+    for (unsigned int i = 0; i < nodes.size(); ++i)
+      deck << (i == 10 ? ",\n" : ", ") << nodes[i];
+    deck << '\n';
+  }
+
+
+
+  void
   write_set(std::ostream                 &deck,
             const std::string            &keyword,
             const std::set<unsigned int> &set)
@@ -268,8 +294,7 @@ namespace lamella
              << "'\n*NODE, NSET=" << name << '\n';
         for (unsigned int n = firsts[body].first; n < firsts[body + 1].first;
              ++n)
-          deck << n << ", "
-               << numbers_line({node(n)[0], node(n)[1], node(n)[2]});
+          write_node(deck, n, node(n));
         const unsigned int n_plies = dynamic_cast<const Solid &>(*solids[body])
                                        .hexahedra()
                                        .section()
@@ -282,12 +307,7 @@ namespace lamella
                  e < firsts[body + 1].second;
                  ++e)
               if (plies[e - 1] == ply)
-                {
-                  deck << e;
-                  for (unsigned int i = 0; i < nodes_of(e).size(); ++i)
-                    deck << (i == 10 ? ",\n" : ", ") << nodes_of(e)[i];
-                  deck << '\n';
-                }
+                write_element(deck, e, nodes_of(e));
           }
       }
     write_materials(deck);

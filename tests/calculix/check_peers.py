@@ -32,8 +32,38 @@ def play(folder, script):
     (folder / "ccx").chmod(0o755)
 
 
+PULLING = """
+ contact stress (slave element+face,press,tang1,tang2) for all contact elements and time %s
+
+        37          1 %s  0.000000E+00  0.000000E+00
+        37          1  1.145100E+07  0.000000E+00  0.000000E+00
+
+ total force (fx,fy,fz) for set SUPPORT1_X and time  0.1000000E+01
+
+        0.000000E+00  0.100000-101  1.720455E+02
+"""
+
+
+def check_tables(folder):
+    """What is read of a .dat, and that surfaces which pull are told."""
+    sys.path.insert(0, str(PEERS.parent))
+    import peers as module
+    dat = folder / "deck.dat"
+    for pressure, pulls in (("-0.743900E+09", True), ("-0.500000E+06", False)):
+        # The last table of a kind is the one that counts.
+        dat.write_text(PULLING % ("0.5000000E+00", "-0.900000E+09") +
+                       PULLING % ("0.1000000E+01", pressure))
+        tables = module.read_dat(dat)
+        check(tables["total", "SUPPORT1_X"] == (1., [[0., 1e-102, 172.0455]]),
+              "the total of a set, with an exponent of three digits")
+        check(tables["contact", None][0] == 1. and
+              bool(module.contact_that_pulls(tables)) == pulls,
+              f"a contact pressure of {pressure}")
+
+
 def main(program, scene, folder):
     folder.mkdir(parents=True, exist_ok=True)
+    check_tables(folder)
     (folder / "ccx").unlink(missing_ok=True)
     done = peers(program, scene, str(folder))
     check(done.returncode == 1 and "apt-get install calculix-ccx" in done.stderr,

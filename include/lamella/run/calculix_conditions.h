@@ -57,12 +57,6 @@ namespace lamella
     void
     write_step(std::ostream &deck, const double factor) const;
 
-    const NodalForces &
-    forces() const
-    {
-      return nodal_forces;
-    }
-
   private:
     void
     add_support(const unsigned int s, const CalculixMesh &mesh);

@@ -98,7 +98,8 @@ namespace lamella
     std::set<unsigned int>
     region_nodes(const Region &region, const std::string &what) const;
 
-    /// Whose element sets and materials they are: BODY1_PLY1, MATERIAL1, ...
+    /// The cards of nodes, elements, materials, ply axes and sections, with the
+    /// sets BODY1 (nodes) and BODY1_PLY1 (elements).
     void
     write(std::ostream &deck) const;
 
@@ -125,6 +126,16 @@ namespace lamella
   /// Numbers as CalculiX reads them: it takes 20 characters.
   std::string
   calculix_number(const double value);
+
+  /// The lines of a node and of an element in a deck.
+  void
+  write_node(std::ostream           &deck,
+             const unsigned int      number,
+             const dealii::Point<3> &position);
+  void
+  write_element(std::ostream                    &deck,
+                const unsigned int               number,
+                const std::vector<unsigned int> &nodes);
 
   /// Lines of a deck with the numbers of @p set, sixteen a line at most.
   void
