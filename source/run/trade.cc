@@ -203,7 +203,10 @@ namespace lamella
     catch (const InputError &error)
       {
         // The rung will say so itself.
-        text = joined(rung_overrides, "\n") + "\n" + error.what() + "\n";
+        for (const std::string &assignment : rung_overrides)
+          if (assignment.compare(0, 6, "Trade/") != 0)
+            text += assignment + "\n";
+        text += error.what() + std::string("\n");
       }
     return text + "program " + LAMELLA_VERSION + ", " + state_of_file(program);
   }

@@ -5,6 +5,7 @@
 #include <lamella/report/console.h>
 #include <lamella/report/fields_table.h>
 #include <lamella/run/trade_table.h>
+#include <lamella/section/theory.h>
 
 #include <algorithm>
 #include <cmath>
@@ -141,6 +142,26 @@ namespace lamella
     {
       return to_text(100. * relative, 2) + " %";
     }
+
+
+
+    /// Which theories hold others: those of the same family and a lower rank.
+    struct Richness
+    {
+      Theory::Kind family = Theory::Kind::undefined;
+      double       rank   = 0.;
+    };
+
+    Richness
+    richness_of(const std::string &name)
+    {
+      const Theory theory = Theory::parse(name, "Theory");
+      if (theory.kind == Theory::Kind::EBBT)
+        return {Theory::Kind::TE, 0.};
+      if (theory.kind == Theory::Kind::TBT)
+        return {Theory::Kind::TE, 0.5};
+      return {theory.kind, static_cast<double>(theory.order)};
+    }
   } // namespace
 
 
@@ -162,12 +183,17 @@ namespace lamella
                        std::to_string(all[k].dofs) + " DoFs, " +
                        to_text(all[k].seconds, 2) + " s (off by " +
                        per_cent(error(k, q)) + ").";
+    const Richness richness = richness_of(all[k].theory);
     for (unsigned int other = 0; other < all.size(); ++other)
-      if (all[other].theory == all[k].theory && has_error(other, q) &&
-          all[other].dofs > all[k].dofs && error(other, q) > tolerance)
-        return text + " Do not count on it: with the finer mesh of " +
-               all[other].name + " the same theory is off by " +
-               per_cent(error(other, q)) + ".";
+      {
+        const Richness others = richness_of(all[other].theory);
+        if (others.family == richness.family && others.rank >= richness.rank &&
+            all[other].dofs > all[k].dofs && has_error(other, q) &&
+            error(other, q) > tolerance)
+          return text + " Do not count on it: " + all[other].name +
+                 ", which is richer, is off by " + per_cent(error(other, q)) +
+                 ".";
+      }
     return text;
   }
 

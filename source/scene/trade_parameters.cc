@@ -104,7 +104,7 @@ namespace lamella
       LadderEntry rung;
       rung.name   = text;
       rung.theory = pieces[0];
-      Theory::parse(rung.theory, what);
+      Theory::parse(rung.theory, "Trade/Ladder");
       for (unsigned int k = 1; k < pieces.size(); ++k)
         {
           const std::string &piece = pieces[k];

@@ -6,7 +6,7 @@ Usage: check_bad_input.py LAMELLA FILE.bad WORKDIR
 
 A .bad file holds comments (#) and the lines
 
-    run [export] PATH [arguments]
+    run [export | trade] PATH [arguments]
                            the scene, relative to the file; {workdir} in a word
                            stands for WORKDIR; the program's working directory is
                            WORKDIR, its output folder WORKDIR/output (its deck
@@ -60,10 +60,11 @@ def read_case(path):
 
 def run_case(program, case, path, workdir):
     words = [word.replace("{workdir}", str(workdir)) for word in case["run"]]
-    task = [words.pop(0), "--calculix"] if words[0] == "export" else []
+    tasks = {"export": ["export", "--calculix"], "trade": ["trade"]}
+    task = tasks[words.pop(0)] if words[0] in tasks else []
     scene = path.parent.resolve() / words[0]
     output = [] if any(word.startswith("--output") for word in words) else [
-        "--output", str(workdir / ("output.inp" if task else "output"))]
+        "--output", str(workdir / ("output.inp" if task[:1] == ["export"] else "output"))]
     return subprocess.run(
         [str(Path(program).resolve()), *task, str(scene), *words[1:], *output],
         capture_output=True, text=True, cwd=workdir)

@@ -84,8 +84,9 @@ namespace lamella
     cheapest(const unsigned int q, const double tolerance) const;
 
     /// `For 1 % in tip: uz the cheapest is TBT: 75 DoFs, 0.3 s (off by 0.2 %).`
-    /// and, where a finer mesh of the same theory is off by more than
-    /// @p tolerance, that one should not count on it.
+    /// and, where a rung that is richer (more DoFs, the same theory or one that
+    /// holds it: EBBT, TBT, TE-1, TE-2, ...; LE-1, LE-2, ...) is off by more
+    /// than @p tolerance, that one should not count on it.
     std::string
     sentence(const unsigned int q, const double tolerance) const;
 

@@ -1,0 +1,239 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Runs `lamella trade` on a small scene and checks what it says against the files
+of the runs, recomputed here; that it goes on where it was killed; and what happens
+to rungs that fail.
+
+Usage: check_trade.py LAMELLA SCENE.prm WORKDIR
+"""
+
+import csv
+import json
+import re
+import shutil
+import signal
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+PHASES = ("setup", "assembly", "factorisation", "solve", "contact", "output")
+faults = []
+
+
+def expect(truth, what):
+    print(("ok    " if truth else "FAIL  ") + what)
+    if not truth:
+        faults.append(what)
+
+
+def read(path):
+    with open(path, newline="") as file:
+        return list(csv.DictReader(file))
+
+
+class Trade:
+    """The program, a scene and a folder."""
+
+    def __init__(self, program, scene, folder):
+        self.words = [str(program), "trade", str(scene), "--output", str(folder)]
+        self.folder = folder
+
+    def run(self, *settings):
+        words = self.words + [w for s in settings for w in ("--set", s)]
+        return subprocess.run(words, capture_output=True, text=True)
+
+    def start(self):
+        return subprocess.Popen(self.words, stdout=subprocess.DEVNULL,
+                                stderr=subprocess.DEVNULL)
+
+    def table(self):
+        return read(self.folder / "trade.csv")
+
+    def records(self):
+        """Path -> content and time of the records of rungs that have ended."""
+        return {path: (path.read_text(), path.stat().st_mtime_ns)
+                for path in sorted(self.folder.glob("rungs/*/rung.json"))}
+
+
+def value_of(run, quantity):
+    """A quantity in the files of a run, read without the program."""
+    name, column = (part.strip() for part in quantity.split(":"))
+    summary = json.loads((run / "summary.json").read_text())
+    if name in summary["supports"]:
+        return summary["supports"][name]["reaction"]["xyz".index(column[1])]
+    name, _, ply = name.partition("/")
+    rows = [row for row in read(run / "probes.csv") if row["probe"] == name
+            and (not ply or row["ply"] == ply)]
+    return float(rows[0][column])
+
+
+def run_folders(trade):
+    """Rung -> folder of its run, from the order of the ladder."""
+    return {re.sub(r"^\d+_", "", path.name): path / "run"
+            for path in trade.folder.glob("rungs/*")}
+
+
+def folder_of(trade, rung):
+    return run_folders(trade)[re.sub(r"[^A-Za-z0-9.-]", "_", rung)]
+
+
+def check_errors(trade, reference):
+    """Values, references, errors and costs of trade.csv against the runs' files."""
+    rows = [row for row in trade.table() if not row["failure"]]
+    expect(rows, "trade.csv has rows")
+    worst = 0.
+    for row in rows:
+        run = folder_of(trade, row["rung"])
+        value, against = value_of(run, row["quantity"]), reference(row["quantity"])
+        summary = json.loads((run / "summary.json").read_text())
+        worst = max(worst, abs(float(row["value"]) - value) / abs(value),
+                    abs(float(row["reference"]) - against) / abs(against),
+                    abs(float(row["memory_mb"]) / summary["peak_memory_mb"] - 1),
+                    *(abs(float(row[phase]) - summary["seconds"][phase])
+                      for phase in PHASES))
+        if row["error"]:
+            error = abs(value - against) / abs(against)
+            worst = max(worst, abs(float(row["error"]) - error))
+        if int(row["dofs"]) != summary["dofs"]:
+            worst = 1.
+        if float(row["seconds"]) < summary["seconds"]["total"]:
+            worst = 1.
+    expect(worst < 1e-12, f"{len(rows)} errors and costs agree with the runs' files "
+           f"(largest difference {worst:.1e})")
+
+
+def check_fronts(trade):
+    """The Pareto fronts against the definition, pair by pair."""
+    rows = [row for row in trade.table() if row["error"]]
+    wrong = 0
+    for cost in ("seconds", "dofs"):
+        for row in rows:
+            here = float(row[cost]), float(row["error"])
+            beaten = False
+            for other in rows:
+                there = float(other[cost]), float(other["error"])
+                if other["quantity"] == row["quantity"] and there != here:
+                    beaten |= there[0] <= here[0] and there[1] <= here[1]
+            twin = sum(other["quantity"] == row["quantity"] and
+                       (float(other[cost]), float(other["error"])) == here
+                       for other in rows) > 1
+            if not twin:
+                wrong += (row[f"front_{cost}"] == "1") == beaten
+    expect(wrong == 0, "the Pareto fronts hold who is beaten by none")
+
+
+def check_sentences(trade, text, tolerances):
+    rows = [row for row in trade.table() if row["error"]]
+    for per_cent in tolerances:
+        for quantity in dict.fromkeys(row["quantity"] for row in rows):
+            good = [row for row in rows if row["quantity"] == quantity
+                    and float(row["error"]) <= per_cent / 100]
+            begin = f"For {per_cent} % in {quantity} "
+            said = [line for line in text.splitlines() if line.startswith(begin)]
+            if not good:
+                expect(len(said) == 1 and "no rung is enough" in said[0],
+                       begin + "nothing is enough")
+                continue
+            least = min(float(row["seconds"]) for row in good)
+            equal = [row for row in good
+                     if float(row["seconds"]) <= 1.05 * least + 0.02]
+            best = min(equal, key=lambda row: int(row["dofs"]))
+            expect(len(said) == 1 and
+                   f"the cheapest is {best['rung']}: {best['dofs']} DoFs" in said[0],
+                   begin + f"it is {best['rung']}")
+
+
+def check_ladder(program, scene, workdir):
+    trade = Trade(program, scene, workdir / "whole")
+    done = trade.run()
+    print(done.stdout, done.stderr)
+    expect(done.returncode == 0, "the trade succeeds although a rung fails")
+    failed = [row for row in trade.table() if row["failure"]]
+    expect(len(failed) == 1 and "B9" in failed[0]["failure"] and
+           "B2, B3" in failed[0]["failure"], "the rung that fails is a row, and why")
+    expect("LE-2, axis 1: the same as LE-2, left out" in done.stdout,
+           "a rung that is the same as another is left out")
+    last = folder_of(trade, "LE-3, axis 2")
+    check_errors(trade, lambda quantity: value_of(last, quantity))
+    check_fronts(trade)
+    check_sentences(trade, done.stdout, (1, 10))
+    gnuplot = shutil.which("gnuplot")
+    for name, magic in (("trade.png", b"\x89PNG"), ("trade.svg", b"<?xml")):
+        path = trade.folder / name
+        expect(not gnuplot or path.is_file() and path.read_bytes().startswith(magic),
+               name + " is drawn")
+    return trade
+
+
+def check_other_questions(trade):
+    """Other quantities and references of the same runs: nothing is run again."""
+    before = trade.records()
+    given = {"end: uz": 0.02, "clamp: fz": -1.}
+    done = trade.run("Trade/Reference=given", "Trade/Quantities=end: uz | clamp: fz")
+    expect(done.returncode == 0, "errors against given values")
+    check_errors(trade, given.get)
+    expect(trade.records() == before, "no rung was run again for it")
+    done = trade.run("Trade/Quantities=interface: syy")
+    expect(done.returncode == 1 and "interface/1: syy" in done.stderr,
+           "a stress on an interface wants its ply named")
+    done = trade.run("Trade/Reference=solid")
+    expect(done.returncode == 2 and "no rung with hexahedra" in done.stderr,
+           "no solid, no reference")
+    trade.run("Load tip/Force=0, 0, 0.25")
+    expect(not set(before.values()) & set(trade.records().values()),
+           "another load: every rung is run again")
+
+
+def check_killed(program, scene, workdir):
+    """kill -9 after two rungs: they stay, the rest is run, nothing else lives on."""
+    trade = Trade(program, scene, workdir / "killed")
+    process = trade.start()
+    until = time.monotonic() + 60
+    while len(trade.records()) < 2 and time.monotonic() < until:
+        time.sleep(0.005)
+    second = Trade(program, scene, trade.folder).run()
+    expect(second.returncode == 1 and "another trade is at work" in second.stderr,
+           "a second trade in the same folder is refused")
+    process.send_signal(signal.SIGKILL)
+    process.wait()
+    before = trade.records()
+    expect(len(before) >= 2 and not (trade.folder / "trade.csv").exists(),
+           f"killed after {len(before)} rungs")
+    done = trade.run()
+    after = trade.records()
+    expect(done.returncode == 0 and len(after) == 7, "the trade went on to its end")
+    expect(all(after[path] == before[path] for path in before),
+           "the rungs that had ended were not run again")
+    expect(done.stdout.count("(of an earlier trade)") == len(before),
+           "and it says so")
+    # A record that was cut off is none.
+    victim = list(after)[2]
+    victim.write_text(victim.read_text()[:100])
+    done = trade.run()
+    expect(done.stdout.count("(of an earlier trade)") == 6 and
+           json.loads(victim.read_text())["failure"] == "",
+           "a record that is not whole is made again")
+
+
+def check_time_limit(program, scene, workdir):
+    trade = Trade(program, scene, workdir / "limit")
+    done = trade.run("Trade/Ladder=TBT | LE-8, axis 20, section 20",
+                     "Trade/Time limit=1", "Trade/Reference=TBT")
+    failed = [row["failure"] for row in trade.table() if row["failure"]]
+    expect(done.returncode == 0 and len(failed) == 1 and "time limit of 1 s"
+           in failed[0], "a rung beyond the time limit is a row")
+
+
+def main():
+    program, scene, workdir = (Path(word).resolve() for word in sys.argv[1:4])
+    shutil.rmtree(workdir, ignore_errors=True)
+    workdir.mkdir(parents=True)
+    check_other_questions(check_ladder(program, scene, workdir))
+    check_killed(program, scene, workdir)
+    check_time_limit(program, scene, workdir)
+    sys.exit(1 if faults else 0)
+
+
+if __name__ == "__main__":
+    main()
