@@ -68,15 +68,20 @@ namespace lamella
 
 
 
-    /// The theories of the rungs, each once, in their order.
+    /// The theories of the rungs that have errors, each once, in their order.
     std::vector<std::string>
     theories_of(const TradeTable &table)
     {
       std::vector<std::string> theories;
-      for (const RungResult &rung : table.rungs())
-        if (std::find(theories.begin(), theories.end(), rung.theory) ==
-            theories.end())
-          theories.push_back(rung.theory);
+      for (unsigned int k = 0; k < table.rungs().size(); ++k)
+        for (unsigned int q = 0; q < table.quantities().size(); ++q)
+          {
+            const std::string &theory = table.rungs()[k].theory;
+            if (table.has_error(k, q) &&
+                std::find(theories.begin(), theories.end(), theory) ==
+                  theories.end())
+              theories.push_back(theory);
+          }
       return theories;
     }
 
@@ -261,7 +266,7 @@ namespace lamella
       const bool    left   = cost == Cost::seconds;
       const double *x      = left ? left_panel : right_panel;
       const double  upper  = 1. - (top + row * row_height + 26) / height,
-                   lower   = 1. - (top + (row + 1) * row_height - 44) / height;
+                   lower   = 1. - (top + (row + 1) * row_height - 54) / height;
       gp << "set lmargin at screen " << x[0] << "\nset rmargin at screen "
          << x[1] << "\nset tmargin at screen " << upper
          << "\nset bmargin at screen " << lower << "\n";
