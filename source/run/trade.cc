@@ -28,6 +28,11 @@ namespace lamella
     /// The record of a rung that has ended, in its folder.
     constexpr const char *record_name = "rung.json";
 
+    /// Runs that take less than `brief` seconds are made `tries` times, and the
+    /// fastest counts.
+    constexpr double       brief = 1.;
+    constexpr unsigned int tries = 3;
+
     std::vector<std::string>
     operator+(std::vector<std::string> a, const std::vector<std::string> &b)
     {
@@ -213,36 +218,71 @@ namespace lamella
 
 
 
+  ProcessEnd
+  Trade::run_scene(const std::vector<std::string> &all,
+                   const std::string              &folder,
+                   const std::string              &output) const
+  {
+    std::vector<std::string> words{
+      scene_file, "--output", output, "--set", "Write VTU=false"};
+    for (const std::string &assignment : all)
+      {
+        words.push_back("--set");
+        words.push_back(assignment);
+      }
+    return run_process(program,
+                       words,
+                       folder + "/output.txt",
+                       folder + "/errors.txt",
+                       scene.trade.time_limit);
+  }
+
+
+
+  json
+  Trade::new_record(const std::vector<std::string> &all,
+                    const std::string              &folder) const
+  {
+    fs::remove_all(folder);
+    fs::create_directories(folder);
+    const std::string kept = folder + "/run", other = folder + "/again";
+    ProcessEnd        best = run_scene(all, folder, kept);
+    const std::string failure =
+      failure_of(best, folder + "/errors.txt", scene.trade.time_limit);
+    // What else the machine does weighs most where a run is short.
+    for (unsigned int k = 1;
+         failure.empty() && k < tries && best.seconds < brief;
+         ++k)
+      {
+        const ProcessEnd end = run_scene(all, folder, other);
+        if (end.status == 0 && end.seconds < best.seconds)
+          {
+            best = end;
+            fs::remove_all(kept);
+            fs::rename(other, kept);
+          }
+        else
+          fs::remove_all(other);
+      }
+    return {{"of", fingerprint(all)},
+            {"seconds", best.seconds},
+            {"failure", failure}};
+  }
+
+
+
   RungResult
   Trade::run_rung(const Rung &rung, const std::string &folder) const
   {
-    const auto        all = overrides + rung.overrides;
-    RungResult        result{rung.name, rung.theory, "", 0., {}, 0, 0., {}};
-    const std::string of     = fingerprint(all);
-    json              record = record_in(folder, of);
-    const bool        had    = !record.is_null();
+    const auto all    = overrides + rung.overrides;
+    json       record = record_in(folder, fingerprint(all));
+    const bool had    = !record.is_null();
     if (!had)
       {
-        fs::remove_all(folder);
-        fs::create_directories(folder);
-        std::vector<std::string> words{
-          scene_file, "--output", folder + "/run", "--set", "Write VTU=false"};
-        for (const std::string &assignment : all)
-          {
-            words.push_back("--set");
-            words.push_back(assignment);
-          }
-        const ProcessEnd end = run_process(program,
-                                           words,
-                                           folder + "/output.txt",
-                                           folder + "/errors.txt",
-                                           scene.trade.time_limit);
-        record["of"]         = of;
-        record["seconds"]    = end.seconds;
-        record["failure"] =
-          failure_of(end, folder + "/errors.txt", scene.trade.time_limit);
+        record = new_record(all, folder);
         keep_record(record, folder);
       }
+    RungResult result{rung.name, rung.theory, "", 0., {}, 0, 0., {}};
     result.seconds = record.at("seconds");
     result.failure = record.at("failure");
     if (result.failure.empty())

@@ -3,9 +3,12 @@
 #ifndef lamella_run_trade_h
 #define lamella_run_trade_h
 
+#include <lamella/base/child_process.h>
 #include <lamella/run/ladder.h>
 #include <lamella/run/trade_table.h>
 #include <lamella/scene/scene.h>
+
+#include <nlohmann/json_fwd.hpp>
 
 #include <iosfwd>
 #include <string>
@@ -50,6 +53,18 @@ namespace lamella
     /// Runs the rungs of the ladder that differ from those before them.
     void
     climb(const std::string &directory);
+    /// Runs the scene with the overrides @p all into @p output; what it prints
+    /// goes into @p folder.
+    ProcessEnd
+    run_scene(const std::vector<std::string> &all,
+              const std::string              &folder,
+              const std::string              &output) const;
+    /// Runs it, a few times where that is soon done, keeps the fastest in
+    /// @p folder and returns what the record says.
+    nlohmann::json
+    new_record(const std::vector<std::string> &all,
+               const std::string              &folder) const;
+    /// Reads the rung's record in @p folder, or makes one.
     RungResult
     run_rung(const Rung &rung, const std::string &folder) const;
     /// Adds the largest quantities of the probes of which the scene only says
