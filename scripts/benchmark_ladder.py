@@ -1,0 +1,130 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""lamella trade on six scenes: which theory is enough; see scripts/benchmark."""
+
+import csv
+import shutil
+import subprocess
+import tempfile
+import time
+from pathlib import Path
+
+from benchmark_scenes import SCENES
+from benchmark_tools import ENVIRONMENT, PROGRAM, ROOT, Failed, show, table, wanted
+
+# Scenes of ours: title, file, overrides, tiny ones.
+SANDWICH_CANTILEVER = [
+    "Body beam/Section=sandwich", "Load tip/Force=0, 0, 0.02",
+    "Probes=tip, root", "Probe tip/At=beam: 2.5, 10, 0.5",
+    "Probe root/At=beam: 2.5, 2.5, 0.5",
+    "Trade/Quantities=tip: uz | root: syz"]
+# A force at a flange's edge bends the double-T and twists it.
+DOUBLE_T = [
+    "Bodies=double_T", "Supports=clamps", "Support clamps/On=double_T: start",
+    "Loads=tips", "Load tips/On=double_T: end", "Load tips/Force=0, 0, -0.1*(x-91)",
+    "Probes=tip, edge, root", "Probe tip/At=double_T: 95, 60, 6",
+    "Probe edge/At=double_T: 100, 60, 11.5", "Probe root/At=double_T: 100, 5, 11.5",
+    "Body double_T/Length=60", "Body double_T/Kinematics/Axis breaks=",
+    "Body double_T/Kinematics/Axis elements=8",
+    "Trade/Quantities=tip: uz | edge: uz | root: syy"]
+OWN = {
+    "crossed_beams": ("Crossed beams, of one soft material",
+                      "tests/scenes/crossed_beams.prm",
+                      ["Trade/Quantities=press: fz"]),
+    "double_t": ("A double-T, clamped, bent and twisted by an eccentric force",
+                 "tests/scenes/section_cantilevers.prm", DOUBLE_T),
+    "sandwich_cantilever": ("A sandwich cantilever with a soft core",
+                            "prm/cantilever.prm", SANDWICH_CANTILEVER)}
+
+
+def trade(scene, overrides, folder):
+    """Runs a trade: its closing lines, its rows, seconds."""
+    words = [PROGRAM, "trade", ROOT / scene, "--output", folder]
+    for override in overrides:
+        words += ["--set", override]
+    begin = time.perf_counter()
+    done = subprocess.run(words, env=ENVIRONMENT, capture_output=True, text=True)
+    seconds = time.perf_counter() - begin
+    if done.returncode != 0:
+        raise Failed(f"lamella trade {scene}: {done.stderr.strip().splitlines()[0]}")
+    with open(Path(folder) / "trade.csv", newline="") as file:
+        rows = list(csv.DictReader(file))
+    said = [line for line in done.stdout.splitlines()
+            if line.startswith(("Errors are", "For "))]
+    return said, rows, seconds
+
+
+def rungs(rows):
+    """Of a trade's rows, one list a rung that succeeded, in the ladder's order."""
+    result = {}
+    for row in rows:
+        if not row["failure"]:
+            result.setdefault(row["rung"], []).append(row)
+    return result
+
+
+def errors_table(rows):
+    """Costs and errors; * stands on the front of error against seconds."""
+    found = rungs(rows)
+    quantities = [row["quantity"] for row in next(iter(found.values()))]
+    lines = []
+    for name, row in found.items():
+        first = row[0]
+        lines.append([name, first["dofs"], f"{float(first['seconds']):.2f}",
+                      f"{float(first['memory_mb']):.0f}"] +
+                     [f"{100 * float(r['error']):.2g} %" +
+                      (" *" if r["front_seconds"] == "1" else "")
+                      if r["error"] else "-" for r in row])
+    failed = sorted({row["rung"] for row in rows if row["failure"]})
+    text = table(["rung", "DoFs", "seconds", "MB"] + quantities, lines)
+    return text + (f"\n\nNo result: {', '.join(failed)}." if failed else "")
+
+
+def quoted(said):
+    return "\n>\n".join("> " + line for line in said)
+
+
+def climb(bench, name, title, scene, overrides, given):
+    """A scene's blocks, and how many rungs and seconds it took."""
+    with tempfile.TemporaryDirectory() as folder:
+        said, rows, seconds = trade(scene, overrides, folder)
+        picture = Path(folder) / "trade.png"
+        if picture.is_file():
+            shutil.copy(picture, bench.picture(f"trade_{name}"))
+        blocks = [f"### {title}", f"`{scene}`: {len(rungs(rows))} rungs in "
+                  f"{seconds:.1f} s.", errors_table(rows)]
+        if picture.is_file():
+            blocks.append(show(f"{title}: error against cost", f"trade_{name}"))
+        blocks.append(quoted(said))
+        if given:
+            # The records of the ladder are there: nothing runs again.
+            again, _, _ = trade(scene, overrides + ["Trade/Reference=given"], folder)
+            blocks += ["Against the converged values that the scene gives:",
+                       quoted(again)]
+    return blocks, len(rungs(rows)), seconds
+
+
+def cases(bench):
+    """Name, title, file, overrides, whether it is the paper's."""
+    short = "Trade/Ladder=EBBT | TE-1 | LE-1 | LE-2"
+    for name, scene in SCENES.items():
+        yield name, scene.title, f"prm/{scene.file}", \
+            [short] + scene.tiny if bench.reduced else [], True
+    for name, (title, file, overrides) in OWN.items():
+        yield name, title, file, overrides + ([short] if bench.reduced else []), False
+
+
+def ladder(bench):
+    """`lamella trade`: a ladder of theories and meshes, each a process of its own."""
+    blocks = ["Seconds are of each rung's whole process; errors are relative; * is on "
+              "the front: nothing is cheaper and closer. Three scenes of the paper, "
+              "three others."]
+    demands = []
+    for name, title, scene, overrides, of_paper in cases(bench):
+        if bench.reduced and name in ("hertz", "crossed_beams", "double_t"):
+            continue
+        text, count, seconds = climb(bench, name, title, scene, overrides, of_paper)
+        blocks += text
+        if of_paper:
+            demands += [wanted(f"{scene}, rungs of the ladder", 12, count, True),
+                        wanted(f"{scene}, its seconds", 120, seconds)]
+    return blocks + [demands]
