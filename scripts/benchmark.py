@@ -59,6 +59,8 @@ def measured(part, bench):
     try:
         blocks = PARTS[part](bench)
     except Failed as failure:
+        # Messages of the program name files, pages do not name folders.
+        failure = str(failure).replace(f"{ROOT}/", "")
         done, blocks = False, [f"This part failed: {failure}"]
         print(f"scripts/benchmark: {part}: {failure}", file=sys.stderr)
     seconds = time.perf_counter() - begin

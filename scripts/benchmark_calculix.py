@@ -12,15 +12,20 @@ from measure import axis
 OURS = {
     "hertz": [
         ("5 B4, cells of 0.02", []),
-        ("5 B4, cells of 0.05", ["Section half/Finest cell=0.05"]),
+        ("3 B4, cells of 0.04",
+         ["Section half/Finest cell=0.04"] + axis("1,1,1", "0.1,0.9")),
         ("2 B4, cells of 0.05", ["Section half/Finest cell=0.05"] + axis(2))],
     "laminated_beams": [
         ("20 B4, 4 x 3 L9", []),
-        ("10 B4, 2 x 3 L9", ["Section strip/Cells across=2"] + axis(10))],
+        ("20 B4, 2 x 3 L9", ["Section strip/Cells across=2"]),
+        ("4 B4, 1 x 3 L9", ["Section strip/Cells across=1"] + axis(4))],
     "sandwich": [
         ("18 B4, 4 x 10 L9", []),
-        ("18 B4, 2 x 9 L9", ["Section sandwich/Cells across=2",
-                             "Section sandwich/Cells per ply=1,1,1,3,1,1,1"])]}
+        ("18 B4, 1 x 8 L9", ["Section sandwich/Cells across=1",
+                             "Section sandwich/Cells per ply=1,1,1,2,1,1,1"]),
+        ("10 B4, 2 x 8 L9", ["Section sandwich/Cells across=2",
+                             "Section sandwich/Cells per ply=1,1,1,2,1,1,1"] +
+         beam("3,1,2,1,3", "230,245,255,270"))]}
 THEIRS = {
     "hertz": [
         ("cells of 0.06, 2 along", ["Section half/Finest cell=0.06"] + axis(2)),

@@ -37,13 +37,13 @@ def sweeps(reduced):
     """Axis, section and contact rows."""
     few = 2 if reduced else 8
     return [
-        Sweep("axis", "B4 a beam, 4 x 3 L9", BEAMS,
+        Sweep("along the axis", "B4 a beam, 4 x 3 L9", BEAMS,
               [4, 8] if reduced else [20, 40, 80, 160, 320, 640], axis),
-        Sweep("across", f"cells across, 3 L9 deep, {few} B4", BEAMS,
+        Sweep("across the section", f"cells across, 3 L9 deep, {few} B4", BEAMS,
               [2, 4] if reduced else [4, 8, 16, 32, 64],
               lambda n: [f"Section strip/Cells across={n}"] + axis(few)),
-        Sweep("thickness", f"cells a ply of three, 4 L9 across, {few} B4", BEAMS,
-              [1, 2] if reduced else [1, 2, 4, 8, 16],
+        Sweep("through the thickness", f"cells a ply of three, 4 L9 across, {few} B4",
+              BEAMS, [1, 2] if reduced else [1, 2, 4, 8, 16],
               lambda n: [f"Section strip/Cells per ply={n}"] + axis(few)),
         Sweep("contact rows", "part of the blocks pressed [%]", BLOCKS,
               [50, 100] if reduced else [6, 12, 25, 50, 100],
@@ -137,8 +137,8 @@ def growth(bench):
     for sweep, points in results:
         found = [exponent for exponent, _ in fits(sweep, points)]
         summary.append([f"{sweep.name} ({sweep.unit})"] + [f"{e:.2f}" for e in found])
-        if sweep.name == "axis":
-            demands = [wanted(f"exponent over the axis, {name}", 1.1, exponent)
+        if sweep.name == "along the axis":
+            demands = [wanted(f"exponent along the axis, {name}", 1.1, exponent)
                        for name, exponent in zip(QUANTITIES, found)]
     blocks.append(table(["exponents"] + list(QUANTITIES), summary))
     for sweep, points in results:

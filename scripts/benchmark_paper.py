@@ -104,7 +104,7 @@ def forces(scene, runs):
     rows = [[q.name, number(q.converged)] +
             [f"{number(q.value(run))} ({off(q.value(run), q.converged)})"
              for run in runs.values()] for q in scene.quantities]
-    return table(["", "C3D20R, converged"] + list(runs), rows)
+    return table(["quantity", "C3D20R, converged"] + list(runs), rows)
 
 
 def fast_enough(scene, runs):

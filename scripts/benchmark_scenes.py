@@ -75,5 +75,6 @@ SANDWICH = Scene(
     [Quantity("force [N]", "contacts", "indentation", 2, 754.5),
      Quantity("u_y [mm]", "probes", "quarter", "uy", 0.05529),
      Quantity("sigma_yy [MPa]", "probes", "bottom", "syy", 32.08),
-     Quantity("sigma_yz [MPa]", "probes", "core", "syz", -0.2278)])
+     Quantity("sigma_yy at 150 [MPa]", "probes", "tension", "syy", 2.543),
+     Quantity("sigma_yz at 150 [MPa]", "probes", "core", "syz", -0.2278)])
 SCENES = {"hertz": HERTZ, "laminated_beams": LAMINATED, "sandwich": SANDWICH}
