@@ -3,6 +3,7 @@
 
 import argparse
 import datetime
+import os
 import re
 import sys
 import time
@@ -23,12 +24,13 @@ INTRODUCTION = """\
 # Benchmarks
 
 Written by `scripts/benchmark{how}`: every figure here is measured by it or, where
-a source is named, from there. One thread, nothing else running. Seconds are of the
-whole process, start to end, unless a phase is named: all probes, lines and cuts are
-written, the files for ParaView are not (`Write VTU = false`). The paper is Nagaraj,
-Kaleel, Carrera and Petrolo, Eur. J. Mech. A/Solids 80 (2020); its seconds are of its
-machine. What "converged" values are: [laminated-beams.md](laminated-beams.md),
-[hertz.md](hertz.md), [sandwich.md](sandwich.md).
+a source is named, from there. One thread. Seconds are wall seconds of the whole
+process, start to end, unless a phase is named: all probes, lines and cuts are written,
+the files for ParaView are not (`Write VTU = false`). The paper is Nagaraj, Kaleel,
+Carrera and Petrolo, Eur. J. Mech. A/Solids 80 (2020); its seconds are of its machine.
+Converged values are C3D20R of CalculiX 2.20 on series of meshes
+([laminated-beams.md](laminated-beams.md), [hertz.md](hertz.md),
+[sandwich.md](sandwich.md)).
 """
 
 
@@ -54,7 +56,7 @@ def sections_of(path):
 
 def measured(part, bench):
     """The section of a part, and whether it could be measured."""
-    begin = time.perf_counter()
+    begin, load = time.perf_counter(), os.getloadavg()[0]
     done = True
     try:
         blocks = PARTS[part](bench)
@@ -65,7 +67,7 @@ def measured(part, bench):
         print(f"scripts/benchmark: {part}: {failure}", file=sys.stderr)
     seconds = time.perf_counter() - begin
     note = (f"`scripts/benchmark {part}`, {datetime.date.today()}{commit()}: "
-            f"{seconds:.0f} s.")
+            f"{seconds:.0f} s. Load average of the machine as it began: {load:.1f}.")
     print(f"{part}: {seconds:.0f} s", file=sys.stderr)
     return page(TITLES[part], note, *blocks), done
 

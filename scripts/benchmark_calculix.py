@@ -110,7 +110,7 @@ def section(scene, ours, theirs):
         f"{100 * rung.error():.2f} %; {peer.name} of C3D20R takes {peer.seconds:.1f} s "
         f"and is off by {100 * peer.error():.2f} %: {ratio:.3g} times as long.")
     return [f"### {scene.title}", table(head, rows), said], \
-        wanted(f"{scene.file}, seconds of C3D20R no closer than ours over ours", 50,
+        wanted(f"prm/{scene.file}, seconds of C3D20R no closer than ours over ours", 50,
                ratio, True)
 
 

@@ -95,7 +95,7 @@ def climb(bench, name, title, scene, overrides, given):
 
 def cases(bench):
     """Name, title, file, overrides, whether it is the paper's."""
-    short = "Trade/Ladder=EBBT | LE-1 | LE-2"
+    short = "Trade/Ladder=EBBT | LE-1"
     for name, scene in SCENES.items():
         yield name, scene.title, f"prm/{scene.file}", \
             [short] + scene.tiny if bench.reduced else [], True

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Runs, tables, requirements, the machine: shared by the parts of scripts/benchmark."""
 
+import functools
 import os
 import platform
 import re
@@ -161,6 +162,7 @@ def calculix_version():
         "not installed"
 
 
+@functools.cache
 def machine():
     """CPU, cores, memory and versions, as a table."""
     cpu = first_match(r"^model name\s*:\s*(.*)$", text_of(Path("/proc/cpuinfo")),
@@ -174,6 +176,7 @@ def machine():
     return table(["machine", "and versions"], rows)
 
 
+@functools.cache
 def commit():
     """Of the sources, and whether they were changed since; nothing without git."""
     def git(*words):
