@@ -49,7 +49,15 @@ def rungs(rows):
 
 
 def per_cent(error):
-    return f"{100 * error:.{2 if error < 0.0995 else 3}g} %"
+    """Two digits, of large errors all before the point."""
+    return f"{100 * error:.2g} %" if error < 0.0995 else f"{100 * error:.0f} %"
+
+
+def reasons(rows):
+    """Why rungs have no result: the first sentence of each."""
+    found = {row["rung"]: row["failure"].split(". ")[0].rstrip(".")
+             for row in rows if row["failure"]}
+    return "; ".join(f"{rung}: {why}" for rung, why in found.items())
 
 
 def errors_table(rows):
@@ -64,9 +72,7 @@ def errors_table(rows):
                      [per_cent(float(r["error"])) +
                       (" *" if r["front_seconds"] == "1" else "")
                       if r["error"] else "-" for r in row])
-    failed = sorted({row["rung"] for row in rows if row["failure"]})
-    text = table(["rung", "DoFs", "seconds", "MB"] + quantities, lines)
-    return text + (f"\n\nNo result: {', '.join(failed)}." if failed else "")
+    return table(["rung", "DoFs", "seconds", "MB"] + quantities, lines)
 
 
 def quoted(said):
@@ -82,6 +88,8 @@ def climb(bench, name, title, scene, overrides, given):
             shutil.copy(picture, bench.picture(f"trade_{name}"))
         blocks = [f"### {title}", f"`{scene}`: {len(rungs(rows))} rungs in "
                   f"{seconds:.1f} s.", errors_table(rows)]
+        if reasons(rows):
+            blocks.append(f"No result: {reasons(rows)}.")
         if picture.is_file():
             blocks.append(show(f"{title}: error against cost", f"trade_{name}"))
         blocks.append(quoted(said))

@@ -81,7 +81,7 @@ def table(header, rows):
 
 def off(value, reference):
     """How far a value is off, in per cent with its sign."""
-    return f"{100 * (value / reference - 1):+.2f} %"
+    return f"{round(100 * (value / reference - 1), 2) + 0.:+.2f} %"  # no -0.00
 
 
 def number(value):
