@@ -47,7 +47,7 @@ def sweeps(reduced):
               BEAMS, [1, 2] if reduced else [1, 2, 4, 8, 16],
               lambda n: [f"Section strip/Cells per ply={n}"] + axis(few)),
         Sweep("contact rows", "part of the blocks pressed [%]", BLOCKS,
-              [50, 100] if reduced else [3, 6, 12, 25, 100],
+              [50, 100] if reduced else [4, 6, 12, 25, 100],
               lambda n: (block_mesh(2, 2, 4) if reduced else block_mesh(10, 2, 16)) +
               [f"Load press/Pressure=if(y<{n / 25},100,-1)"], True)]
 
