@@ -78,9 +78,12 @@ def verdict(sections):
              if line.startswith("- ") and ": wanted " in line]
     missed = [line for line in lines if line.endswith("NOT MET")]
     text = (f"Of {len(lines)} requirements that close the sections, "
-            f"{len(lines) - len(missed)} are met")
-    return "\n".join([text + (", all but" if missed else ".")] +
-                     ([""] + missed if missed else []))
+            f"{len(lines) - len(missed)} are met{', all but' if missed else '.'}")
+    blank = [TITLES[part] for part in PARTS if part not in sections or
+             re.search("^(Not measured|This part failed):", sections[part], re.M)]
+    return "\n\n".join(
+        [text] + (["\n".join(missed)] if missed else []) +
+        ([f"Without figures: {', '.join(blank)}."] if blank else []))
 
 
 def write(path, bench, sections):
