@@ -23,9 +23,8 @@ OURS = {
         ("18 B4, 4 x 10 L9", []),
         ("18 B4, 1 x 8 L9", ["Section sandwich/Cells across=1",
                              "Section sandwich/Cells per ply=1,1,1,2,1,1,1"]),
-        ("10 B4, 2 x 8 L9", ["Section sandwich/Cells across=2",
-                             "Section sandwich/Cells per ply=1,1,1,2,1,1,1"] +
-         beam("3,1,2,1,3", "230,245,255,270"))]}
+        ("18 B4, 2 x 8 L9", ["Section sandwich/Cells across=2",
+                             "Section sandwich/Cells per ply=1,1,1,2,1,1,1"])]}
 THEIRS = {
     "hertz": [
         ("cells of 0.06, 2 along", ["Section half/Finest cell=0.06"] + axis(2)),
@@ -36,9 +35,10 @@ THEIRS = {
         ("cells of 0.03, 1, 4, 1 along",
          ["Section half/Finest cell=0.03"] + axis("1,4,1", "0.1,0.9"))],
     "laminated_beams": [
+        ("1 x 3, 8 along", ["Section strip/Cells across=1"] + axis(8)),
+        ("1 x 3, 20 along", ["Section strip/Cells across=1"] + axis(20)),
         ("2 x 3, 20 along", ["Section strip/Cells across=2"]),
-        ("2 x 3, 40 along", ["Section strip/Cells across=2"] + axis(40)),
-        ("4 x 3, 40 along", axis(40))],
+        ("2 x 3, 40 along", ["Section strip/Cells across=2"] + axis(40))],
     "sandwich": [
         ("2 x 9, 18 along", ["Section sandwich/Cells per ply=1,1,1,3,1,1,1",
                              "Section sandwich/Cells across=2"]),
@@ -90,12 +90,36 @@ def compare(scene, ours, theirs):
         peer.again()
 
 
+def front(rungs):
+    """Those that no other one beats in seconds and in error."""
+    good = [rung for rung in rungs if not rung.failure]
+    return [rung for rung in good
+            if not any(other.seconds < rung.seconds and other.error() <= rung.error()
+                       for other in good)]
+
+
 def best_pair(ours, theirs):
-    """The largest ratio of seconds among the pairs in which theirs is not closer."""
-    pairs = [(peer.seconds / rung.seconds, rung, peer) for rung in ours
-             for peer in theirs if not rung.failure and not peer.failure and
-             peer.error() >= rung.error()]
+    """The largest ratio of seconds among the pairs in which theirs is not closer.
+    A mesh of theirs that a cheaper one of theirs beats does not count."""
+    pairs = [(peer.seconds / rung.seconds, rung, peer) for rung in front(ours)
+             for peer in front(theirs) if peer.error() >= rung.error()]
     return max(pairs, key=lambda pair: pair[0], default=(0., None, None))
+
+
+def said_of(rung, peer, theirs):
+    """The pair in words, and what theirs takes to be at least as close."""
+    if rung is None:
+        return "No mesh of theirs is as far off as one of ours."
+    text = (f"{rung.name} of LE-2 takes {rung.seconds:.2f} s and is off by at most "
+            f"{100 * rung.error():.2f} %; {peer.name} of C3D20R takes "
+            f"{peer.seconds:.1f} s and is off by {100 * peer.error():.2f} %: "
+            f"{peer.seconds / rung.seconds:.3g} times as long. ")
+    closer = [other for other in front(theirs) if other.error() <= rung.error()]
+    if not closer:
+        return text + "None of its meshes here is as close as ours."
+    other = min(closer, key=lambda r: r.seconds)
+    return text + (f"The cheapest of its meshes that is as close, {other.name}, takes "
+                   f"{other.seconds / rung.seconds:.3g} times as long.")
 
 
 def section(scene, ours, theirs):
@@ -105,11 +129,8 @@ def section(scene, ours, theirs):
     head = ["program", "mesh", "DoFs", "seconds", "MB", "largest error"] + \
         [f"{q.name} (converged: {number(q.converged)})" for q in scene.quantities]
     ratio, rung, peer = best_pair(ours, theirs)
-    said = "No mesh of theirs is as far off as one of ours." if rung is None else (
-        f"{rung.name} takes {rung.seconds:.2f} s and is off by at most "
-        f"{100 * rung.error():.2f} %; {peer.name} of C3D20R takes {peer.seconds:.1f} s "
-        f"and is off by {100 * peer.error():.2f} %: {ratio:.3g} times as long.")
-    return [f"### {scene.title}", table(head, rows), said], \
+    return [f"### {scene.title}", table(head, rows),
+            said_of(rung, peer, theirs)], \
         wanted(f"prm/{scene.file}, seconds of C3D20R no closer than ours over ours", 50,
                ratio, True)
 
@@ -127,7 +148,8 @@ def calculix(bench):
               "scene. Errors are against the converged values (C3D20R on mesh series, "
               "in halves and quarters of the scenes); *largest error* is over the "
               "quantities of the table. Seconds of ours are the median, those of "
-              "C3D20R of one run, without its export."]
+              "C3D20R of one run, without its export. A mesh that a cheaper and closer "
+              "one of the same program beats is left out of the comparison."]
     demands = []
     for name, scene in (("hertz", HERTZ), ("laminated_beams", LAMINATED),
                         ("sandwich", SANDWICH)):
