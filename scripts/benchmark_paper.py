@@ -194,7 +194,9 @@ def paper(bench):
     """Rows of the paper as it prints them, ours below; the fastest of three."""
     blocks = ["The paper's rows as printed, ours below them: whole process, the "
               "fastest of three. Stresses of ours are at the named points, at "
-              "surfaces on the surface."]
+              "surfaces on the surface. Where a mesh of the paper's is far coarser "
+              "than the contact, `surface to surface` averages gaps over more than "
+              "it, and rows at nodes come closer."]
     demands = []
     for scene in (hertz, laminated, sandwich):
         text, lines = scene(bench)
