@@ -1,0 +1,280 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+// step-7: which model for this test? A decision out of a trade.
+//
+// A carbon strip is bent between two bearings and a nose. Three numbers are
+// wanted of it, each as exact as it has to be, with as little work as will do.
+// `lamella trade` says for one number at a time which theory and mesh is the
+// cheapest; a design has to be right in all of them at once. The program climbs
+// the ladder of the scene by itself and then asks the table what the command
+// does not: the cheapest rung that meets all tolerances, and the best one
+// within a budget. See README.md in this folder.
+
+#include <lamella/run/ladder.h>
+#include <lamella/run/simulation.h>
+#include <lamella/run/trade_picture.h>
+#include <lamella/run/trade_table.h>
+
+#include <deal.II/base/mpi.h>
+#include <deal.II/base/table_handler.h>
+
+#include <filesystem>
+#include <iostream>
+
+using namespace lamella;
+using Cost = TradeTable::Cost;
+
+class BendingTest
+{
+public:
+  BendingTest();
+  void
+  run();
+
+private:
+  RungResult
+  climb(const LadderEntry &entry, const std::string &folder);
+  double
+  utilisation(const TradeTable &trade, const unsigned int k) const;
+  int
+  cheapest(const TradeTable &trade, const Cost cost) const;
+  int
+  best_within_budget(const TradeTable &trade) const;
+  void
+  print_utilisations(const TradeTable &trade) const;
+  void
+  decide(const TradeTable &trade) const;
+  void
+  check(const TradeTable &trade) const;
+
+  static constexpr const char *file = STEP_7_SCENE, *output = "step-7";
+
+  // What the numbers are for, in the order of Trade/Quantities. The force
+  // gives the modulus of the strip: 2 %. The two stresses are held against
+  // strengths, which scatter more: 3 %.
+  const std::vector<double>    tolerances{0.02, 0.03, 0.03};
+  static constexpr const char *purposes[] = {"force", "bending", "shear"};
+
+  // DoFs that an optimiser, which runs the strip some thousand times, affords.
+  static constexpr double budget = 1000;
+
+  const Scene scene;
+  double      largest_imbalance = 0.;
+};
+
+
+
+// The scene is read as `lamella` reads it. What its `subsection Trade` says
+// comes parsed, in scene.trade: the ladder, the quantities, whose theory
+// changes.
+BendingTest::BendingTest()
+  : scene(read_scene(SceneText::read(file, {})))
+{}
+
+
+
+// A rung is the same text with a few entries replaced, which make_rung() names:
+// its theory, its elements, its cells. Whatever goes wrong with one (no memory,
+// no convergence) is a result as well, and no reason not to try the others.
+//
+// The seconds are those of the whole way, from the text to the files, as long
+// as nothing else is at work in the process. RunFiles reads these files, from
+// which the command `lamella trade` takes its values, too.
+RungResult
+BendingTest::climb(const LadderEntry &entry, const std::string &folder)
+{
+  const Rung rung = make_rung(entry, scene);
+  RungResult result{rung.name, rung.theory, "", 0., {}, 0, 0., {}};
+  try
+    {
+      dealii::Timer wall;
+      std::ostream  quiet(nullptr);
+      const Scene   changed = read_scene(SceneText::read(file, rung.overrides));
+      Simulation(changed, quiet).run(folder);
+      result.seconds = wall.wall_time();
+
+      const RunFiles files(folder);
+      files.read_cost(result);
+      for (const TradeQuantity &quantity : scene.trade.quantities)
+        result.values.push_back(files.value(quantity));
+
+      // What presses on the nose has come from the bearing.
+      const double nose    = result.values[0],
+                   bearing = files.value(
+                     {TradeQuantity::Of::support, "bearing", 0, "fz", {}});
+      largest_imbalance =
+        std::max(largest_imbalance, std::abs(bearing / nose - 1.));
+    }
+  catch (const std::runtime_error &error)
+    {
+      result.failure = error.what();
+    }
+  return result;
+}
+
+
+
+// The idea of this step, one number for a rung: how much it uses of what it may
+// be off, in the quantity where that is most. Engineers know it from proofs of
+// strength: up to 1 all is well, and 1.2 is not mended by a 0.1 elsewhere.
+double
+BendingTest::utilisation(const TradeTable &trade, const unsigned int k) const
+{
+  double most = 0.;
+  for (unsigned int q = 0; q < tolerances.size(); ++q)
+    most = std::max(most, trade.error(k, q) / tolerances[q]);
+  return most;
+}
+
+
+
+// The first question: all tolerances are fixed, what is the least work? The
+// answer is -1 if no rung is enough.
+int
+BendingTest::cheapest(const TradeTable &trade, const Cost cost) const
+{
+  int best = -1;
+  for (unsigned int k = 0; k < trade.rungs().size(); ++k)
+    if (trade.has_error(k, 0) && utilisation(trade, k) <= 1. &&
+        (best < 0 || trade.cost(k, cost) < trade.cost(best, cost)))
+      best = k;
+  return best;
+}
+
+
+
+// The second one turns it round: the work is fixed, what is the best to be had
+// for it?
+int
+BendingTest::best_within_budget(const TradeTable &trade) const
+{
+  int best = -1;
+  for (unsigned int k = 0; k < trade.rungs().size(); ++k)
+    if (trade.has_error(k, 0) && trade.cost(k, Cost::dofs) <= budget &&
+        (best < 0 || utilisation(trade, k) < utilisation(trade, best)))
+      best = k;
+  return best;
+}
+
+
+
+void
+BendingTest::print_utilisations(const TradeTable &trade) const
+{
+  dealii::TableHandler table;
+  for (unsigned int k = 0; k < trade.rungs().size(); ++k)
+    if (trade.has_error(k, 0))
+      {
+        table.add_value("rung", trade.rungs()[k].name);
+        table.add_value("DoFs", trade.rungs()[k].dofs);
+        for (unsigned int q = 0; q < tolerances.size(); ++q)
+          {
+            table.add_value(purposes[q], trade.error(k, q) / tolerances[q]);
+            table.set_precision(purposes[q], 3);
+          }
+        table.add_value("all", utilisation(trade, k));
+        table.set_precision("all", 3);
+      }
+  std::cout << "\nErrors over tolerances\n";
+  table.write_text(std::cout, dealii::TableHandler::org_mode_table);
+}
+
+
+
+// The two answers, as the DoFs of a rung, its name and what it uses. Seconds of
+// rungs this small are within what a machine lets two equal runs differ, DoFs
+// are the same everywhere.
+void
+BendingTest::decide(const TradeTable &trade) const
+{
+  const auto say = [&](const std::string &question, const int k) {
+    std::cout << question << ": ";
+    if (k < 0)
+      std::cout << "none\n";
+    else
+      std::cout << trade.rungs()[k].dofs << "\n  (" << trade.rungs()[k].name
+                << ", " << trade.rungs()[k].seconds << " s, uses "
+                << utilisation(trade, k) << " of the tolerances)\n";
+  };
+  std::cout.precision(3);
+  std::cout << "\nAll at once, DoFs of the rung\n";
+  say("all tolerances, fewest DoFs", cheapest(trade, Cost::dofs));
+  say("all tolerances, fewest seconds", cheapest(trade, Cost::seconds));
+  say("best within the budget", best_within_budget(trade));
+}
+
+
+
+// Two things are known without any of this. The force of the first rung, EBBT:
+// the half of the strip is a cantilever upside down, 3 EI u / L^3, with the EI
+// of fibres alone, since EBBT couples nothing across the plies. And the shear
+// stress in the interface, from the equilibrium of ply 1 (its area A_1 and its
+// distance z_1 from the middle) in a beam with that EI, as a mean over the
+// width,
+//
+//   F E_1 A_1 z_1 / (b EI).
+void
+BendingTest::check(const TradeTable &trade) const
+{
+  constexpr double            way = 0.5, length = 24., width = 6., ply = 1.;
+  const EngineeringConstants &carbon = scene.materials.at("carbon");
+
+  const double EI =
+                 width * ply * ply * ply / 12. * (26. * carbon.E1 + carbon.E2),
+               force = 3. * EI * way / std::pow(length, 3),
+               shear = trade.reference(0) * carbon.E1 * ply * ply / EI;
+  std::cout.precision(8);
+  std::cout << "\nforce of EBBT over 3 EI u / L^3: "
+            << trade.rungs().front().values.at(0) / force
+            << "\nshear stress of the reference over its mean: "
+            << std::abs(trade.reference(2)) / shear
+            << "\nlargest imbalance of nose and bearing: " << largest_imbalance
+            << std::endl;
+}
+
+
+
+// The table knows errors and costs. print_trade() prints them and says in a
+// sentence what is the cheapest for each quantity and tolerance of the scene,
+// and whether to count on it; draw_trade() makes the picture.
+void
+BendingTest::run()
+{
+  std::filesystem::create_directories(output);
+  // The first run waits for libraries to be read from disk; it does not count.
+  climb(scene.trade.ladder.front(), output + std::string("/warm-up"));
+  std::vector<RungResult> rungs;
+  for (const LadderEntry &entry : scene.trade.ladder)
+    {
+      std::cout << entry.name << ": " << std::flush;
+      const std::string number = std::to_string(rungs.size() + 1);
+      rungs.push_back(climb(entry, output + ("/" + number)));
+      if (rungs.back().failure.empty())
+        std::cout << rungs.back().dofs << " DoFs" << std::endl;
+      else
+        std::cout << "failed: " << rungs.back().failure << std::endl;
+    }
+
+  const TradeTable trade(rungs,
+                         scene.trade.quantities,
+                         scene.trade.reference,
+                         scene.trade.tolerances);
+  print_trade(std::cout, trade);
+  const std::string no_picture = draw_trade(trade, scene.title, output);
+  if (!no_picture.empty())
+    std::cout << "No picture: " << no_picture << ".\n";
+
+  print_utilisations(trade);
+  decide(trade);
+  check(trade);
+}
+
+
+
+int
+main(int argc, char **argv)
+{
+  // The axis is shared among processes, so there is MPI, for one, too.
+  dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+  BendingTest().run();
+}
