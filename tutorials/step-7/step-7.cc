@@ -65,8 +65,7 @@ private:
 
 
 // The scene is read as `lamella` reads it. What its `subsection Trade` says
-// comes parsed, in scene.trade: the ladder, the quantities, whose theory
-// changes.
+// comes parsed, in scene.trade.
 BendingTest::BendingTest()
   : scene(read_scene(SceneText::read(file, {})))
 {}
@@ -236,7 +235,8 @@ BendingTest::check(const TradeTable &trade) const
 
 // The table knows errors and costs. print_trade() prints them and says in a
 // sentence what is the cheapest for each quantity and tolerance of the scene,
-// and whether to count on it; draw_trade() makes the picture.
+// and whether to count on it; draw_trade() makes the picture of it, plot.py in
+// this folder that of the decision.
 void
 BendingTest::run()
 {
@@ -260,6 +260,7 @@ BendingTest::run()
                          scene.trade.reference,
                          scene.trade.tolerances);
   print_trade(std::cout, trade);
+  write_trade_csv(trade, output + std::string("/trade.csv"));
   const std::string no_picture = draw_trade(trade, scene.title, output);
   if (!no_picture.empty())
     std::cout << "No picture: " << no_picture << ".\n";
