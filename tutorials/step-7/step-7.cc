@@ -82,12 +82,12 @@ BendingTest::BendingTest()
 RungResult
 BendingTest::climb(const LadderEntry &entry, const std::string &folder)
 {
-  const Rung rung = make_rung(entry, scene);
-  RungResult result{rung.name, rung.theory, "", 0., {}, 0, 0., {}};
+  RungResult result{entry.name, entry.theory, "", 0., {}, 0, 0., {}};
   try
     {
       dealii::Timer wall;
       std::ostream  quiet(nullptr);
+      const Rung    rung    = make_rung(entry, scene);
       const Scene   changed = read_scene(SceneText::read(file, rung.overrides));
       Simulation(changed, quiet).run(folder);
       result.seconds = wall.wall_time();
@@ -104,7 +104,7 @@ BendingTest::climb(const LadderEntry &entry, const std::string &folder)
       largest_imbalance =
         std::max(largest_imbalance, std::abs(bearing / nose - 1.));
     }
-  catch (const std::runtime_error &error)
+  catch (const std::exception &error)
     {
       result.failure = error.what();
     }
