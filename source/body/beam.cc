@@ -4,6 +4,7 @@
 #include <lamella/base/processes.h>
 #include <lamella/body/beam.h>
 
+#include <array>
 #include <numeric>
 
 namespace lamella
@@ -384,31 +385,47 @@ namespace lamella
   void
   Beam::add_internal_forces(const Vector &u, Vector &f) const
   {
-    const auto &section_points  = beam_section->integration_points();
-    const auto &section_weights = beam_section->integration_weights();
-    Vector      share(f.size());
+    const auto        &section_points  = beam_section->integration_points();
+    const auto        &section_weights = beam_section->integration_weights();
+    const unsigned int n_fields        = beam_section->n_fields();
+    // Of each field, what multiplies and what collects its part of each strain:
+    // transverse shear strains may have values of their own.
+    std::vector<std::array<double, 6>> values(n_fields), work(n_fields);
+    std::vector<double>                derivative_work(n_fields);
+    Vector                             share(f.size());
     const auto [begin, end] = own_points();
     for (unsigned int k = begin; k < end; ++k)
       {
         const AxisPoint &axis_point = beam_axis->integration_points()[k];
         const AxisState  state      = axis_state(axis_point, u);
-        AxisState        work(beam_section->n_fields());
+        for (unsigned int alpha = 0; alpha < n_fields; ++alpha)
+          {
+            for (unsigned int c = 0; c < 6; ++c)
+              values[alpha][c] = (is_transverse_shear(c) ? state.shear_value :
+                                                           state.value)[alpha];
+            work[alpha].fill(0.);
+            derivative_work[alpha] = 0.;
+          }
         for (unsigned int s = 0; s < section_points.size(); ++s)
           {
             const SectionPoint &point = section_points[s];
-            const Voigt         stress =
-              section_weights[s] * (beam_section->elasticity(point.cell) *
-                                    point_state(point, state).strain);
+            Voigt               strain;
             for (unsigned int a = 0; a < point.fields->size(); ++a)
               {
                 const unsigned int alpha = (*point.fields)[a];
                 for (unsigned int c = 0; c < 6; ++c)
-                  {
-                    (is_transverse_shear(c) ? work.shear_value :
-                                              work.value)[alpha] +=
-                      point.in_plane[a][c] * stress[c];
-                    work.derivative[alpha] += point.along[a][c] * stress[c];
-                  }
+                  strain[c] += values[alpha][c] * point.in_plane[a][c] +
+                               state.derivative[alpha] * point.along[a][c];
+              }
+            const Voigt stress =
+              section_weights[s] *
+              (beam_section->elasticity(point.cell) * strain);
+            for (unsigned int a = 0; a < point.fields->size(); ++a)
+              {
+                const unsigned int alpha = (*point.fields)[a];
+                for (unsigned int c = 0; c < 6; ++c)
+                  work[alpha][c] += point.in_plane[a][c] * stress[c];
+                derivative_work[alpha] += point.along[a] * stress;
               }
           }
         const double weight = beam_axis->integration_weights()[k];
@@ -417,10 +434,11 @@ namespace lamella
           for (unsigned int m = 0; m < dof_map.fields(nodes[i]).size(); ++m)
             {
               const unsigned int alpha = dof_map.fields(nodes[i])[m];
+              const auto        &w     = work[alpha];
               share[dof_map.first(nodes[i]) + m] +=
-                weight * (axis_point.N[i] * work.value[alpha] +
-                          axis_point.N_shear[i] * work.shear_value[alpha] +
-                          axis_point.dN[i] * work.derivative[alpha]);
+                weight * (axis_point.N[i] * (w[0] + w[1] + w[2] + w[4]) +
+                          axis_point.N_shear[i] * (w[3] + w[5]) +
+                          axis_point.dN[i] * derivative_work[alpha]);
             }
       }
     sum_over_processes(share);

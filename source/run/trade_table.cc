@@ -140,7 +140,11 @@ namespace lamella
     std::string
     per_cent(const double relative)
     {
-      return to_text(100. * relative, 2) + " %";
+      // Two digits, but no powers of ten.
+      const double value = 100. * relative;
+      return (value < 99.5 ? to_text(value, 2) :
+                             std::to_string(std::lround(value))) +
+             " %";
     }
 
 
