@@ -2,6 +2,7 @@
 """LE against C3D20R of CalculiX on the paper's scenes; see scripts/benchmark."""
 
 import statistics
+from functools import partial
 
 from benchmark_scenes import HERTZ, LAMINATED, SANDWICH, beam
 from benchmark_tools import ROOT, number, table, wanted
@@ -18,6 +19,7 @@ OURS = {
     "laminated_beams": [
         ("20 B4, 4 x 3 L9", []),
         ("20 B4, 2 x 3 L9", ["Section strip/Cells across=2"]),
+        ("10 B4, 2 x 3 L9", ["Section strip/Cells across=2"] + axis(10)),
         ("4 B4, 1 x 3 L9", ["Section strip/Cells across=1"] + axis(4))],
     "sandwich": [
         ("18 B4, 4 x 10 L9", []),
@@ -25,6 +27,8 @@ OURS = {
                              "Section sandwich/Cells per ply=1,1,1,2,1,1,1"]),
         ("18 B4, 2 x 8 L9", ["Section sandwich/Cells across=2",
                              "Section sandwich/Cells per ply=1,1,1,2,1,1,1"])]}
+# Penalties (force/length^3) no stiffer than it takes: CalculiX iterates less then.
+STIFFNESS = {"hertz": "3e5", "laminated_beams": "3e11", "sandwich": "1e5"}
 THEIRS = {
     "hertz": [
         ("cells of 0.06, 2 along", ["Section half/Finest cell=0.06"] + axis(2)),
@@ -65,6 +69,10 @@ class Rung:
         return next((run.failure for run in self.runs if run.failure), "")
 
     @property
+    def last(self):
+        return self.runs[-1]
+
+    @property
     def seconds(self):
         return statistics.median(run.seconds for run in self.runs)
 
@@ -98,28 +106,22 @@ def front(rungs):
                        for other in good)]
 
 
-def best_pair(ours, theirs):
-    """The largest ratio of seconds among the pairs in which theirs is not closer.
-    A mesh of theirs that a cheaper one of theirs beats does not count."""
-    pairs = [(peer.seconds / rung.seconds, rung, peer) for rung in front(ours)
-             for peer in front(theirs) if peer.error() >= rung.error()]
-    return max(pairs, key=lambda pair: pair[0], default=(0., None, None))
+def pairs_of(ours, theirs):
+    """Each mesh of theirs with our cheapest that is at most as far off."""
+    pairs = []
+    for peer in sorted(front(theirs), key=lambda r: r.seconds):
+        close = [rung for rung in front(ours) if rung.error() <= peer.error()]
+        if close:
+            pairs.append((min(close, key=lambda r: r.seconds), peer))
+    return pairs
 
 
-def said_of(rung, peer, theirs):
-    """The pair in words, and what theirs takes to be at least as close."""
-    if rung is None:
-        return "No mesh of theirs is as far off as one of ours."
-    text = (f"{rung.name} of LE-2 takes {rung.seconds:.2f} s and is off by at most "
-            f"{100 * rung.error():.2f} %; {peer.name} of C3D20R takes "
-            f"{peer.seconds:.1f} s and is off by {100 * peer.error():.2f} %: "
-            f"{peer.seconds / rung.seconds:.3g} times as long. ")
-    closer = [other for other in front(theirs) if other.error() <= rung.error()]
-    if not closer:
-        return text + "None of its meshes here is as close as ours."
-    other = min(closer, key=lambda r: r.seconds)
-    return text + (f"The cheapest of its meshes that is as close, {other.name}, takes "
-                   f"{other.seconds / rung.seconds:.3g} times as long.")
+def pair_row(rung, peer):
+    return [peer.name, f"{peer.last.dofs:,}", f"{100 * peer.error():.2f} %",
+            f"{peer.seconds:.1f}", rung.name, f"{rung.last.dofs:,}",
+            f"{100 * rung.error():.2f} %", f"{rung.seconds:.2f}",
+            f"{peer.seconds / rung.seconds:.0f}",
+            f"{peer.last.memory_mb / rung.last.memory_mb:.2f}"]
 
 
 def section(scene, ours, theirs):
@@ -128,11 +130,20 @@ def section(scene, ours, theirs):
     rows = [rung.row() for rung in ours + theirs]
     head = ["program", "mesh", "DoFs", "seconds", "MB", "largest error"] + \
         [f"{q.name} (converged: {number(q.converged)})" for q in scene.quantities]
-    ratio, rung, peer = best_pair(ours, theirs)
-    return [f"### {scene.title}", table(head, rows),
-            said_of(rung, peer, theirs)], \
-        wanted(f"prm/{scene.file}, seconds of C3D20R no closer than ours over ours", 50,
-               ratio, True)
+    pairs = pairs_of(ours, theirs)
+    ratios = [peer.seconds / rung.seconds for rung, peer in pairs]
+    blocks = [f"### {scene.title}", table(head, rows)]
+    if pairs:
+        blocks.append(table(
+            ["C3D20R", "DoFs", "largest error", "seconds",
+             "our cheapest at most as far off", "DoFs", "largest error", "seconds",
+             "seconds, theirs over ours", "memory, theirs over ours"],
+            [pair_row(*pair) for pair in pairs]))
+    else:
+        blocks.append("No mesh of theirs is as far off as one of ours.")
+    what = f"prm/{scene.file}, seconds of C3D20R no closer than ours over ours, "
+    return blocks, [wanted(what + kind, 50, pick(ratios, default=0.), True)
+                    for kind, pick in (("least", min), ("largest", max))]
 
 
 def calculix(bench):
@@ -149,7 +160,9 @@ def calculix(bench):
               "in halves and quarters of the scenes); *largest error* is over the "
               "quantities of the table. Seconds of ours are the median, those of "
               "C3D20R of one run, without its export. A mesh that a cheaper and closer "
-              "one of the same program beats is left out of the comparison."]
+              "one of the same program beats is left out of the comparison. The penalties of "
+              "the decks are no stiffer than it takes, since CalculiX iterates less "
+              "with soft ones."]
     demands = []
     for name, scene in (("hertz", HERTZ), ("laminated_beams", LAMINATED),
                         ("sandwich", SANDWICH)):
@@ -161,9 +174,11 @@ def calculix(bench):
         ours, theirs = (
             [Rung(scene, program, mesh, overrides, solve)
              for mesh, overrides in chosen]
-            for program, chosen, solve in (("Lamella, LE-2", meshes[0], lamella_run),
-                                           ("C3D20R", meshes[1], peer_run)))
-        text, line = section(scene, ours, theirs)
+            for program, chosen, solve in (
+                ("Lamella, LE-2", meshes[0], lamella_run),
+                ("C3D20R", meshes[1], partial(peer_run,
+                                              contact_stiffness=STIFFNESS[name]))))
+        text, lines = section(scene, ours, theirs)
         blocks += text
-        demands.append(line)
+        demands += lines
     return blocks + [demands, "Aimed at, beyond what is wanted: 200."]
