@@ -27,6 +27,8 @@ namespace lamella
     // Of the picture, in pixels.
     constexpr int width = 1150, row_height = 330, top = 46, bottom = 12;
     // Of the panels, in shares of the width.
+    // A letter of a name, in shares of a panel.
+    constexpr double letter       = 0.013;
     constexpr double left_panel[] = {0.075, 0.43}, right_panel[] = {0.5, 0.855};
 
 
@@ -142,7 +144,7 @@ namespace lamella
       for (const unsigned int k : table.front(q, cost))
         if (named.empty() ||
             share(table.cost(k, cost), table.cost(named.back(), cost), x_span) >
-              0.12 ||
+              letter * (table.rungs()[named.back()].name.size() + 2) ||
             share(drawn_error(table, k, q),
                   drawn_error(table, named.back(), q),
                   y_span) > 0.06)
@@ -198,11 +200,22 @@ namespace lamella
       for (const unsigned int k : front)
         gp << point(k) << "\n";
       gp << range.x_max << " "
-         << to_text(drawn_error(table, front.back(), q), 8)
-         << "\nEOD\n$names << EOD\n";
-      for (const unsigned int k : named_points(table, q, cost, range))
-        gp << point(k) << " \"" << table.rungs()[k].name << "\"\n";
-      gp << "EOD\n";
+         << to_text(drawn_error(table, front.back(), q), 8) << "\nEOD\n";
+      // Names to the right of their points, where the panel has room.
+      std::string                     right, left;
+      const std::vector<unsigned int> named =
+        named_points(table, q, cost, range);
+      for (const unsigned int k : named)
+        {
+          const std::string &name = table.rungs()[k].name;
+          const bool         room =
+            std::log(range.x_max / table.cost(k, cost)) >
+            letter * name.size() * std::log(range.x_max / range.x_min);
+          (room ? right : left) += point(k) + " \"" + name + "\"\n";
+        }
+      gp << "$right << EOD\n"
+         << right << "EOD\n$left << EOD\n"
+         << left << "EOD\n";
     }
 
 
@@ -227,8 +240,11 @@ namespace lamella
              << style << " notitle, \\\n  keyentry with points pt "
              << look.open + 1 << style << " title '" << theories[t] << "'";
         }
-      gp << ", \\\n  $names using 1:2:3 with labels left offset 0.7,0.5 font "
-            "',8' tc rgb '#303030' noenhanced notitle\n";
+      for (const std::string side : {"right", "left"})
+        gp << ", \\\n  $" << side << " using 1:2:3 with labels "
+           << (side == "right" ? "left offset 0.7,0.5" : "right offset 0.7,0.7")
+           << " font ',8' tc rgb '#303030' noenhanced notitle";
+      gp << "\n";
     }
 
 
