@@ -107,21 +107,22 @@ def front(rungs):
 
 
 def pairs_of(ours, theirs):
-    """Each mesh of theirs with our cheapest that is at most as far off."""
+    """Each mesh of theirs with our cheapest that is at most as far off, or None."""
     pairs = []
     for peer in sorted(front(theirs), key=lambda r: r.seconds):
         close = [rung for rung in front(ours) if rung.error() <= peer.error()]
-        if close:
-            pairs.append((min(close, key=lambda r: r.seconds), peer))
+        pairs.append((min(close, key=lambda r: r.seconds) if close else None, peer))
     return pairs
 
 
 def pair_row(rung, peer):
-    return [peer.name, f"{peer.last.dofs:,}", f"{100 * peer.error():.2f} %",
-            f"{peer.seconds:.1f}", rung.name, f"{rung.last.dofs:,}",
-            f"{100 * rung.error():.2f} %", f"{rung.seconds:.2f}",
-            f"{peer.seconds / rung.seconds:.0f}",
-            f"{peer.last.memory_mb / rung.last.memory_mb:.2f}"]
+    row = [peer.name, f"{peer.last.dofs:,}", f"{100 * peer.error():.2f} %",
+           f"{peer.seconds:.1f}"]
+    if rung is None:
+        return row + ["none is as close"] + ["-"] * 5
+    return row + [rung.name, f"{rung.last.dofs:,}", f"{100 * rung.error():.2f} %",
+                  f"{rung.seconds:.2f}", f"{peer.seconds / rung.seconds:.1f}",
+                  f"{peer.last.memory_mb / rung.last.memory_mb:.2f}"]
 
 
 def section(scene, ours, theirs):
@@ -131,19 +132,18 @@ def section(scene, ours, theirs):
     head = ["program", "mesh", "DoFs", "seconds", "MB", "largest error"] + \
         [f"{q.name} (converged: {number(q.converged)})" for q in scene.quantities]
     pairs = pairs_of(ours, theirs)
-    ratios = [peer.seconds / rung.seconds for rung, peer in pairs]
-    blocks = [f"### {scene.title}", table(head, rows)]
-    if pairs:
-        blocks.append(table(
-            ["C3D20R", "DoFs", "largest error", "seconds",
-             "our cheapest at most as far off", "DoFs", "largest error", "seconds",
-             "seconds, theirs over ours", "memory, theirs over ours"],
-            [pair_row(*pair) for pair in pairs]))
-    else:
-        blocks.append("No mesh of theirs is as far off as one of ours.")
-    what = f"prm/{scene.file}, seconds of C3D20R no closer than ours over ours, "
-    return blocks, [wanted(what + kind, 50, pick(ratios, default=0.), True)
-                    for kind, pick in (("least", min), ("largest", max))]
+    ratios = [peer.seconds / rung.seconds for rung, peer in pairs if rung]
+    blocks = [f"### {scene.title}", table(head, rows), table(
+        ["C3D20R", "DoFs", "largest error", "seconds",
+         "our cheapest at most as far off", "DoFs", "largest error", "seconds",
+         "seconds, theirs over ours", "memory, theirs over ours"],
+        [pair_row(*pair) for pair in pairs])]
+    if ratios:
+        blocks.append(f"From {min(ratios):.2g} to {max(ratios):.2g} times our seconds.")
+    # Where one of theirs is closer than all of ours, no ratio can be claimed.
+    return blocks, [wanted(f"prm/{scene.file}, seconds of C3D20R no closer than ours "
+                           "over ours, least of its meshes", 50,
+                           min(ratios, default=0.), True)]
 
 
 def calculix(bench):

@@ -75,7 +75,7 @@ def fitted(x, y):
     import numpy
     pairs = [(a, b) for a, b in list(zip(x, y))[-4:] if a > 0 and b > 0]
     if len(pairs) < 2 or len({a for a, _ in pairs}) < 2:
-        return 0., 0.
+        return float("nan"), float("nan")
     exponent, factor = numpy.polyfit(*numpy.log(pairs).T, 1)
     return float(exponent), float(numpy.exp(factor))
 

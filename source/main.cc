@@ -120,8 +120,12 @@ namespace
       throw InputError("trade and export are the work of one process: start "
                        "lamella without mpirun.");
     if (command.task == CommandLine::Task::trade)
-      return Trade(
-               command.scene, command.overrides, scene, own_program(), output())
+      return Trade(command.scene,
+                   command.overrides,
+                   scene,
+                   own_program(),
+                   command.threads,
+                   output())
         .run(command.output);
     if (command.task == CommandLine::Task::export_calculix)
       {

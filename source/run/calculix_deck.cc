@@ -270,9 +270,11 @@ namespace lamella
 
 
 
-    /// Writes a file as a whole, or leaves nothing.
+    /// Writes a file as a whole, or leaves nothing; messages call it @p shown.
     void
-    write_file(const std::filesystem::path &name, const std::string &text)
+    write_file(const std::filesystem::path &name,
+               const std::filesystem::path &shown,
+               const std::string           &text)
     {
       std::ofstream file(name);
       if (!(file << text << std::flush))
@@ -280,10 +282,41 @@ namespace lamella
           std::error_code error;
           if (file.is_open())
             std::filesystem::remove(name, error);
-          throw InputError("--output " + name.string() +
+          throw InputError("--output " + shown.string() +
                            ": it cannot be written. Name a file in a folder "
                            "that exists and can be written.");
         }
+    }
+
+
+
+    /// Both, or neither, and then what was there before stays.
+    void
+    write_files(const std::filesystem::path &deck,
+                const std::string           &deck_text,
+                const std::filesystem::path &meaning,
+                const std::string           &meaning_text)
+    {
+      const auto fresh = [](std::filesystem::path path) {
+        return path += ".new";
+      };
+      if (std::filesystem::is_directory(meaning) ||
+          std::filesystem::is_directory(deck))
+        throw InputError("--output " + deck.string() + ": " + deck.string() +
+                         " or " + meaning.string() +
+                         " is a folder. Name another file.");
+      write_file(fresh(deck), deck, deck_text);
+      try
+        {
+          write_file(fresh(meaning), meaning, meaning_text);
+        }
+      catch (const InputError &)
+        {
+          std::filesystem::remove(fresh(deck));
+          throw;
+        }
+      std::filesystem::rename(fresh(deck), deck);
+      std::filesystem::rename(fresh(meaning), meaning);
     }
   } // namespace
 
@@ -303,10 +336,9 @@ namespace lamella
                     parse_stiffness(command.contact_stiffness));
     std::ostringstream text;
     deck.write(text);
-    write_file(name, text.str());
     std::filesystem::path beside = name;
-    write_file(beside.replace_extension(".json"),
-               deck.meaning().dump(1) + "\n");
+    beside.replace_extension(".json");
+    write_files(name, text.str(), beside, deck.meaning().dump(1) + "\n");
 
     out << "CalculiX deck " << name.string() << ": " << deck.mesh.n_elements()
         << ' ' << deck.mesh.element().name() << ", " << 3 * deck.mesh.n_nodes()

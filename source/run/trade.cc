@@ -137,13 +137,16 @@ namespace lamella
 
 
 
-    /// The record in @p folder if it says @p fingerprint; null otherwise.
+    /// The record in @p folder if it says @p fingerprint and the rung
+    /// succeeded, null otherwise: what made one fail (a time limit, other
+    /// programs' memory) may have passed.
     json
     record_in(const std::string &folder, const std::string &fingerprint)
     {
       std::ifstream file(folder + "/" + record_name);
       const json    record = json::parse(file, nullptr, false);
-      return record.is_object() && record.value("of", "") == fingerprint ?
+      return record.is_object() && record.value("of", "") == fingerprint &&
+                 record.value("failure", "?").empty() ?
                record :
                json();
     }
@@ -169,14 +172,22 @@ namespace lamella
                const std::vector<std::string> &overrides,
                const Scene                    &scene,
                const std::string              &program,
+               const unsigned int              threads,
                std::ostream                   &out)
     : scene_file(scene_file)
     , overrides(overrides)
     , scene(scene)
     , program(program)
+    , threads(threads)
     , out(out)
+    , base(fingerprint(overrides))
     , quantities(scene.trade.quantities)
   {
+    if (quantities.empty() && scene.trade.whole_probes.empty())
+      throw InputError(
+        "Trade/Quantities: there is nothing to compare, since "
+        "the scene has neither probes nor References of supports "
+        "and contacts. Add a probe.");
     for (const LadderEntry &entry : scene.trade.ladder)
       try
         {
@@ -213,7 +224,8 @@ namespace lamella
             text += assignment + "\n";
         text += error.what() + std::string("\n");
       }
-    return text + "program " + LAMELLA_VERSION + ", " + state_of_file(program);
+    return text + "program " + LAMELLA_VERSION + ", " + state_of_file(program) +
+           ", threads " + std::to_string(threads);
   }
 
 
@@ -223,8 +235,13 @@ namespace lamella
                    const std::string              &folder,
                    const std::string              &output) const
   {
-    std::vector<std::string> words{
-      scene_file, "--output", output, "--set", "Write VTU=false"};
+    std::vector<std::string> words{scene_file,
+                                   "--output",
+                                   output,
+                                   "--threads",
+                                   std::to_string(threads),
+                                   "--set",
+                                   "Write VTU=false"};
     for (const std::string &assignment : all)
       {
         words.push_back("--set");
@@ -243,6 +260,7 @@ namespace lamella
   Trade::new_record(const std::vector<std::string> &all,
                     const std::string              &folder) const
   {
+    const std::string of = fingerprint(all);
     fs::remove_all(folder);
     fs::create_directories(folder);
     const std::string kept = folder + "/run", other = folder + "/again";
@@ -264,9 +282,12 @@ namespace lamella
         else
           fs::remove_all(other);
       }
-    return {{"of", fingerprint(all)},
-            {"seconds", best.seconds},
-            {"failure", failure}};
+    // Each run reads the scene afresh.
+    if (fingerprint(all) != of || fingerprint(overrides) != base)
+      throw InputError(scene_file +
+                       ": the scene, a mesh file or the program changed while "
+                       "rungs of it were run. Start the trade again.");
+    return {{"of", of}, {"seconds", best.seconds}, {"failure", failure}};
   }
 
 
@@ -286,7 +307,13 @@ namespace lamella
     result.seconds = record.at("seconds");
     result.failure = record.at("failure");
     if (result.failure.empty())
-      RunFiles(folder + "/run").read_cost(result);
+      {
+        // What no run can give shows in the first, not after the last.
+        const RunFiles files(folder + "/run");
+        files.read_cost(result);
+        for (const TradeQuantity &quantity : quantities)
+          files.value(quantity);
+      }
     out << (result.failure.empty() ? std::to_string(result.dofs) + " DoFs, " +
                                        to_text(result.seconds, 3) + " s" :
                                      "failed: " + result.failure)
@@ -331,11 +358,16 @@ namespace lamella
         if (!is_new)
           {
             out << "the same as " << same->second << ", left out" << std::endl;
+            if (reference == entry.name)
+              reference = same->second;
             continue;
           }
         folders.push_back(directory + "/rungs/" +
                           folder_name(number, rung.name));
         results.push_back(run_rung(rung, folders.back()));
+        results.back().axis       = entry.axis;
+        results.back().section    = entry.section;
+        results.back().overridden = !entry.overrides.empty();
       }
   }
 
@@ -380,14 +412,18 @@ namespace lamella
       throw InputError("--output " + directory +
                        ": another trade is at work there. Wait for it, or name "
                        "another folder.");
+    // Those of an earlier trade would look like this one's.
+    for (const char *name : {"trade.csv", "trade.gp", "trade.png", "trade.svg"})
+      fs::remove(directory + "/" + name);
     results.clear();
     folders.clear();
+    reference = scene.trade.reference;
     climb(directory);
     complete_quantities();
     read_values();
     const TradeTable table(results,
                            quantities,
-                           scene.trade.reference,
+                           reference,
                            scene.trade.tolerances);
     write_trade_csv(table, directory + "/trade.csv");
     print_trade(out, table);

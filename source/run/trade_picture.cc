@@ -154,6 +154,22 @@ namespace lamella
 
 
 
+    /// @p name without what gnuplot would replace or end a string at.
+    std::string
+    harmless(std::string name)
+    {
+      name.erase(std::remove_if(name.begin(),
+                                name.end(),
+                                [](const char c) {
+                                  return c == '"' || c == '`' || c == '\\' ||
+                                         c == '@';
+                                }),
+                 name.end());
+      return name;
+    }
+
+
+
     /// 1, 2 and 5 of the decades between @p low and @p high, or 1 alone where
     /// these are many.
     std::string
@@ -211,7 +227,7 @@ namespace lamella
           const bool         room =
             std::log(range.x_max / table.cost(k, cost)) >
             letter * name.size() * std::log(range.x_max / range.x_min);
-          (room ? right : left) += point(k) + " \"" + name + "\"\n";
+          (room ? right : left) += point(k) + " \"" + harmless(name) + "\"\n";
         }
       gp << "$right << EOD\n"
          << right << "EOD\n$left << EOD\n"
@@ -308,17 +324,14 @@ namespace lamella
 
 
 
-    /// @p title as it can stand between double quotes of gnuplot's.
+    /// @p text between gnuplot's single quotes, in which nothing is replaced.
     std::string
-    plain(std::string title)
+    quoted(const std::string &text)
     {
-      title.erase(std::remove_if(title.begin(),
-                                 title.end(),
-                                 [](const char c) {
-                                   return c == '"' || c == '\\';
-                                 }),
-                  title.end());
-      return title;
+      std::string result = "'";
+      for (const char c : text)
+        result += c == '\'' ? std::string("''") : std::string(1, c);
+      return result + "'";
     }
   } // namespace
 
@@ -341,8 +354,8 @@ namespace lamella
           "set format y '%g'\n"
           "set format x '%g'\n"
           "set multiplot\n"
-          "set label 1 \""
-       << plain(title) << "\" noenhanced at screen 0.02, screen "
+          "set label 1 "
+       << quoted(title) << " noenhanced at screen 0.02, screen "
        << 1. - 22. / height << " font ',13'\n";
     unsigned int row = 0;
     for (const unsigned int q : drawn_quantities(table))
@@ -383,8 +396,8 @@ namespace lamella
         const std::string set =
           std::string("set terminal ") + terminal + " size " +
           std::to_string(width) + "," + std::to_string(picture_height(table)) +
-          " font 'Sans,11' background rgb 'white'; set output '" + directory +
-          "/" + name + "'";
+          " font 'Sans,11' background rgb 'white'; set output " +
+          quoted(directory + "/" + name);
         const std::string errors = directory + "/gnuplot.log";
         if (run_process(gnuplot, {"-e", set, script}, "/dev/null", errors)
               .status != 0)

@@ -127,7 +127,7 @@ namespace lamella
       least = std::min(least, cost(k, Cost::seconds));
     int best = -1;
     for (const unsigned int k : within)
-      if (cost(k, Cost::seconds) <= 1.05 * least + 0.02 &&
+      if (cost(k, Cost::seconds) <= 1.05 * least + 0.1 &&
           (best < 0 || all[k].dofs < all[best].dofs))
         best = k;
     return best;
@@ -191,8 +191,12 @@ namespace lamella
     for (unsigned int other = 0; other < all.size(); ++other)
       {
         const Richness others = richness_of(all[other].theory);
-        if (others.family == richness.family && others.rank >= richness.rank &&
-            all[other].dofs > all[k].dofs && has_error(other, q) &&
+        const bool     holds  = others.family == richness.family &&
+                           others.rank >= richness.rank &&
+                           all[other].axis >= all[k].axis &&
+                           all[other].section >= all[k].section &&
+                           !all[other].overridden && !all[k].overridden;
+        if (holds && all[other].dofs > all[k].dofs && has_error(other, q) &&
             error(other, q) > tolerance)
           return text + " Do not count on it: " + all[other].name +
                  ", which is richer, is off by " + per_cent(error(other, q)) +

@@ -361,9 +361,9 @@ namespace lamella
         trade.tolerances.push_back(per_cent / 100.);
       }
     trade.time_limit = to_number(prm.get("Time limit"), "Trade/Time limit");
-    if (!(trade.time_limit >= 0.))
+    if (!(trade.time_limit >= 0. && trade.time_limit <= 1e9))
       throw InputError("Trade/Time limit = " + prm.get("Time limit") +
-                       ": must be 0 (none) or positive seconds.");
+                       ": must be 0 (none) or seconds, at most 1e9.");
     return trade;
   }
 } // namespace lamella

@@ -25,6 +25,10 @@ namespace lamella
     double memory = 0.;
     /// Of each quantity of the trade.
     std::vector<double> values;
+    /// How much finer than the scene's its meshes are, and whether other
+    /// entries were changed.
+    double axis = 1., section = 1.;
+    bool   overridden = false;
   };
 
   /// The phases of a run, in the order of its work.

@@ -25,18 +25,20 @@ namespace lamella
    * that fails, whatever of, is a row that says why. When it has ended, a
    * record of it is put into its folder in one step; an interrupted trade
    * (also a killed one) goes on with the rungs that have none. A record counts
-   * only for the same scene, mesh files and program.
+   * only for the same scene, mesh files, program and number of
+   * threads, and if the rung succeeded.
    */
   class Trade
   {
   public:
     /// The scene in the file @p scene_file with @p overrides, as it was read
-    /// into @p scene; @p program runs the rungs. Throws InputError for
-    /// overrides of rungs that no scene has.
+    /// into @p scene; @p program runs the rungs, on @p threads. Throws
+    /// InputError for overrides of rungs that no scene has.
     Trade(const std::string              &scene_file,
           const std::vector<std::string> &overrides,
           const Scene                    &scene,
           const std::string              &program,
+          const unsigned int              threads,
           std::ostream                   &out);
 
     /// Runs what is missing of the ladder in @p directory and writes trade.csv,
@@ -78,10 +80,15 @@ namespace lamella
     std::vector<std::string> overrides;
     const Scene             &scene;
     std::string              program;
+    unsigned int             threads;
     std::ostream            &out;
+    /// The fingerprint of the scene without a rung's overrides, as it was read.
+    std::string base;
 
     std::vector<TradeQuantity> quantities;
     std::vector<RungResult>    results;
+    /// As the scene says; the rung that stands for it if it was left out.
+    std::string reference;
     /// Of each result, where its run is.
     std::vector<std::string> folders;
   };

@@ -78,15 +78,16 @@ namespace lamella
 
     /// The cheapest rung with an error of quantity @p q of at most
     /// @p tolerance; -1 if there is none. Seconds that differ by less than what
-    /// a machine lets two equal runs differ, 5 % and 0.02 s, count as equal,
+    /// a machine lets two equal runs differ, 5 % and 0.1 s, count as equal,
     /// and the fewer DoFs decide.
     int
     cheapest(const unsigned int q, const double tolerance) const;
 
     /// `For 1 % in tip: uz the cheapest is TBT: 75 DoFs, 0.3 s (off by 0.2 %).`
-    /// and, where a rung that is richer (more DoFs, the same theory or one that
-    /// holds it: EBBT, TBT, TE-1, TE-2, ...; LE-1, LE-2, ...) is off by more
-    /// than @p tolerance, that one should not count on it.
+    /// and, where a rung that is richer (more DoFs, meshes at least as fine,
+    /// the same theory or one that holds it: EBBT, TBT, TE-1, TE-2, ...; LE-1,
+    /// LE-2, ...) is off by more than @p tolerance, that one should not count
+    /// on it.
     std::string
     sentence(const unsigned int q, const double tolerance) const;
 
