@@ -83,6 +83,10 @@ RungResult
 BendingTest::climb(const LadderEntry &entry, const std::string &folder)
 {
   RungResult result{entry.name, entry.theory, "", 0., {}, 0, 0., {}};
+  // What the sentences need to tell a richer rung from a coarser one.
+  result.axis       = entry.axis;
+  result.section    = entry.section;
+  result.overridden = !entry.overrides.empty();
   try
     {
       dealii::Timer wall;
