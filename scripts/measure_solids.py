@@ -4,10 +4,8 @@
 
 import csv
 import math
-import shutil
 import subprocess
 import tempfile
-import time
 from pathlib import Path
 
 from measure import ENVIRONMENT, PROGRAM, ROOT, Run, axis, drawing, table
@@ -136,81 +134,28 @@ def draw_hanging(profiles, width):
     print("doc/pictures/hanging_nodes.png\n")
 
 
-def c3d20r_deck(cells, elements, length, force):
-    """A unit square's cantilever of cells x cells x elements C3D20R, y along the
-    axis, a uniform traction on its end, for CalculiX."""
-    numbers, lines = {}, ["*NODE, NSET=ALL"]
-
-    def node(i, j, k):  # in half elements
-        if (i, j, k) not in numbers:
-            numbers[i, j, k] = len(numbers) + 1
-            lines.append(f"{numbers[i, j, k]}, {i / (2 * cells)!r}, "
-                         f"{j * length / (2 * elements)!r}, {k / (2 * cells)!r}")
-        return numbers[i, j, k]
-
-    # CalculiX' order: corners below and above, edges below, above, between.
-    corners = [(0, 0, 0), (2, 0, 0), (2, 2, 0), (0, 2, 0),
-               (0, 0, 2), (2, 0, 2), (2, 2, 2), (0, 2, 2)]
-    edges = [(1, 0, 0), (2, 1, 0), (1, 2, 0), (0, 1, 0),
-             (1, 0, 2), (2, 1, 2), (1, 2, 2), (0, 1, 2),
-             (0, 0, 1), (2, 0, 1), (2, 2, 1), (0, 2, 1)]
-    bricks = [[node(2 * a + i, 2 * b + j, 2 * c + k) for i, j, k in corners + edges]
-              for a in range(cells) for b in range(elements) for c in range(cells)]
-    lines.append("*ELEMENT, TYPE=C3D20R, ELSET=ALL")
-    for number, brick in enumerate(bricks, 1):
-        lines += [f"{number}, " + ", ".join(map(str, brick[:15])) + ",",
-                  ", ".join(map(str, brick[15:]))]
-    lines += ["*MATERIAL, NAME=M", "*ELASTIC", "70000., 0.3",
-              "*SOLID SECTION, ELSET=ALL, MATERIAL=M", "*BOUNDARY"]
-    lines += [f"{n}, 1, 3" for (i, j, k), n in numbers.items() if j == 0]
-    lines += ["*STEP", "*STATIC", "*CLOAD"]
-    # A uniform traction on a serendipity face: -1/12 to corners, 1/3 to edges.
-    loads = {}
-    for a in range(cells):
-        for c in range(cells):
-            for i, k in ((0, 0), (2, 0), (2, 2), (0, 2), (1, 0), (2, 1), (1, 2), (0, 1)):
-                n = numbers[2 * a + i, 2 * elements, 2 * c + k]
-                share = 1 / 3 if i == 1 or k == 1 else -1 / 12
-                loads[n] = loads.get(n, 0.) + force * share / cells ** 2
-    lines += [f"{n}, 3, {value!r}" for n, value in loads.items()]
-    lines += ["*NODE PRINT, NSET=TIP", "U", "*END STEP"]
-    tip = numbers[cells, 2 * elements, cells]
-    lines.insert(lines.index("*STEP"), f"*NSET, NSET=TIP\n{tip}")
-    return "\n".join(lines) + "\n", 3 * len(numbers)
-
-
 def calculix():
     """prm/cantilever.prm, square section, as hexahedra of Lamella and of CalculiX
     (C3D20R) on the same mesh; needs the package calculix-ccx."""
-    program = shutil.which("ccx")
-    if program is None:
-        print("CalculiX is not installed: apt-get install calculix-ccx\n")
+    from peers import MISSING, find_ccx, peer_run
+    if find_ccx() is None:
+        print(MISSING + "\n")
         return
     rows = []
     for length, cells, elements in ((10., 2, 10), (10., 4, 20), (50., 4, 40)):
-        deck, dofs = c3d20r_deck(cells, elements, length, 0.1)
-        with tempfile.TemporaryDirectory() as folder:
-            (Path(folder) / "beam.inp").write_text(deck)
-            begin = time.perf_counter()
-            subprocess.run([program, "beam"], cwd=folder, check=True,
-                           capture_output=True,
-                           env={**ENVIRONMENT, "OMP_NUM_THREADS": "1"})
-            seconds = time.perf_counter() - begin
-            printed = (Path(folder) / "beam.dat").read_text().split("\n")
-        theirs = float([line for line in printed if line.strip()][-1].split()[3])
+        mesh = [f"Body beam/Length={length!r}", f"Section square/Cells across={cells}",
+                f"Section square/Cells per ply={cells}",
+                f"Body beam/Kinematics/Axis elements={elements}",
+                f"Probe tip/At=beam: 0.5, {length!r}, 0.5"]
+        peer = peer_run(ROOT / "prm" / "cantilever.prm", mesh)
+        theirs = float(peer.probes["tip"]["uz"])
         for theory in ("solid-2", "solid-1"):
-            run = Run("cantilever.prm",
-                      [f"Theory={theory}", f"Body beam/Length={length!r}",
-                       f"Section square/Cells across={cells}",
-                       f"Section square/Cells per ply={cells}",
-                       f"Body beam/Kinematics/Axis elements={elements}",
-                       f"Probe tip/At=beam: 0.5, {length!r}, 0.5"])
-            # Tractions are given in the scene as a force of 0.1 in all.
+            run = Run("cantilever.prm", [f"Theory={theory}"] + mesh)
             ours = float(run.probes["tip"]["uz"])
             rows.append([f"{length:g}", f"{cells} x {cells} x {elements}", theory,
-                         run.summary["dofs"], f"{ours:.6g}", dofs, f"{theirs:.6g}",
-                         f"{100 * (ours / theirs - 1):+.3f} %", f"{run.wall:.2f}",
-                         f"{seconds:.2f}"])
+                         run.summary["dofs"], f"{ours:.6g}", peer.dofs,
+                         f"{theirs:.6g}", f"{100 * (ours / theirs - 1):+.3f} %",
+                         f"{run.wall:.2f}", f"{peer.seconds:.2f}"])
     table(["length", "mesh", "theory", "DoFs", "u_z of the tip", "C3D20R: DoFs",
            "u_z", "difference", "seconds", "C3D20R: seconds"], rows)
 
