@@ -153,6 +153,21 @@ namespace lamella
 
 
 
+    /// What is known of a rung before it is run.
+    RungResult
+    result_of(const LadderEntry &entry)
+    {
+      RungResult result;
+      result.name       = entry.name;
+      result.theory     = entry.theory;
+      result.axis       = entry.axis;
+      result.section    = entry.section;
+      result.overridden = !entry.overrides.empty();
+      return result;
+    }
+
+
+
     void
     prepare_directory(const std::string &directory)
     {
@@ -258,9 +273,9 @@ namespace lamella
 
   json
   Trade::new_record(const std::vector<std::string> &all,
+                    const std::string              &of,
                     const std::string              &folder) const
   {
-    const std::string of = fingerprint(all);
     fs::remove_all(folder);
     fs::create_directories(folder);
     const std::string kept = folder + "/run", other = folder + "/again";
@@ -293,19 +308,21 @@ namespace lamella
 
 
   RungResult
-  Trade::run_rung(const Rung &rung, const std::string &folder) const
+  Trade::run_rung(const LadderEntry              &entry,
+                  const std::vector<std::string> &all,
+                  const std::string              &of,
+                  const std::string              &folder) const
   {
-    const auto all    = overrides + rung.overrides;
-    json       record = record_in(folder, fingerprint(all));
+    json       record = record_in(folder, of);
     const bool had    = !record.is_null();
     if (!had)
       {
-        record = new_record(all, folder);
+        record = new_record(all, of, folder);
         keep_record(record, folder);
       }
-    RungResult result{rung.name, rung.theory, "", 0., {}, 0, 0., {}};
-    result.seconds = record.at("seconds");
-    result.failure = record.at("failure");
+    RungResult result = result_of(entry);
+    result.seconds    = record.at("seconds");
+    result.failure    = record.at("failure");
     if (result.failure.empty())
       {
         // What no run can give shows in the first, not after the last.
@@ -340,21 +357,21 @@ namespace lamella
         ++number;
         out << "Rung " << number << " of " << scene.trade.ladder.size() << ", "
             << entry.name << ": " << std::flush;
-        Rung rung{entry.name, entry.theory, {}};
+        std::vector<std::string> all;
         try
           {
-            rung = make_rung(entry, scene);
+            all = overrides + make_rung(entry, scene).overrides;
           }
         catch (const InputError &error)
           {
             out << "failed: " << error.what() << std::endl;
-            results.push_back(
-              {rung.name, rung.theory, error.what(), 0., {}, 0, 0., {}});
+            results.push_back(result_of(entry));
+            results.back().failure = error.what();
             folders.push_back("");
             continue;
           }
-        const auto [same, is_new] =
-          seen.emplace(fingerprint(overrides + rung.overrides), rung.name);
+        const std::string of      = fingerprint(all);
+        const auto [same, is_new] = seen.emplace(of, entry.name);
         if (!is_new)
           {
             out << "the same as " << same->second << ", left out" << std::endl;
@@ -363,11 +380,8 @@ namespace lamella
             continue;
           }
         folders.push_back(directory + "/rungs/" +
-                          folder_name(number, rung.name));
-        results.push_back(run_rung(rung, folders.back()));
-        results.back().axis       = entry.axis;
-        results.back().section    = entry.section;
-        results.back().overridden = !entry.overrides.empty();
+                          folder_name(number, entry.name));
+        results.push_back(run_rung(entry, all, of, folders.back()));
       }
   }
 

@@ -12,7 +12,6 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
-#include <set>
 #include <sstream>
 
 namespace lamella
@@ -27,9 +26,9 @@ namespace lamella
     // Of the picture, in pixels.
     constexpr int width = 1150, row_height = 330, top = 46, bottom = 12;
     // Of the panels, in shares of the width.
-    // A letter of a name, in shares of a panel.
-    constexpr double letter       = 0.013;
     constexpr double left_panel[] = {0.075, 0.43}, right_panel[] = {0.5, 0.855};
+    // Of a letter of a name, in shares of a panel.
+    constexpr double letter = 0.013;
 
 
 

@@ -307,9 +307,7 @@ namespace lamella
     print_table(out, table_of_costs(table));
     out << "\nHow far it is off\n\n";
     print_table(out, table_of_errors(table));
-    out << "\n";
-    out << table.basis() << "\n";
-    out << "\n";
+    out << "\n" << table.basis() << "\n\n";
     for (const double tolerance : table.tolerances())
       for (unsigned int q = 0; q < table.quantities().size(); ++q)
         out << table.sentence(q, tolerance) << "\n";

@@ -62,13 +62,17 @@ namespace lamella
               const std::string              &folder,
               const std::string              &output) const;
     /// Runs it, a few times where that is soon done, keeps the fastest in
-    /// @p folder and returns what the record says.
+    /// @p folder and returns what the record says; @p of is its fingerprint.
     nlohmann::json
     new_record(const std::vector<std::string> &all,
+               const std::string              &of,
                const std::string              &folder) const;
     /// Reads the rung's record in @p folder, or makes one.
     RungResult
-    run_rung(const Rung &rung, const std::string &folder) const;
+    run_rung(const LadderEntry              &entry,
+             const std::vector<std::string> &all,
+             const std::string              &of,
+             const std::string              &folder) const;
     /// Adds the largest quantities of the probes of which the scene only says
     /// that they are compared, as the finest run has them.
     void
