@@ -1,21 +1,22 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-// Sections from meshes by Gmsh. GridIn reads the mesh; what it does not tell
-// (names), or tells in words that are not the user's, is looked for in the text
-// of the file first.
+// Sections from meshes by Gmsh: what the file says (gmsh_file.h) becomes plies,
+// boundaries and cells, and is refused where it makes no section. Cells and
+// vertices stand in the order in which GridIn of deal.II has them.
 
 #include <lamella/base/exceptions.h>
 #include <lamella/base/text.h>
+#include <lamella/section/gmsh_file.h>
 #include <lamella/section/properties.h>
 #include <lamella/section/shapes.h>
 
-#include <deal.II/grid/grid_in.h>
 #include <deal.II/grid/grid_tools.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <filesystem>
 #include <fstream>
-#include <iterator>
 #include <limits>
 #include <regex>
 #include <sstream>
@@ -26,133 +27,68 @@ namespace lamella
 
   namespace
   {
-    /// What the text of a .msh file tells.
-    struct Outline
+    /// A line, triangle, quadrilateral takes some 50 bytes: millions of cells.
+    constexpr std::uintmax_t largest_file = 1u << 28;
+
+
+
+    std::string
+    place(const Point<2> &p)
     {
-      /// (dimension, tag) -> name of a physical group.
-      std::map<std::pair<int, int>, std::string> names;
-      /// Type of element, as Gmsh counts them -> how many.
-      std::map<int, unsigned int> elements;
-    };
-
-    constexpr int line = 1, triangle = 2, quadrilateral = 3, point = 15;
-
-
-
-    /// The lines of section $@p name of @p text, without its first and last;
-    /// none if it is not there or not closed.
-    std::vector<std::string>
-    lines_of(const std::string &text, const std::string &name)
-    {
-      const std::string open = "$" + name, close = "$End" + name;
-      auto              begin = text.find(open);
-      const auto        end   = text.find(close);
-      if (begin == std::string::npos || end == std::string::npos)
-        return {};
-      begin += open.size();
-      std::istringstream       part(text.substr(begin, end - begin));
-      std::vector<std::string> lines;
-      std::string              one;
-      while (std::getline(part, one))
-        if (!trimmed(one).empty())
-          lines.push_back(one);
-      return lines;
+      return "(" + to_text(p[0]) + ", " + to_text(p[1]) + ")";
     }
 
 
 
-    /// Reads the elements' types, @p by_block from version 4 on, where a block
-    /// `dimension tag type count` heads so many lines.
-    std::map<int, unsigned int>
-    count_elements(const std::vector<std::string> &lines, const bool by_block)
+    /// The text of the file @p path. Throws InputError if it cannot be had, or
+    /// not within sensible memory (a device never ends).
+    std::string
+    text_of(const std::string &path, const std::string &what)
     {
-      std::map<int, unsigned int> count;
-      for (unsigned int i = 1; i < lines.size(); ++i)
-        {
-          std::istringstream words(lines[i]);
-          int                a = 0, b = 0, type = 0;
-          unsigned int       n = 1;
-          if (by_block)
-            words >> a >> b >> type >> n;
-          else
-            words >> a >> type;
-          count[type] += n;
-          // A block cannot go on beyond the end, whatever its head says.
-          i += by_block ? std::min<std::size_t>(n, lines.size()) : 0;
-        }
-      return count;
-    }
-
-
-
-    /// Throws InputError if the coordinates in @p nodes do not lie in a plane
-    /// of constant z: the section is what the drawing has in x and y.
-    void
-    check_is_flat(const std::vector<std::string> &nodes,
-                  const double                    version,
-                  const std::string              &what)
-    {
-      // A line of coordinates has a number more in format 2. (In 4.0 it cannot
-      // be told from the head of a block; nothing writes that any more.)
-      const unsigned int n = version < 3. ? 4 : 3;
-      if (version >= 3. && version < 4.1)
-        return;
-      double lowest = std::numeric_limits<double>::max(), highest = -lowest,
-             extent = 0.;
-      for (const std::string &line : nodes)
-        {
-          std::istringstream        words(line);
-          const std::vector<double> numbers{std::istream_iterator<double>(
-                                              words),
-                                            std::istream_iterator<double>()};
-          if (numbers.size() != n)
-            continue;
-          lowest  = std::min(lowest, numbers[n - 1]);
-          highest = std::max(highest, numbers[n - 1]);
-          extent  = std::max(
-            {extent, std::abs(numbers[n - 3]), std::abs(numbers[n - 2])});
-        }
-      if (highest - lowest > 1e-6 * extent)
+      std::error_code ignored;
+      const bool      regular = std::filesystem::is_regular_file(path, ignored);
+      if (regular && std::filesystem::file_size(path, ignored) > largest_file)
+        throw InputError(what + ": this file has more than " +
+                         std::to_string(largest_file >> 20) +
+                         " MB, more cells than a section can have. Make the "
+                         "mesh coarser.");
+      std::ifstream      input(path);
+      std::ostringstream text;
+      if (regular)
+        text << input.rdbuf();
+      if (!regular || !input || !text)
         throw InputError(what +
-                         ": the mesh does not lie in one plane (z from " +
-                         to_text(lowest) + " to " + to_text(highest) +
-                         "). Draw the section in x and y.");
+                         ": cannot read this file. Its name is relative to the "
+                         "scene's folder.");
+      return text.str();
     }
 
 
-    /// @p what names the entry and the file.
-    Outline
-    scan(const std::string &text, const std::string &what)
-    {
-      const std::vector<std::string> format = lines_of(text, "MeshFormat");
-      if (format.empty())
-        throw InputError(what + ": this is not a mesh by Gmsh. Write one with "
-                                "'gmsh -2 NAME.geo -o NAME.msh'.");
-      std::istringstream words(format[0]);
-      double             version = 0.;
-      int                binary  = 0;
-      words >> version >> binary;
-      if (!(version >= 2. && version < 4.2) || binary != 0)
-        throw InputError(
-          what + ": the mesh is " +
-          (binary != 0 ? "binary" : "of version " + to_text(version)) +
-          ". Write it with 'gmsh -2 NAME.geo -format msh41 -o "
-          "NAME.msh', as text of version 4.1 (or msh22).");
 
-      check_is_flat(lines_of(text, "Nodes"), version, what);
-      Outline outline;
-      for (const std::string &name : lines_of(text, "PhysicalNames"))
-        {
-          static const std::regex form(
-            R"re(\s*(\d)\s+(\d{1,9})\s+"(.*)"\s*)re");
-          std::smatch match;
-          if (std::regex_match(name, match, form))
-            outline.names[{std::stoi(match[1]), std::stoi(match[2])}] =
-              match[3];
-        }
-      outline.elements =
-        count_elements(lines_of(text, "Elements"), version >= 4.);
-      return outline;
+    /// Throws InputError if the nodes do not lie in a plane of constant z: the
+    /// section is what the drawing has in x and y.
+    void
+    check_is_flat(const GmshFile &file, const std::string &what)
+    {
+      const auto lower = [](const auto &a, const auto &b) {
+        return a.position[2] < b.position[2];
+      };
+      const auto [lowest, highest] =
+        std::minmax_element(file.nodes.begin(), file.nodes.end(), lower);
+      double extent = 0.;
+      for (const GmshFile::Node &node : file.nodes)
+        extent = std::max(
+          {extent, std::abs(node.position[0]), std::abs(node.position[1])});
+      if (lowest == file.nodes.end() ||
+          highest->position[2] - lowest->position[2] <= 1e-6 * extent)
+        return;
+      // Of the two the one that is off, if it is one.
+      const double first = file.nodes[0].position[2];
+      throw InputError(
+        at_line(what, (highest->position[2] > first ? highest : lowest)->line) +
+        "the mesh does not lie in one plane (z from " +
+        to_text(lowest->position[2]) + " to " + to_text(highest->position[2]) +
+        "). Draw the section in x and y.");
     }
 
 
@@ -160,30 +96,43 @@ namespace lamella
     /// Throws InputError unless the elements are quadrilaterals of first order,
     /// their lines and points.
     void
-    check_elements(const Outline &outline, const std::string &what)
+    check_elements(const GmshFile &file, const std::string &what)
     {
-      unsigned int others = 0;
-      for (const auto &[type, n] : outline.elements)
-        if (type == triangle)
-          throw InputError(
-            what + ": " + std::to_string(n) +
-            (n == 1 ? " cell is a triangle" : " cells are triangles") +
-            ". A section is made of quadrilaterals: in Gmsh, 'Recombine "
-            "Surface {:};' with transfinite surfaces, or "
-            "'Mesh.RecombinationAlgorithm = 3;'.");
-        else if (type != line && type != quadrilateral && type != point)
-          others += n;
+      unsigned int triangles = 0, others = 0, cells = 0, first = 0;
+      for (const GmshFile::Element &element : file.elements)
+        if (element.type == GmshFile::triangle)
+          {
+            first = triangles == 0 ? element.line : first;
+            ++triangles;
+          }
+        else if (element.type == GmshFile::quadrilateral)
+          ++cells;
+        else if (element.type != GmshFile::line_type &&
+                 element.type != GmshFile::point)
+          {
+            first = others + triangles == 0 ? element.line : first;
+            ++others;
+          }
+      if (triangles > 0)
+        throw InputError(
+          at_line(what, first) + std::to_string(triangles) +
+          (triangles == 1 ? " cell is a triangle" :
+                            " cells are triangles, this the first") +
+          ". A section is made of quadrilaterals: in Gmsh, 'Recombine "
+          "Surface {:};' with transfinite surfaces, or "
+          "'Mesh.RecombinationAlgorithm = 3;'.");
       if (others > 0)
         throw InputError(
-          what + ": of the elements " + std::to_string(others) +
+          at_line(what, first) + "of the elements " + std::to_string(others) +
           (others == 1 ? " is" : " are") +
-          " of higher order or not in the plane. Use first-order quadrilaterals: Mesh.ElementOrder = "
-          "1.");
-      if (outline.elements.count(quadrilateral) == 0)
+          " of higher order or not in the plane" +
+          (others == 1 ? "" : ", this the first") +
+          ". Use first-order quadrilaterals: Mesh.ElementOrder = 1.");
+      if (cells == 0)
         throw InputError(what +
-                         ": the mesh has no quadrilaterals, or the file is cut "
-                         "off. Make it with 'gmsh -2', and put surfaces into "
-                         "its physical surfaces.");
+                         ": the mesh has no quadrilaterals. Make it with "
+                         "'gmsh -2', and put surfaces into its physical "
+                         "surfaces.");
     }
 
 
@@ -191,16 +140,16 @@ namespace lamella
     /// What the physical surfaces are made of, tag -> number in @p section's
     /// plies, which it fills.
     std::map<int, unsigned int>
-    make_plies(const Outline                                     &outline,
+    make_plies(const GmshFile                                    &mesh,
                const SectionFile                                 &file,
                const std::map<std::string, EngineeringConstants> &constants,
                const std::string                                 &what,
                SectionMesh                                       &section)
     {
       std::vector<std::string> surfaces, materials;
-      for (const auto &[key, name] : outline.names)
+      for (const auto &[key, name] : mesh.names)
         if (key.first == 2)
-          surfaces.push_back(name);
+          surfaces.push_back(name.name);
       for (const auto &[name, values] : constants)
         materials.push_back(name);
       if (surfaces.empty())
@@ -216,15 +165,16 @@ namespace lamella
                            part + "'. It has " + joined(surfaces) + ".");
 
       std::map<int, unsigned int> ply_of_tag;
-      for (const auto &[key, name] : outline.names)
+      for (const auto &[key, group] : mesh.names)
         if (key.first == 2)
           {
-            const auto   part = file.parts.find(name);
-            const Fabric fabric =
+            const std::string &name = group.name;
+            const auto         part = file.parts.find(name);
+            const Fabric       fabric =
               part == file.parts.end() ? Fabric{name, 0.} : part->second;
             if (constants.count(fabric.material) == 0)
               throw InputError(
-                what + ": the physical surface '" + name +
+                at_line(what, group.line) + "the physical surface '" + name +
                 "' is no material; the nearest of Materials is '" +
                 nearest_name(name, materials) +
                 "'. Rename it, or say in Parts what it is made of: '" + name +
@@ -243,7 +193,7 @@ namespace lamella
 
     /// Numbers the boundary ids of @p section anew, tag -> id, and names them.
     std::map<int, types::boundary_id>
-    make_boundaries(const Outline     &outline,
+    make_boundaries(const GmshFile    &mesh,
                     const std::string &what,
                     SectionMesh       &section)
     {
@@ -251,114 +201,294 @@ namespace lamella
       const std::vector<std::string> reserved{
         "start", "end", "ends", "all", "body", "point", "line", "other"};
       section.boundaries = {{0, "other"}};
-      std::map<int, types::boundary_id> id_of_tag;
-      for (const auto &[key, name] : outline.names)
+      std::map<int, types::boundary_id>         id_of_tag;
+      std::map<std::string, types::boundary_id> id_of_name;
+      for (const auto &[key, group] : mesh.names)
         if (key.first == 1)
           {
+            const std::string &name = group.name;
             if (std::find(reserved.begin(), reserved.end(), name) !=
                 reserved.end())
-              throw InputError(what + ": the physical line '" + name +
+              throw InputError(at_line(what, group.line) +
+                               "the physical line '" + name +
                                "' has a name that means something else (" +
                                joined(reserved) + "). Rename it.");
             if (!std::regex_match(name, form))
-              throw InputError(what + ": '" + name +
+              throw InputError(at_line(what, group.line) + "'" + name +
                                "', a physical line, is not a name. Names begin "
                                "with a letter and go on with letters, digits, "
                                "'_' and '-'.");
-            const types::boundary_id id = section.boundaries.size();
-            section.boundaries[id]      = name;
-            id_of_tag[key.second]       = id;
+            // Groups of one name are one boundary.
+            const types::boundary_id id =
+              id_of_name.insert({name, section.boundaries.size()})
+                .first->second;
+            section.boundaries[id] = name;
+            id_of_tag[key.second]  = id;
           }
       return id_of_tag;
     }
 
 
 
-    /// What went wrong in GridIn, in one line.
-    std::string
-    told_by(const ExceptionBase &error)
+    /// What Triangulation takes, and which elements of the file it is from.
+    struct Mesh
     {
-      std::ostringstream information;
-      error.print_info(information);
-      std::istringstream words(information.str());
-      std::string        word, line;
-      while (words >> word)
-        line += (line.empty() ? "" : " ") + word;
-      return line;
+      std::vector<Point<2>>                  vertices;
+      std::vector<CellData<2>>               cells;
+      SubCellData                            rest;
+      std::vector<const GmshFile::Element *> elements, lines;
+    };
+
+
+
+    /// @p group_of_tag: tag of a physical surface -> ply, of a physical line ->
+    /// boundary.
+    Mesh
+    make_mesh(const GmshFile                          &file,
+              const std::map<int, unsigned int>       &ply_of_tag,
+              const std::map<int, types::boundary_id> &id_of_tag,
+              const std::string                       &what)
+    {
+      // Around a cell in the file, rows from below in deal.II.
+      constexpr std::array<unsigned int, 4> place_in_cell{{0, 1, 3, 2}};
+      Mesh                                  mesh;
+      for (const GmshFile::Node &node : file.nodes)
+        mesh.vertices.emplace_back(node.position[0], node.position[1]);
+      for (const GmshFile::Element &element : file.elements)
+        if (element.type == GmshFile::quadrilateral)
+          {
+            CellData<2>  cell;
+            Tensor<1, 2> centre;
+            for (unsigned int i = 0; i < 4; ++i)
+              {
+                cell.vertices[place_in_cell[i]] = element.nodes[i];
+                centre += mesh.vertices[element.nodes[i]] / 4.;
+              }
+            const auto ply = ply_of_tag.find(element.group);
+            if (ply == ply_of_tag.end())
+              throw InputError(at_line(what, element.line) + "the cell at " +
+                               place(Point<2>(centre)) +
+                               " is in no named physical surface, so nothing "
+                               "says of what it is made.");
+            cell.material_id = ply->second;
+            mesh.cells.push_back(cell);
+            mesh.elements.push_back(&element);
+          }
+        else if (element.type == GmshFile::line_type)
+          {
+            CellData<1> line;
+            line.vertices[0] = element.nodes[0];
+            line.vertices[1] = element.nodes[1];
+            const auto id    = id_of_tag.find(element.group);
+            line.boundary_id = id == id_of_tag.end() ? 0 : id->second;
+            mesh.rest.boundary_lines.push_back(line);
+            mesh.lines.push_back(&element);
+          }
+      // As GridIn does.
+      GridTools::delete_unused_vertices(mesh.vertices, mesh.cells, mesh.rest);
+      // Its invert_cells_with_negative_measure() calls a cell that has no area
+      // but for rounding an error of its own; here the next check finds it.
+      for (CellData<2> &cell : mesh.cells)
+        if (GridTools::cell_measure<2>(mesh.vertices, cell.vertices) < 0.)
+          std::swap(cell.vertices[1], cell.vertices[2]);
+      return mesh;
     }
 
 
 
+    /// A corner of a cell: the vertices before and after it, counter-clockwise.
+    struct Corner
+    {
+      unsigned int vertex, next;
+      Tensor<1, 2> to_next, to_last;
+    };
+
+    std::array<Corner, 4>
+    corners_of(const Mesh &mesh, const unsigned int cell)
+    {
+      constexpr std::array<unsigned int, 4> around{{0, 1, 3, 2}};
+      std::array<Corner, 4>                 corners;
+      for (unsigned int i = 0; i < 4; ++i)
+        {
+          const auto        &v    = mesh.cells[cell].vertices;
+          const unsigned int here = v[around[i]], next = v[around[(i + 1) % 4]],
+                             last = v[around[(i + 3) % 4]];
+          corners[i]              = {here,
+                                     next,
+                                     mesh.vertices[next] - mesh.vertices[here],
+                                     mesh.vertices[last] - mesh.vertices[here]};
+        }
+      return corners;
+    }
+
+    double
+    area_between(const Tensor<1, 2> &a, const Tensor<1, 2> &b)
+    {
+      return a[0] * b[1] - a[1] * b[0];
+    }
+
+
+
+    /// Throws InputError if a cell is not convex. check_section_mesh() would,
+    /// too, but does not know the line.
     void
-    read_mesh(const std::string &text,
-              const std::string &what,
-              SectionMesh       &section)
+    check_cells_are_convex(const Mesh &mesh, const std::string &what)
     {
-      std::string told;
-      try
-        {
-          std::istringstream input(text);
-          GridIn<2>(section.mesh).read_msh(input);
-          return;
-        }
-      catch (const ExceptionBase &error)
-        {
-          told = told_by(error);
-        }
-      catch (const std::exception &error)
-        {
-          told = error.what();
-        }
-
-      static const std::regex ends(R"(\(([^ ()]+) ([^ ()]+)\))");
-      std::smatch             from, to;
-      if (told.find("internal face") != std::string::npos &&
-          std::regex_search(told, from, ends))
-        {
-          const std::string rest = from.suffix();
-          std::regex_search(rest, to, ends);
-          throw InputError(
-            what + ": a line of the mesh runs inside the section, from (" +
-            from.str(1) + ", " + from.str(2) + ") to (" + to.str(1) + ", " +
-            to.str(2) +
-            "). Only lines of its boundary can be physical ones: "
-            "remove this one, or Mesh.SaveAll.");
-        }
-      throw InputError(what + ": the mesh cannot be read (" + told +
-                       "). Write it anew with 'gmsh -2 NAME.geo -format msh41 "
-                       "-o NAME.msh'.");
+      for (unsigned int c = 0; c < mesh.cells.size(); ++c)
+        for (const Corner &corner : corners_of(mesh, c))
+          if (!(area_between(corner.to_next, corner.to_last) >
+                1e-8 * corner.to_next.norm() * corner.to_last.norm()))
+            {
+              Tensor<1, 2> centre;
+              for (const unsigned int v : mesh.cells[c].vertices)
+                centre += mesh.vertices[v] / 4.;
+              throw InputError(
+                at_line(what, mesh.elements[c]->line) +
+                "a cell is folded or has no area, at " +
+                place(Point<2>(centre)) +
+                " (an inner angle of 180 degrees or more). Mesh it anew; in "
+                "Gmsh, 'Mesh.RecombinationAlgorithm = 3' or transfinite "
+                "surfaces make better cells.");
+            }
     }
 
 
 
-    /// @p text with positive tags of physical groups: groups that take curves
-    /// or surfaces backwards, as {-1}, have negative ones in version 4.1, and
-    /// GridIn takes tags as ids. A line of $Entities is tag, six numbers of a
-    /// box, count of groups, their tags, and more.
-    std::string
-    forwards(const std::string &text)
+    /// Throws InputError if the cells go around some vertex more than once:
+    /// cells whose numbers are mixed up may cover others without a common side.
+    void
+    check_angles(const Mesh &mesh, const std::string &what)
     {
-      const std::string open = "$Entities";
-      const auto begin = text.find(open), end = text.find("$EndEntities");
-      if (begin == std::string::npos || end == std::string::npos)
-        return text;
-      std::string        entities;
-      std::istringstream lines(text.substr(begin, end - begin));
-      std::string        one;
-      while (std::getline(lines, one))
+      std::vector<double> angle(mesh.vertices.size(), 0.);
+      for (unsigned int c = 0; c < mesh.cells.size(); ++c)
+        for (const Corner &corner : corners_of(mesh, c))
+          {
+            double &sum = angle[corner.vertex];
+            sum += std::atan2(area_between(corner.to_next, corner.to_last),
+                              corner.to_next * corner.to_last);
+            if (sum > 2. * numbers::PI * (1. + 1e-8))
+              throw InputError(
+                at_line(what, mesh.elements[c]->line) +
+                "this cell lies over others at " +
+                place(mesh.vertices[corner.vertex]) +
+                ". Let each surface be drawn once, and mesh the section anew.");
+          }
+    }
+
+
+
+    /// A side of a cell, from the vertex of the lower number to the other.
+    using Side = std::pair<unsigned int, unsigned int>;
+
+    Side
+    side_between(const unsigned int a, const unsigned int b)
+    {
+      return {std::min(a, b), std::max(a, b)};
+    }
+
+    std::string
+    ends(const Mesh &mesh, const Side &side)
+    {
+      return "from " + place(mesh.vertices[side.first]) + " to " +
+             place(mesh.vertices[side.second]);
+    }
+
+
+
+    /**
+     * How many cells each side has. Throws InputError if these are more than
+     * two, or both on the same side of it; deal.II would take either for a
+     * mesh.
+     */
+    std::map<Side, unsigned int>
+    count_cells_at_sides(const Mesh &mesh, const std::string &what)
+    {
+      struct Found
+      {
+        unsigned int cell, first_vertex, count;
+      };
+      std::map<Side, Found>        found;
+      std::map<Side, unsigned int> count;
+      for (unsigned int c = 0; c < mesh.cells.size(); ++c)
+        for (const Corner &corner : corners_of(mesh, c))
+          {
+            const Side side = side_between(corner.vertex, corner.next);
+            const auto [it, is_new] =
+              found.insert({side, {c, corner.vertex, 1}});
+            ++count[side];
+            // All cells run counter-clockwise, so that two of them pass the
+            // side between them in opposite directions.
+            if (!is_new && (++it->second.count > 2 ||
+                            it->second.first_vertex == corner.vertex))
+              throw InputError(
+                at_line(what, mesh.elements[c]->line) +
+                "this cell and that of line " +
+                std::to_string(mesh.elements[it->second.cell]->line) +
+                " lie one over the other at the side " + ends(mesh, side) +
+                ". Let each surface be drawn once and be in one physical "
+                "surface, and mesh it anew.");
+          }
+      return count;
+    }
+
+
+
+    /// Leaves of @p mesh's lines those that are sides at the boundary. Throws
+    /// InputError if one runs inside, or is two boundaries.
+    void
+    sift_lines(Mesh &mesh, const std::string &what)
+    {
+      const auto                   count = count_cells_at_sides(mesh, what);
+      std::map<Side, unsigned int> seen;
+      std::vector<CellData<1>>     lines;
+      for (unsigned int l = 0; l < mesh.lines.size(); ++l)
         {
-          std::istringstream       words(one);
-          std::vector<std::string> word;
-          for (std::string w; words >> w;)
-            word.push_back(w);
-          // Those of points are shorter, or have a count of 0 there.
-          const unsigned int n =
-            word.size() > 8 ? std::strtoul(word[7].c_str(), nullptr, 10) : 0;
-          for (unsigned int k = 8; k < word.size() && k < 8 + n; ++k)
-            word[k].erase(0, word[k][0] == '-' ? 1 : 0);
-          entities += joined(word, " ") + "\n";
+          const CellData<1> &line = mesh.rest.boundary_lines[l];
+          const Side side  = side_between(line.vertices[0], line.vertices[1]);
+          const auto cells = count.find(side);
+          const auto begin = at_line(what, mesh.lines[l]->line);
+          if (cells == count.end() && line.boundary_id != 0)
+            throw InputError(begin +
+                             "this part of a physical line is no side of a "
+                             "cell. Only lines of the section's boundary can "
+                             "be physical ones: remove this one, or mesh the "
+                             "section anew.");
+          // Lines of no name beside the section: auxiliary ones.
+          if (cells == count.end())
+            continue;
+          if (cells->second > 1)
+            throw InputError(
+              begin + "a line of the mesh runs inside the section, " +
+              ends(mesh, side) +
+              ". Only lines of its boundary can be physical ones: remove this "
+              "one, or Mesh.SaveAll.");
+          const auto [it, is_new] = seen.insert({side, l});
+          if (!is_new)
+            throw InputError(begin + "the side " + ends(mesh, side) +
+                             " is in a physical line already, in line " +
+                             std::to_string(mesh.lines[it->second]->line) +
+                             " of the file. Let each curve be in one.");
+          lines.push_back(line);
         }
-      return text.substr(0, begin) + entities + text.substr(end);
+      mesh.rest.boundary_lines = lines;
+    }
+
+
+
+    /// Throws InputError if @p file's scale takes lengths, or fourth powers of
+    /// them, out of the range of doubles.
+    void
+    check_scale(const Mesh &mesh, const SectionFile &file)
+    {
+      double extent = 0.;
+      for (const Point<2> &x : mesh.vertices)
+        extent = std::max({extent, std::abs(x[0]), std::abs(x[1])});
+      if (!(extent * file.scale < 1e30 && extent * file.scale > 1e-30))
+        throw InputError(file.what + "/Scale = " + to_text(file.scale) +
+                         ": the section would be " +
+                         to_text(extent * file.scale) +
+                         " wide or high. Scale is a factor such as 0.001, of a "
+                         "mesh in mm in a scene in m.");
     }
   } // namespace
 
@@ -369,34 +499,26 @@ namespace lamella
     const SectionFile                                 &file,
     const std::map<std::string, EngineeringConstants> &constants)
   {
-    const std::string  what = file.what + "/File = " + file.path;
-    std::ifstream      input(file.path);
-    std::ostringstream text;
-    text << input.rdbuf();
-    if (!input || std::filesystem::is_directory(file.path))
-      throw InputError(what +
-                       ": cannot read this file. Its name is relative to the "
-                       "scene's folder.");
-
-    const Outline outline = scan(text.str(), what);
-    check_elements(outline, what);
+    const std::string what = file.what + "/File = " + file.path;
+    const GmshFile    read = read_gmsh_file(text_of(file.path, what), what);
+    check_is_flat(read, what);
+    check_elements(read, what);
     auto       section = std::make_shared<SectionMesh>();
-    const auto plies   = make_plies(outline, file, constants, what, *section);
-    const auto names   = make_boundaries(outline, what, *section);
+    const auto plies   = make_plies(read, file, constants, what, *section);
+    const auto names   = make_boundaries(read, what, *section);
+    Mesh       parts   = make_mesh(read, plies, names, what);
+    check_cells_are_convex(parts, what);
+    sift_lines(parts, what);
+    check_angles(parts, what);
+    GridTools::consistently_order_cells(parts.cells);
     Triangulation<2> &mesh = section->mesh;
-    read_mesh(forwards(text.str()), what, *section);
+    mesh.create_triangulation(parts.vertices, parts.cells, parts.rest);
+    check_scale(parts, file);
     GridTools::scale(file.scale, mesh);
 
     for (const auto &cell : mesh.active_cell_iterators())
       {
-        const auto found = plies.find(cell->material_id());
-        if (found == plies.end())
-          throw InputError(what + ": the cell at (" +
-                           to_text(cell->center()[0]) + ", " +
-                           to_text(cell->center()[1]) +
-                           ") is in no named physical surface, so nothing "
-                           "says of what it is made.");
-        Ply       &ply   = section->plies[found->second];
+        Ply       &ply   = section->plies[cell->material_id()];
         const bool first = ply.bottom == ply.top;
         for (const unsigned int v : cell->vertex_indices())
           {
@@ -404,19 +526,13 @@ namespace lamella
             ply.bottom     = first && v == 0 ? z : std::min(ply.bottom, z);
             ply.top        = first && v == 0 ? z : std::max(ply.top, z);
           }
-        cell->set_material_id(found->second);
       }
     const auto all_names = std::move(section->boundaries);
     section->boundaries.clear();
     for (const auto &face : mesh.active_face_iterators())
       if (face->at_boundary())
-        {
-          const auto               found = names.find(face->boundary_id());
-          const types::boundary_id id =
-            found == names.end() ? 0 : found->second;
-          face->set_boundary_id(id);
-          section->boundaries[id] = all_names.at(id);
-        }
+        section->boundaries[face->boundary_id()] =
+          all_names.at(face->boundary_id());
     check_section_mesh(*section, what);
     return section;
   }
