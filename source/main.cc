@@ -2,6 +2,7 @@
 
 #include <lamella/base/child_process.h>
 #include <lamella/base/exceptions.h>
+#include <lamella/base/mpi_session.h>
 #include <lamella/base/processes.h>
 #include <lamella/run/calculix_deck.h>
 #include <lamella/run/command_line.h>
@@ -9,12 +10,10 @@
 #include <lamella/run/trade.h>
 #include <lamella/scene/scene.h>
 
-#include <deal.II/base/mpi.h>
-
 #include <dlfcn.h>
 
 #include <chrono>
-#include <cstdlib>
+#include <csignal>
 #include <iostream>
 #include <memory>
 #include <thread>
@@ -32,23 +31,6 @@ namespace
     if (const auto set_threads = reinterpret_cast<SetThreads>(
           dlsym(RTLD_DEFAULT, "openblas_set_num_threads")))
       set_threads(n);
-  }
-
-
-
-  /// A process that no launcher started talks to nobody: Open MPI then need not
-  /// look for networks, nor start a daemon of its own; both take longer than a
-  /// small scene.
-  void
-  stay_alone()
-  {
-    for (const char *launched :
-         {"OMPI_COMM_WORLD_SIZE", "PMIX_RANK", "PMI_RANK", "SLURM_PROCID"})
-      if (std::getenv(launched) != nullptr)
-        return;
-    setenv("OMPI_MCA_ess_singleton_isolated", "1", 0);
-    setenv("OMPI_MCA_btl", "self", 0);
-    setenv("OMPI_MCA_pml", "ob1", 0);
   }
 
 
@@ -73,7 +55,8 @@ namespace
       }
     catch (const InputError &error)
       {
-        throw InputError(text.place_of(error.what()) + error.what());
+        const std::string message = text.abbreviated(error.what());
+        throw InputError(text.place_of(message) + message);
       }
   }
 
@@ -90,7 +73,7 @@ namespace
       }
     catch (const InputError &error)
       {
-        const std::string message = error.what();
+        const std::string message = text.abbreviated(error.what());
         throw InputError(
           (message.compare(0, 2, "--") == 0 ? "" : text.place_of(message)) +
           message);
@@ -146,39 +129,6 @@ namespace
 
 
 
-  /// Runs, and returns the exit status with a message for the user.
-  std::pair<int, std::string>
-  outcome(const std::vector<std::string> &words)
-  {
-    try
-      {
-        run(CommandLine::parse(words));
-      }
-    catch (const InputError &error)
-      {
-        return {1, error.what()};
-      }
-    catch (const NumericsError &error)
-      {
-        return {2, error.what()};
-      }
-    catch (const std::bad_alloc &)
-      {
-        return {2,
-                "the scene does not fit in memory. Use a coarser mesh or a "
-                "lower order."};
-      }
-    catch (const std::exception &error)
-      {
-        return {2,
-                std::string("internal error, please report it:\n") +
-                  error.what()};
-      }
-    return {0, ""};
-  }
-
-
-
   /// Whether all processes come here, too, within some seconds, through a
   /// communicator that nothing else uses.
   bool
@@ -205,12 +155,18 @@ namespace
 int
 main(int argc, char **argv)
 {
-  stay_alone();
-  dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
-  MPI_Comm                                 arrivals;
+  MpiSession mpi(argc, argv);
+  // After what MPI brings with it, which has handlers of its own. A file that
+  // has reached its limit, or a reader of the output that is gone
+  // (`| head -1`), is an error of that writing and not the end of the run.
+  std::signal(SIGXFSZ, SIG_IGN);
+  std::signal(SIGPIPE, SIG_IGN);
+  MPI_Comm arrivals;
   MPI_Comm_dup(communicator(), &arrivals);
 
-  const auto [status, message] = outcome({argv + 1, argv + argc});
+  const auto [status, message] = outcome_of([&] {
+    run(CommandLine::parse({argv + 1, argv + argc}));
+  });
   if (status != 0)
     {
       // As a rule all processes meet the same fault and one of them tells it.

@@ -97,8 +97,10 @@ namespace lamella
     if (mesh.elements.size() != mesh.breaks.size() + 1)
       throw InputError(entry + ": there are " +
                        std::to_string(mesh.breaks.size() + 1) +
-                       " pieces (Axis breaks and one), so give as many "
-                       "numbers.");
+                       " pieces (Axis breaks and one) and " +
+                       std::to_string(mesh.elements.size()) +
+                       (mesh.elements.size() == 1 ? " number" : " numbers") +
+                       ". Give a number for each piece.");
     return mesh;
   }
 } // namespace lamella

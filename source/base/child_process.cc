@@ -8,6 +8,7 @@
 #include <boost/process/extend.hpp>
 
 #include <sys/resource.h>
+#include <unistd.h>
 
 #include <chrono>
 #include <cmath>
@@ -21,22 +22,21 @@ namespace lamella
   namespace
   {
     /// The environment without what an MPI that has started leaves in it: a
-    /// child would take itself for one of its processes.
-    boost::process::environment
+    /// child would take itself for one of its processes. (Not by
+    /// boost::process::environment, whose copies read behind their end.)
+    std::vector<std::string>
     environment_without_mpi()
     {
-      boost::process::environment all = boost::this_process::environment(),
-                                  result;
-      for (const auto &variable : all)
-        {
-          const std::string name = variable.get_name();
-          bool              mpi  = false;
-          for (const char *prefix : {"PMIX_", "ORTE_", "OMPI_"})
-            mpi = mpi || name.compare(0, 5, prefix) == 0;
-          if (!mpi || name.compare(0, 10, "OMPI_ALLOW") == 0)
-            result[name] = variable.to_string();
-        }
-      return result;
+      const auto begins = [](const std::string &text, const char *prefix) {
+        return text.rfind(prefix, 0) == 0;
+      };
+      std::vector<std::string> kept;
+      for (char **variable = environ; *variable != nullptr; ++variable)
+        if (begins(*variable, "OMPI_ALLOW") ||
+            !(begins(*variable, "PMIX_") || begins(*variable, "ORTE_") ||
+              begins(*variable, "OMPI_")))
+          kept.emplace_back(*variable);
+      return kept;
     }
 
 
@@ -71,17 +71,23 @@ namespace lamella
     using Clock  = std::chrono::steady_clock;
     ProcessEnd end;
     const auto begin = Clock::now();
+
+    std::vector<std::string> variables = environment_without_mpi();
+    std::vector<char *>      pointers;
+    for (std::string &variable : variables)
+      pointers.push_back(variable.data());
+    pointers.push_back(nullptr);
     try
       {
         bp::child child(
           program,
           bp::args(words),
-          environment_without_mpi(),
           bp::std_in<bp::null, bp::std_out> output,
           bp::std_err > errors,
-          bp::extend::on_exec_setup = [&](auto &) {
-            limit_child(processor_seconds);
-          });
+          bp::extend::on_setup =
+            [&](auto &executor) { executor.env = pointers.data(); },
+          bp::extend::on_exec_setup =
+            [&](auto &) { limit_child(processor_seconds); });
         child.wait();
         const int native = child.native_exit_code();
         if (WIFSIGNALED(native))

@@ -4,10 +4,55 @@
 
 #include <algorithm>
 #include <cctype>
+#include <iostream>
+#include <new>
 #include <numeric>
 
 namespace lamella
 {
+  Outcome
+  outcome_of(const std::function<void()> &program)
+  {
+    try
+      {
+        program();
+      }
+    catch (const InputError &error)
+      {
+        return {1, error.what()};
+      }
+    catch (const NumericsError &error)
+      {
+        return {2, error.what()};
+      }
+    catch (const std::bad_alloc &)
+      {
+        return {2,
+                "the scene does not fit in memory. Use a coarser mesh or a "
+                "lower order."};
+      }
+    catch (const std::exception &error)
+      {
+        return {2,
+                std::string("internal error, please report it:\n") +
+                  error.what()};
+      }
+    return {};
+  }
+
+
+
+  int
+  run_and_tell(const std::function<void()> &program)
+  {
+    const Outcome outcome = outcome_of(program);
+    if (outcome.status != 0)
+      std::cerr << outcome.message << std::endl;
+    return outcome.status;
+  }
+
+
+
   namespace
   {
     std::size_t

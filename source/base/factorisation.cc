@@ -132,6 +132,9 @@ namespace lamella
 
       const std::size_t minor  = factor->minor;
       const int         status = common.status;
+      const auto *order = static_cast<const SuiteSparse_long *>(factor->Perm);
+      const DofIndex broken =
+        order[std::min<std::size_t>(minor, matrix.m() - 1)];
       // The condition is no number where the matrix holds one that is none.
       const bool succeeded = status == CHOLMOD_OK && minor == matrix.m() &&
                              reciprocal_condition > 0.;
@@ -143,12 +146,14 @@ namespace lamella
             throw NumericsError("The factorisation of " + what +
                                 " does not fit in memory. Use a coarser mesh "
                                 "or a lower order.");
-          throw NumericsError(
+          throw NotPositiveDefinite(
             "The stiffness matrix of " + what +
-            " is not positive definite (pivot " + std::to_string(minor + 1) +
-            " of " + std::to_string(matrix.m()) +
-            "). Either the body can still move, or its slenderness or its "
-            "ratio of stiffnesses is beyond what double precision holds.");
+              " is not positive definite (pivot " +
+              std::to_string(std::min<std::size_t>(minor + 1, matrix.m())) +
+              " of " + std::to_string(matrix.m()) +
+              "). Either the body can still move, or its slenderness or its "
+              "ratio of stiffnesses is beyond what double precision holds.",
+            broken);
         }
     }
 

@@ -9,6 +9,15 @@
 
 namespace lamella
 {
+  namespace
+  {
+    // Fourth powers of numbers, and squares of their products, are still
+    // doubles.
+    constexpr double smallest = 1e-30, largest = 1e30;
+  } // namespace
+
+
+
   std::string
   trimmed(const std::string &text)
   {
@@ -58,6 +67,11 @@ namespace lamella
       throw InputError(what + ": '" + word +
                        "' is not a number. Write it plainly, without a unit, "
                        "as in 0.05 or 5e-2.");
+    if (value != 0. &&
+        (std::abs(value) < smallest || std::abs(value) > largest))
+      throw InputError(what + ": '" + word +
+                       "' is beyond what can be computed with: other than 0, "
+                       "numbers lie between 1e-30 and 1e30. Take other units.");
     return value;
   }
 
@@ -123,5 +137,16 @@ namespace lamella
   {
     return "(" + to_text(point[0]) + ", " + to_text(point[1]) + ", " +
            to_text(point[2]) + ")";
+  }
+
+
+
+  std::string
+  to_text(const dealii::Tensor<1, 3> &v)
+  {
+    dealii::Point<3> rounded;
+    for (unsigned int c = 0; c < 3; ++c)
+      rounded[c] = std::abs(v[c]) < 1e-9 * v.norm() ? 0. : v[c];
+    return to_text(rounded);
   }
 } // namespace lamella

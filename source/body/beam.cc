@@ -152,6 +152,18 @@ namespace lamella
 
 
   Point<3>
+  Beam::dof_position(const DofIndex dof) const
+  {
+    unsigned int node = 0;
+    while (node + 1 < dof_map.n_nodes() && dof_map.first(node + 1) <= dof)
+      ++node;
+    const Point<2> c = beam_section->element().centre();
+    return placement.to_scene({c[0], beam_axis->nodes()[node], c[1]});
+  }
+
+
+
+  Point<3>
   Beam::centre() const
   {
     const Point<2> c = beam_section->element().centre();
@@ -383,7 +395,94 @@ namespace lamella
 
 
   void
+  Beam::for_each_section_force(
+    const Vector                                                        &u,
+    const std::function<void(const unsigned int, const SectionForce &)> &use)
+    const
+  {
+    const double       h        = beam_section->element().reference_length();
+    const unsigned int n_fields = beam_section->n_fields();
+    // A slope of the section shears it as the slope of the axis does: their sum
+    // is formed before anything multiplies it, and is small where both are not.
+    constexpr std::array<std::array<unsigned int, 2>, 2> pairs{
+      {{{RigidField::translation_x, RigidField::slope_x}},
+       {{RigidField::translation_z, RigidField::slope_z}}}};
+    SectionForce force;
+    const auto [begin, end] = own_points();
+    for (unsigned int k = begin; k < end; ++k)
+      {
+        const AxisState state =
+          axis_state(beam_axis->integration_points()[k], u);
+        std::array<Vector, 3> strain;
+        for (unsigned int p = 0; p < 3; ++p)
+          {
+            const std::vector<double> &part = p == 0 ? state.value :
+                                              p == 1 ? state.shear_value :
+                                                       state.derivative;
+            strain[p].reinit(n_fields);
+            std::copy(part.begin(), part.end(), strain[p].begin());
+          }
+        for (const auto &[translation, slope] : pairs)
+          {
+            strain[2][translation] += strain[1][slope] / h;
+            strain[1][slope] = 0.;
+          }
+        force.energy = 0.;
+        for (unsigned int p = 0; p < 3; ++p)
+          {
+            force.work[p].reinit(n_fields);
+            for (unsigned int q = 0; q < 3; ++q)
+              beam_section->moments(p, q).vmult(force.work[p],
+                                                strain[q],
+                                                /*adding=*/true);
+            force.energy += 0.5 * (force.work[p] * strain[p]);
+          }
+        for (const auto &[translation, slope] : pairs)
+          force.work[1][slope] = force.work[2][translation] / h;
+        use(k, force);
+      }
+  }
+
+
+
+  void
+  Beam::add_forces_by_moments(const Vector &u, Vector &share) const
+  {
+    for_each_section_force(
+      u, [&](const unsigned int k, const SectionForce &force) {
+        const AxisPoint &point  = beam_axis->integration_points()[k];
+        const double     weight = beam_axis->integration_weights()[k];
+        const auto      &nodes  = beam_axis->nodes_of_cell(point.cell);
+        for (unsigned int i = 0; i < nodes.size(); ++i)
+          for (unsigned int m = 0; m < dof_map.fields(nodes[i]).size(); ++m)
+            {
+              const unsigned int alpha = dof_map.fields(nodes[i])[m];
+              share[dof_map.first(nodes[i]) + m] +=
+                weight * (point.N[i] * force.work[0][alpha] +
+                          point.N_shear[i] * force.work[1][alpha] +
+                          point.dN[i] * force.work[2][alpha]);
+            }
+      });
+  }
+
+
+
+  void
   Beam::add_internal_forces(const Vector &u, Vector &f) const
+  {
+    Vector share(f.size());
+    if (beam_section->spans_the_section())
+      add_forces_by_moments(u, share);
+    else
+      add_forces_by_points(u, share);
+    sum_over_processes(share);
+    f += share;
+  }
+
+
+
+  void
+  Beam::add_forces_by_points(const Vector &u, Vector &share) const
   {
     const auto        &section_points  = beam_section->integration_points();
     const auto        &section_weights = beam_section->integration_weights();
@@ -392,7 +491,6 @@ namespace lamella
     // transverse shear strains may have values of their own.
     std::vector<std::array<double, 6>> values(n_fields), work(n_fields);
     std::vector<double>                derivative_work(n_fields);
-    Vector                             share(f.size());
     const auto [begin, end] = own_points();
     for (unsigned int k = begin; k < end; ++k)
       {
@@ -441,8 +539,6 @@ namespace lamella
                           axis_point.dN[i] * derivative_work[alpha]);
             }
       }
-    sum_over_processes(share);
-    f += share;
   }
 
 
@@ -461,10 +557,12 @@ namespace lamella
           {
             const SectionPoint &point = beam_section->integration_points()[s];
             const PointState    at    = point_state(point, state);
-            result.energy +=
-              0.5 * beam_axis->integration_weights()[k] *
-              beam_section->integration_weights()[s] *
-              (at.strain * (beam_section->elasticity(point.cell) * at.strain));
+            if (!beam_section->spans_the_section())
+              result.energy +=
+                0.5 * beam_axis->integration_weights()[k] *
+                beam_section->integration_weights()[s] *
+                (at.strain *
+                 (beam_section->elasticity(point.cell) * at.strain));
             // curl u / 2 with d u_y / dz = gamma_yz - d u_z / dy and so on.
             const Point<3> rotation(at.slope[2] - 0.5 * at.strain[5],
                                     at.twist,
@@ -473,6 +571,11 @@ namespace lamella
               std::max(result.max_rotation, rotation.norm());
           }
       }
+    if (beam_section->spans_the_section())
+      for_each_section_force(
+        u, [&](const unsigned int k, const SectionForce &force) {
+          result.energy += beam_axis->integration_weights()[k] * force.energy;
+        });
     result.energy = Utilities::MPI::sum(result.energy, communicator());
     result.max_rotation =
       Utilities::MPI::max(result.max_rotation, communicator());

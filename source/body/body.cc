@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <lamella/base/exceptions.h>
+#include <lamella/base/factorisation.h>
 #include <lamella/base/processes.h>
+#include <lamella/base/text.h>
 #include <lamella/body/body.h>
 
 #include <deal.II/base/quadrature_lib.h>
@@ -129,7 +131,18 @@ namespace lamella
   void
   Body::factorise(const FactorMonitor &monitor)
   {
-    linear_solver = stiffness().factorise("body '" + name() + "'", monitor);
+    try
+      {
+        linear_solver = stiffness().factorise("body '" + name() + "'", monitor);
+      }
+    catch (const NotPositiveDefinite &error)
+      {
+        throw NumericsError(std::string(error.what()) +
+                            " It shows first near " +
+                            to_text(dof_position(error.dof)) +
+                            ": look for elements that are very short or thin "
+                            "beside their neighbours there.");
+      }
   }
 
 

@@ -2,15 +2,15 @@
 
 #include <lamella/base/exceptions.h>
 #include <lamella/base/text.h>
+#include <lamella/conditions/adaptive_moments.h>
+#include <lamella/conditions/expression.h>
 #include <lamella/conditions/load.h>
 
-#include <deal.II/base/exceptions.h>
-#include <deal.II/base/function_parser.h>
+#include <deal.II/base/quadrature_lib.h>
 
+#include <algorithm>
 #include <cmath>
 #include <deque>
-#include <iostream>
-#include <sstream>
 
 namespace lamella
 {
@@ -18,76 +18,25 @@ namespace lamella
 
   namespace
   {
-    /// The value of @p expression at @p x.
-    class Expression
-    {
-    public:
-      Expression(const std::string &expression, const std::string &what)
-        : text(expression)
-        , what(what)
-      {
-        const auto fail = [&](const std::string &why) {
-          throw InputError(what + ": '" + expression +
-                           "' is not an expression of x, y, z" + why +
-                           ". Write it as for muParser, as in "
-                           "-1000*sin(pi*y/2).");
-        };
-        // A comma outside of a function would make muParser take what follows.
-        if (split(expression, ',').size() != 1)
-          fail(" (a decimal point is '.')");
-        // deal.II prints what muParser says before it throws; one message is
-        // enough.
-        std::ostringstream    discarded;
-        std::streambuf *const standard_error =
-          std::cerr.rdbuf(discarded.rdbuf());
-        bool parses = true;
-        try
-          {
-            parser.initialize("x,y,z",
-                              expression,
-                              {{"pi", numbers::PI}},
-                              false);
-            // deal.II parses at the first evaluation.
-            parser.value(Point<3>());
-          }
-        catch (const ExceptionBase &)
-          {
-            parses = false;
-          }
-        std::cerr.rdbuf(standard_error);
-        if (!parses)
-          fail("");
-      }
-
-      double
-      operator()(const Point<3> &x) const
-      {
-        const double value = parser.value(x);
-        if (!std::isfinite(value))
-          throw InputError(what + ": '" + text +
-                           "' is not a finite number at " + to_text(x) +
-                           ". Change the expression or where it applies.");
-        return value;
-      }
-
-    private:
-      FunctionParser<3> parser;
-      std::string       text, what;
-    };
+    // What integrals may be off by, of the integral of |t|, before it is said.
+    constexpr double accurate = 1e-6;
+    // Likewise what the other rule, a grid of midpoints, may be off by: it
+    // knows edges within an element to its own spacing only.
+    constexpr double agreement = 0.02;
+    // An element that is bisected more often has a load in it whose shape its
+    // polynomials do not follow.
+    constexpr unsigned int followed = 1;
 
 
 
     /// f . v += force . v(x) for the points of one body.
     void
-    add_point_forces(const Body                      &body,
-                     const std::vector<Location>     &locations,
-                     const std::vector<Tensor<1, 3>> &forces,
-                     Vector                          &f)
+    add_point_forces(const Body &body, const PointForces &at, Vector &f)
     {
-      const auto rows = body.rows(locations, Quantity::displacement);
+      const auto rows = body.rows(at.locations, Quantity::displacement);
       for (unsigned int i = 0; i < rows.size(); ++i)
         for (unsigned int c = 0; c < 3; ++c)
-          rows[i][c].add_to(f, forces[i][c]);
+          rows[i][c].add_to(f, at.forces[i][c]);
     }
 
 
@@ -101,10 +50,14 @@ namespace lamella
         , is_pressure(!load.pressure.empty())
       {
         if (is_pressure)
-          expressions.emplace_back(load.pressure, what + ", Pressure");
+          expressions.emplace_back(load.pressure, what + "/Pressure");
         else
           for (const std::string &component : load.force)
-            expressions.emplace_back(component, what + ", Force");
+            expressions.emplace_back(component, what + "/Force");
+        is_constant =
+          std::all_of(expressions.begin(),
+                      expressions.end(),
+                      [](const Expression &e) { return e.is_constant(); });
       }
 
       /// The load on @p region of @p body, integrated.
@@ -120,10 +73,204 @@ namespace lamella
                         expressions[2](x));
       }
 
+      Tensor<1, 3>
+      traction(const Point<3> &x, const Tensor<1, 3> &normal) const
+      {
+        return is_pressure ? -expressions[0](x) * normal : force_at(x);
+      }
+
+      void
+      at_points(const Region &region,
+                const Body   &body,
+                PointForces  &result) const;
+      void
+      along_line(const Region &region,
+                 const Body   &body,
+                 PointForces  &result) const;
+      void
+      on_surface(const Region &region,
+                 const Body   &body,
+                 PointForces  &result) const;
+
       const std::string      what;
       const bool             is_pressure;
+      bool                   is_constant = false;
       std::deque<Expression> expressions;
     };
+
+
+
+    /// Position, normal and area per unit of the square of the points of a
+    /// facet: those of the body, or, where the facet is a plane parallelogram
+    /// (most are), without asking it each time.
+    class FacetMap
+    {
+    public:
+      struct Place
+      {
+        Point<3>     position;
+        Tensor<1, 3> normal;
+        double       area;
+      };
+
+      FacetMap(const Body &body, const SurfaceFacet &facet)
+        : body(body)
+        , facet(facet)
+        , origin(place(Point<2>()))
+        , along_s(facet.corners[1] - facet.corners[0])
+        , along_t(facet.corners[2] - facet.corners[0])
+      {
+        // More points than a curve of any degree in use can agree in by chance.
+        const double    size = along_s.norm() + along_t.norm();
+        const QGauss<2> rule(4);
+        for (const Point<2> &st : rule.get_points())
+          {
+            const Place there = place(st);
+            is_affine =
+              is_affine &&
+              there.position.distance(affine(st).position) < 1e-12 * size &&
+              std::abs(there.area - origin.area) < 1e-11 * origin.area;
+          }
+      }
+
+      Place
+      operator()(const Point<2> &st) const
+      {
+        return is_affine ? affine(st) : place(st);
+      }
+
+    private:
+      Place
+      place(const Point<2> &st) const
+      {
+        const SurfacePoint p = body.surface_point(facet, st);
+        return {p.position, p.normal, p.area};
+      }
+
+      Place
+      affine(const Point<2> &st) const
+      {
+        return {origin.position + st[0] * along_s + st[1] * along_t,
+                origin.normal,
+                origin.area};
+      }
+
+      const Body         &body;
+      const SurfaceFacet &facet;
+      Place               origin;
+      Tensor<1, 3>        along_s, along_t;
+      bool                is_affine = true;
+    };
+
+
+
+    /// What integration says of itself, its place left to the caller.
+    template <int dim>
+    void
+    take(const Moments<dim> &moments, PointForces &result)
+    {
+      result.size        = moments.size;
+      result.error       = moments.error;
+      result.independent = moments.independent;
+      result.bisections  = moments.bisections;
+      result.checked     = true;
+    }
+
+
+
+    void
+    LoadValues::at_points(const Region &region,
+                          const Body   &body,
+                          PointForces  &result) const
+    {
+      result.locations = locate_all(body, region.at, what + "/At");
+      for (const Point<3> &x : region.at)
+        result.forces.push_back(force_at(x));
+    }
+
+
+
+    void
+    LoadValues::along_line(const Region &region,
+                           const Body   &body,
+                           PointForces  &result) const
+    {
+      const Point<3> &a = region.at[0], &b = region.at[1];
+      locate_all(body, region.at, what + "/At");
+      const std::vector<double> breaks = body.line_breaks(a, b);
+      const unsigned int        degree = body.line_degree(a, b);
+      const auto position = [&](const unsigned int piece, const double s) {
+        return a + (breaks[piece] + s * (breaks[piece + 1] - breaks[piece])) *
+                     (b - a);
+      };
+      std::vector<Moments<1>::Cell> cells;
+      for (unsigned int k = 0; k + 1 < breaks.size(); ++k)
+        {
+          const double length = (breaks[k + 1] - breaks[k]) * a.distance(b);
+          cells.push_back({[this, position, k, length](const Point<1> &s) {
+                             return length * force_at(position(k, s[0]));
+                           },
+                           {{degree}},
+                           {{length}}});
+        }
+      const Moments<1> moments = adaptive_moments<1>(cells, is_constant);
+      if (!is_constant)
+        take(moments, result);
+      const QGaussLobatto<1> nodes(degree + 1);
+      std::vector<Point<3>>  points;
+      for (unsigned int k = 0; k < cells.size(); ++k)
+        for (unsigned int i = 0; i < nodes.size(); ++i)
+          {
+            points.push_back(position(k, nodes.point(i)[0]));
+            result.forces.push_back(moments.of_cells[k][i]);
+          }
+      result.locations = locate_all(body, points, what);
+      if (!cells.empty())
+        result.place = position(moments.cell, moments.place[0]);
+    }
+
+
+
+    void
+    LoadValues::on_surface(const Region &region,
+                           const Body   &body,
+                           PointForces  &result) const
+    {
+      check_surface(body, region.surface, what + "/On");
+      const std::vector<SurfaceFacet> facets =
+        body.surface_facets(region.surface);
+      std::vector<Moments<2>::Cell> cells;
+      for (const SurfaceFacet &facet : facets)
+        cells.push_back(
+          {[this, map = FacetMap(body, facet)](const Point<2> &st) {
+             const auto [x, normal, area] = map(st);
+             return area * traction(x, normal);
+           },
+           {{facet.trace_degree_s, facet.trace_degree_t}},
+           {{facet.corners[0].distance(facet.corners[1]),
+             facet.corners[0].distance(facet.corners[2])}}});
+      const Moments<2> moments = adaptive_moments<2>(cells, is_constant);
+      if (!is_constant)
+        take(moments, result);
+      for (unsigned int k = 0; k < facets.size(); ++k)
+        {
+          const QGaussLobatto<1> s(facets[k].trace_degree_s + 1),
+            t(facets[k].trace_degree_t + 1);
+          for (unsigned int j = 0; j < t.size(); ++j)
+            for (unsigned int i = 0; i < s.size(); ++i)
+              {
+                result.locations.push_back(
+                  body
+                    .surface_point(facets[k],
+                                   Point<2>(s.point(i)[0], t.point(j)[0]))
+                    .location);
+                result.forces.push_back(moments.of_cells[k][j * s.size() + i]);
+              }
+        }
+      if (!facets.empty())
+        result.place =
+          body.surface_point(facets[moments.cell], moments.place).position;
+    }
 
 
 
@@ -134,39 +281,58 @@ namespace lamella
       switch (region.kind)
         {
           case Region::Kind::point:
-            result.locations = locate_all(body, region.at, what);
-            for (const Point<3> &x : region.at)
-              result.forces.push_back(force_at(x));
+            at_points(region, body, result);
             break;
           case Region::Kind::line:
-            {
-              locate_all(body, region.at, what);
-              std::vector<Point<3>> points;
-              for (const auto &[x, weight] :
-                   body.line_quadrature(region.at[0], region.at[1]))
-                {
-                  points.push_back(x);
-                  result.forces.push_back(weight * force_at(x));
-                }
-              result.locations = locate_all(body, points, what);
-              break;
-            }
+            along_line(region, body, result);
+            break;
           case Region::Kind::surface:
-            check_surface(body, region.surface, what);
-            for (const SurfacePoint &p :
-                 body.surface_quadrature(region.surface))
-              {
-                result.locations.push_back(p.location);
-                result.forces.push_back(
-                  p.area * (is_pressure ?
-                              -expressions[0](p.position) * p.normal :
-                              force_at(p.position)));
-              }
+            on_surface(region, body, result);
             break;
           default:
             Assert(false, ExcMessage("A load has no such region."));
         }
+      for (unsigned int k = 0; k < result.forces.size(); ++k)
+        {
+          result.force += result.forces[k];
+          result.moment +=
+            cross_product_3d(result.locations[k].position, result.forces[k]);
+        }
       return result;
+    }
+
+
+
+    /// What is to be said of one region of the load @p name.
+    void
+    add_notes(const std::string        &name,
+              const PointForces        &at,
+              std::vector<std::string> &notes)
+    {
+      if (at.error > accurate * at.size)
+        notes.push_back("load " + name + ": its integral is uncertain by " +
+                        to_text(at.error / at.size, 2) +
+                        " of itself. Let its edges run along the elements, or "
+                        "give it a smoother expression");
+      if (at.size > 0. &&
+          (at.force - at.independent).norm() > agreement * at.size)
+        notes.push_back(
+          "load " + name + ": another, finer rule finds the resultant " +
+          to_text(at.independent) + " instead of " + to_text(at.force) +
+          ". The expression varies over lengths that neither can see; give it "
+          "a smoother one, or put more elements where it acts");
+      if (at.checked && at.size == 0.)
+        notes.push_back("load " + name +
+                        " is zero wherever it was looked at, at thousands of "
+                        "points of its region. If that is not meant, its place "
+                        "or its extent is wrong, or too narrow to be found");
+      if (at.bisections > followed)
+        notes.push_back(
+          "load " + name + " varies within an element, around " +
+          to_text(at.place) +
+          ", by more than displacements there can follow: resultant and work "
+          "are right, but what is close to it is that of a load spread over "
+          "the element. Put shorter elements there (Axis breaks)");
     }
   } // namespace
 
@@ -180,18 +346,21 @@ namespace lamella
 
 
 
-  void
+  LoadResultant
   add_load(const Load &load, const Bodies &bodies, BlockVector &f)
   {
     const LoadValues values(load);
+    LoadResultant    result;
+    result.name = load.name;
     for (const Region &region : load.on)
       {
         const PointForces at = values.on(region, *bodies[region.body]);
-        add_point_forces(*bodies[region.body],
-                         at.locations,
-                         at.forces,
-                         f.block(region.body));
+        add_point_forces(*bodies[region.body], at, f.block(region.body));
+        result.force += at.force;
+        result.moment += at.moment;
+        add_notes(load.name, at, result.notes);
       }
+    return result;
   }
 
 

@@ -74,6 +74,18 @@ namespace lamella
             region.kind    = Region::Kind::surface;
             region.surface = word;
           }
+        const bool known =
+          std::any_of(regions.begin(), regions.end(), [&](const Region &r) {
+            return r.body == region.body && r.kind == region.kind &&
+                   r.surface == region.surface;
+          });
+        if (known)
+          throw InputError(what + "/On = " + on + ": names '" +
+                           bodies[region.body] + ": " + word + "' twice. " +
+                           (region.kind == Region::Kind::line ?
+                              "At has the two ends of one line; write a second "
+                              "subsection for a second line." :
+                              "Keep one of the two."));
         regions.push_back(region);
       }
     if (regions.empty())
@@ -177,6 +189,33 @@ namespace lamella
 
 
 
+  namespace
+  {
+    /// Throws InputError if two of @p regions are parts of each other: the load
+    /// would act twice there.
+    void
+    check_no_overlap(const std::vector<Region>      &regions,
+                     const std::vector<std::string> &bodies,
+                     const std::string              &what)
+    {
+      const auto contains = [](const std::string &whole,
+                               const std::string &part) {
+        return whole == "all" ||
+               (whole == "ends" && (part == "start" || part == "end"));
+      };
+      for (const Region &a : regions)
+        for (const Region &b : regions)
+          if (&a != &b && a.body == b.body && a.kind == Region::Kind::surface &&
+              b.kind == a.kind && contains(a.surface, b.surface))
+            throw InputError(what + ": '" + b.surface + "' of body '" +
+                             bodies[b.body] + "' is part of '" + a.surface +
+                             "', so the load would act twice there. Keep one "
+                             "of the two.");
+    }
+  } // namespace
+
+
+
   void
   declare_load(ParameterHandler &prm)
   {
@@ -223,6 +262,7 @@ namespace lamella
       throw InputError(what + "/Force = " + prm.get("Force") +
                        ": must be three expressions between commas.");
     std::copy(force.begin(), force.end(), load.force.begin());
+    check_no_overlap(load.on, bodies, what + "/On = " + prm.get("On"));
     for (const Region &region : load.on)
       {
         if (region.kind == Region::Kind::body)

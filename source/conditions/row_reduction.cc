@@ -6,10 +6,13 @@
 
 #include <boost/pending/disjoint_sets.hpp>
 
+#include <deal.II/lac/dynamic_sparsity_pattern.h>
+
 #include <map>
 #include <numeric>
 #include <optional>
 #include <set>
+#include <unordered_map>
 
 namespace lamella
 {
@@ -310,17 +313,32 @@ namespace lamella
   RowReduction::factorise(Group                  &independent,
                           const std::vector<Row> &functionals)
   {
-    const unsigned int n  = independent.rows.size();
-    const auto transposed = std::make_shared<LAPACKFullMatrix<double>>(n, n);
-    std::map<DofIndex, unsigned int> column;
+    // As sparse as the rows are: a section that is held as a whole has one row
+    // a node, with entries of that node and of the rigid fields.
+    const unsigned int                         n = independent.rows.size();
+    std::unordered_map<DofIndex, unsigned int> column;
     for (unsigned int k = 0; k < n; ++k)
       column[independent.pivots[k]] = k;
-    for (unsigned int k = 0; k < n; ++k)
-      for (const auto &[dof, weight] :
-           functionals[independent.rows[k]].entries())
-        if (column.count(dof) > 0)
-          (*transposed)(column[dof], k) = weight;
-    transposed->compute_lu_factorization();
+    DynamicSparsityPattern pattern(n);
+    const auto             for_each_entry = [&](const auto &use) {
+      for (unsigned int k = 0; k < n; ++k)
+        for (const auto &[dof, weight] :
+             functionals[independent.rows[k]].entries())
+          if (const auto found = column.find(dof); found != column.end())
+            use(found->second, k, weight);
+    };
+    for_each_entry([&](const unsigned int i, const unsigned int k, double) {
+      pattern.add(i, k);
+    });
+    SparsityPattern sparsity;
+    sparsity.copy_from(pattern);
+    Matrix matrix(sparsity);
+    for_each_entry([&](const unsigned int i,
+                       const unsigned int k,
+                       const double weight) { matrix.set(i, k, weight); });
+    const auto transposed = std::make_shared<SparseDirectUMFPACK>();
+    if (n > 0)
+      transposed->factorize(matrix);
     independent.transposed = transposed;
   }
 
@@ -365,7 +383,9 @@ namespace lamella
         Vector mu(group.pivots.size());
         for (unsigned int k = 0; k < mu.size(); ++k)
           mu[k] = independent[group.pivots[k]];
-        group.transposed->solve(mu);
+        Vector right(mu);
+        if (mu.size() > 0)
+          group.transposed->vmult(mu, right);
         for (unsigned int k = 0; k < mu.size(); ++k)
           forces.emplace_back(group.rows[k], mu[k]);
       }

@@ -8,22 +8,43 @@ namespace lamella
 
   namespace
   {
-    /// The two points of @p surface that are furthest from each other, as far
-    /// as starting from its first point finds them.
-    std::array<SurfacePoint, 2>
+    /// Of @p points those furthest from @p x.
+    std::vector<SurfacePoint>
+    furthest_from(const Point<3> &x, const std::vector<SurfacePoint> &points)
+    {
+      constexpr double          same = 1e-6;
+      double                    most = 0.;
+      std::vector<SurfacePoint> found;
+      for (const SurfacePoint &point : points)
+        most = std::max(most, x.distance(point.position));
+      for (const SurfacePoint &point : points)
+        if (x.distance(point.position) > (1. - same) * most)
+          found.push_back(point);
+      return found;
+    }
+
+
+
+    /// The corners of @p surface that a spring holds: all points that are
+    /// furthest from its centroid, so that a body and its mirror image are held
+    /// alike, and if that is one alone those furthest from it.
+    std::vector<SurfacePoint>
     far_points(const Body &body, const std::string &surface)
     {
       const std::vector<SurfacePoint> points = body.surface_points(surface);
-      const auto furthest_from               = [&points](const Point<3> &x) {
-        return *std::max_element(points.begin(),
-                                 points.end(),
-                                 [&x](const auto &a, const auto &b) {
-                                   return x.distance(a.position) <
-                                          x.distance(b.position);
-                                 });
-      };
-      const SurfacePoint one = furthest_from(points[0].position);
-      return {{one, furthest_from(one.position)}};
+      Tensor<1, 3>                    centroid;
+      double                          area = 0.;
+      for (const SurfacePoint &point : points)
+        {
+          centroid += point.area * point.position;
+          area += point.area;
+        }
+      std::vector<SurfacePoint> far =
+        furthest_from(Point<3>(centroid / area), points);
+      if (far.size() == 1)
+        for (const SurfacePoint &point : furthest_from(far[0].position, points))
+          far.push_back(point);
+      return far;
     }
 
 
@@ -53,6 +74,15 @@ namespace lamella
 
 
 
+    /// What each of @p n points counts: four in all, however many there are.
+    double
+    weight(const std::size_t n)
+    {
+      return 4. / n;
+    }
+
+
+
     /// Displacements at the points, one after the other.
     using PointMotion = std::vector<Tensor<1, 3>>;
 
@@ -62,7 +92,7 @@ namespace lamella
       double sum = 0.;
       for (unsigned int p = 0; p < a.size(); ++p)
         sum += a[p] * b[p];
-      return sum;
+      return weight(a.size()) * sum;
     }
 
 
@@ -123,10 +153,10 @@ namespace lamella
     std::vector<Spring> springs;
     for (unsigned int k = 0; k < free.size(); ++k)
       {
-        Spring spring{{}, stiffness, free[k].words};
+        Spring spring{{}, stiffness, stabilisation.share, free[k].words};
         for (unsigned int p = 0; p < points.size(); ++p)
           for (unsigned int c = 0; c < 3; ++c)
-            spring.row.add(u[p][c], motions[k][p][c]);
+            spring.row.add(u[p][c], weight(points.size()) * motions[k][p][c]);
         spring.row.compress();
         springs.push_back(std::move(spring));
       }

@@ -501,10 +501,27 @@ namespace lamella
   make_interface(const ContactPair &contact, const Bodies &bodies)
   {
     const std::string what = "Contact " + contact.name;
-    check_surface(*bodies[contact.first.body], contact.first.surface, what);
+    check_surface(*bodies[contact.first.body],
+                  contact.first.surface,
+                  what + "/First");
     if (contact.obstacle == nullptr)
-      check_surface(*bodies[contact.second.body], contact.second.surface, what);
+      check_surface(*bodies[contact.second.body],
+                    contact.second.surface,
+                    what + "/Second");
+    return interface_within(contact,
+                            bodies,
+                            contact.search_distance ?
+                              *contact.search_distance :
+                              automatic_search_distance(contact, bodies));
+  }
 
+
+
+  ContactInterface
+  interface_within(const ContactPair &contact,
+                   const Bodies      &bodies,
+                   const double       reach)
+  {
     ContactInterface interface;
     interface.name           = contact.name;
     interface.discretisation = contact.discretisation;
@@ -516,10 +533,7 @@ namespace lamella
                               contact.obstacle->name :
                               bodies[contact.second.body]->name();
 
-    const double reach = contact.search_distance ?
-                           *contact.search_distance :
-                           automatic_search_distance(contact, bodies);
-    const Gaps   gaps  = find_gaps(contact, bodies, reach, interface);
+    const Gaps gaps = find_gaps(contact, bodies, reach, interface);
     check_not_passed(contact, bodies, interface.points_on_second, gaps);
     if (gaps.gaps.empty())
       fail_without_pairs(contact, bodies, reach);

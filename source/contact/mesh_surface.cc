@@ -13,9 +13,6 @@ namespace lamella
 
   namespace
   {
-    // cos 60: normals further from opposed do not face each other.
-    constexpr double opposed = 0.5;
-
     // How far outside of a facet's unit square a hit still counts: positions
     // come out of decimal texts and rotations.
     constexpr double outside = 1e-7;
@@ -55,7 +52,8 @@ namespace lamella
   opposing_place(const OpposingSurface &other,
                  const Point<3>        &x,
                  const Tensor<1, 3>    &n1,
-                 const double           reach)
+                 const double           reach,
+                 const double           opposed)
   {
     // The error of an iterate is at most a few times its last change.
     constexpr unsigned int max_iterations = 50;

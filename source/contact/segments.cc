@@ -51,6 +51,24 @@ namespace lamella
 
 
 
+  Point<2>
+  centroid(const Polygon &polygon)
+  {
+    Tensor<1, 2> moment;
+    double       sum = 0.;
+    for (unsigned int i = 1; i + 1 < polygon.size(); ++i)
+      {
+        const Tensor<1, 2> a = polygon[i] - polygon[0],
+                           b = polygon[i + 1] - polygon[0];
+        const double twice   = cross(a, b);
+        moment += twice / 3. * (a + b);
+        sum += twice;
+      }
+    return polygon[0] + moment / sum;
+  }
+
+
+
   Polygon
   clipped(const Polygon &polygon, const Polygon &window)
   {

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace lamella
 {
@@ -17,6 +18,11 @@ namespace lamella
     // Relative to the hat function's own integral: what faces less of the other
     // side does so by rounding.
     constexpr double smallest_share = 1e-12;
+
+    // cos 60: normals further from opposed do not face each other; cos 80: nor
+    // do those of a point in the middle of others that do.
+    constexpr double faces = 0.5, nearly_faces = 0.17;
+    constexpr double anywhere = std::numeric_limits<double>::max();
 
     // Of the Gauss rule, for what is not polynomial on curved facets.
     constexpr unsigned int degrees_for_curves = 2;
@@ -128,11 +134,18 @@ namespace lamella
       point_above(const Cell       &cell,
                   const ChordPlane &plane,
                   const Point<2>   &p) const;
+      /// Where @p point faces @p facet, or one of @p candidates beside it.
+      struct Search
+      {
+        unsigned int                     facet;
+        const std::vector<unsigned int> &candidates;
+        bool                             layered;
+      };
       std::optional<Opposition>
-      opposition(const CarryingPoint             &point,
-                 const unsigned int               facet,
-                 const std::vector<unsigned int> &candidates,
-                 const bool                       layered) const;
+      opposition(const CarryingPoint &point,
+                 const Search        &search,
+                 const double         reach,
+                 const double         opposed) const;
       void
       add_point(const Cell          &cell,
                 const CarryingPoint &point,
@@ -324,6 +337,15 @@ namespace lamella
         (cell.facet->is_affine && other.is_affine ? 0 : degrees_for_curves);
       const Quadrature<2> &rule    = triangle_rule(degree);
       const Polygon       &corners = segment.polygon;
+      // A segment faces the other side as a whole or not at all, as its middle
+      // does: were its points to decide one by one, the area of a row at the
+      // end of the reach would be a matter of where the rule has its points.
+      const Search search{segment.facet, candidates, layered};
+      if (!opposition(point_above(cell, plane, centroid(corners)),
+                      search,
+                      sides.reach,
+                      faces))
+        return;
       for (unsigned int k = 1; k + 1 < corners.size(); ++k)
         {
           const Tensor<1, 2> along  = corners[k] - corners[0],
@@ -337,7 +359,7 @@ namespace lamella
                             corners[0] + rule.point(q)[0] * along +
                               rule.point(q)[1] * across);
               const auto opposite =
-                opposition(point, segment.facet, candidates, layered);
+                opposition(point, search, anywhere, nearly_faces);
               if (opposite)
                 add_point(cell,
                           point,
@@ -379,30 +401,29 @@ namespace lamella
 
 
     std::optional<Opposition>
-    Integrator::opposition(const CarryingPoint             &point,
-                           const unsigned int               facet,
-                           const std::vector<unsigned int> &candidates,
-                           const bool                       layered) const
+    Integrator::opposition(const CarryingPoint &point,
+                           const Search        &search,
+                           const double         reach,
+                           const double         opposed) const
     {
       const MeshSurface              &mesh = *sides.opposing_mesh;
-      const std::vector<unsigned int> own{facet};
-      const auto on_own = opposing_place(SurfacePart(mesh, own),
-                                         point.position,
-                                         point.normal,
-                                         sides.reach);
+      const std::vector<unsigned int> own{search.facet};
+      const auto                      on_own = opposing_place(
+        SurfacePart(mesh, own), point.position, point.normal, reach, opposed);
       // Next to the edge of a curved facet the neighbour's segment may begin a
       // little earlier or later than the facet.
       if (!on_own)
-        return opposing_place(SurfacePart(mesh, candidates),
+        return opposing_place(SurfacePart(mesh, search.candidates),
                               point.position,
                               point.normal,
-                              sides.reach);
-      if (layered)
+                              reach,
+                              opposed);
+      if (search.layered)
         {
-          const auto   nearest  = mesh.meet_among(candidates,
+          const auto   nearest  = mesh.meet_among(search.candidates,
                                                point.position,
                                                on_own->normal,
-                                               sides.reach);
+                                               reach);
           const double rounding = 1e-9 * mesh.body().size();
           if (nearest && std::abs(nearest->distance) + rounding <
                            std::abs(on_own->hit.distance))

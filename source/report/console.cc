@@ -54,10 +54,9 @@ namespace lamella
             const double       result,
             const Reference   &reference)
     {
-      const double difference =
-        reference.value == 0. ?
-          std::nan("") :
-          100. * (result - reference.value) / std::abs(reference.value);
+      const double difference = reference.value == 0. ?
+                                  std::nan("") :
+                                  100. * (result / reference.value - 1.);
       table.push_back({what + " " + reference.quantity,
                        to_text(result, 6),
                        to_text(reference.value, 6),
@@ -73,19 +72,6 @@ namespace lamella
       std::ostringstream text;
       text << std::fixed << std::setprecision(3) << value << " s";
       return text.str();
-    }
-
-
-
-    std::string
-    vector_text(const dealii::Tensor<1, 3> &v)
-    {
-      // A component that is only rounding reads as zero.
-      std::vector<std::string> parts;
-      for (unsigned int c = 0; c < 3; ++c)
-        parts.push_back(std::abs(v[c]) < 1e-9 * v.norm() ? "0" :
-                                                           to_text(v[c], 6));
-      return "(" + joined(parts) + ")";
     }
 
 
@@ -123,7 +109,7 @@ namespace lamella
         if (n > 0)
           out << ", " << n << " points of " << side << " have no partner";
       out << "\n    force on '" << contact.second_name << "' "
-          << vector_text(kkt.force) << force << "\n    penetration "
+          << to_text(kkt.force) << force << "\n    penetration "
           << to_text(kkt.max_penetration, 3) << length << ", "
           << to_text(kkt.max_penetration / scene_size(*summary.structure), 2)
           << " of the scene's size"
@@ -176,7 +162,7 @@ namespace lamella
     out << "\nForces and checks at the last load step:\n";
     for (unsigned int s = 0; s < checks.reactions.size(); ++s)
       out << "  support " << summary.support_names[s] << ": reaction "
-          << vector_text(checks.reactions[s]) << force << "\n";
+          << to_text(checks.reactions[s]) << force << "\n";
     for (unsigned int k = 0; k < checks.contacts.size(); ++k)
       print_contact(out, summary, k);
     out << "  force balance " << to_text(checks.force_balance, 2)

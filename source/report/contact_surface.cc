@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <lamella/base/exceptions.h>
+#include <lamella/base/output_file.h>
 #include <lamella/report/contact_surface.h>
 #include <lamella/report/fields_table.h>
 
 #include <deal.II/base/utilities.h>
 
 #include <cmath>
-#include <fstream>
 #include <functional>
 #include <map>
 #include <set>
@@ -275,7 +275,8 @@ namespace lamella
 
     const std::string name = "contact_" + contact.name + "_" +
                              Utilities::int_to_string(step, 4) + ".vtu";
-    std::ofstream file(directory + "/" + name);
+    OutputFile    output(directory + "/" + name);
+    std::ostream &file = output.stream();
     file << "<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" "
             "version=\"0.1\" byte_order=\"LittleEndian\">\n"
             "<UnstructuredGrid>\n<Piece NumberOfPoints=\""
@@ -291,10 +292,8 @@ namespace lamella
     for (const auto &[field, values] : scalars)
       write_scalars(file, field, values);
     file << "</PointData>\n</Piece>\n</UnstructuredGrid>\n</VTKFile>\n";
-    file.close();
-    if (!file)
-      throw InputError("Cannot write " + directory + "/" + name +
-                       ". Is the disk full?");
+    if (!output.put_in_place())
+      fail_to_write(directory + "/" + name);
     return name;
   }
 } // namespace lamella

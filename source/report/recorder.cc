@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <lamella/base/exceptions.h>
+#include <lamella/base/output_file.h>
 #include <lamella/base/text.h>
 #include <lamella/report/fields_table.h>
 #include <lamella/report/recorder.h>
 
 #include <algorithm>
-#include <filesystem>
-#include <fstream>
+#include <array>
 #include <memory>
 
 namespace lamella
@@ -41,7 +41,9 @@ namespace lamella
         if (body.cut(cut.position, 1, Vector(body.n_dofs())).empty())
           throw InputError("Cut " + cut.name + "/At: the axis of body '" +
                            body.name() + "' does not reach " +
-                           to_text(cut.position) + ".");
+                           to_text(cut.position) +
+                           ". Give a distance from its start, up to its "
+                           "Length.");
       }
 
     files["probes.csv"]  = "step,probe," + fields_header() + "\n";
@@ -71,26 +73,36 @@ namespace lamella
     locate_all(body, {line.from, line.to}, what);
 
     // Pieces of one ply each: elements of the same ply are merged. A line in an
-    // interface belongs to the lower ply.
+    // interface has two sides, the lower ply first, then all of the upper one.
     struct Piece
     {
       double       begin, end;
       unsigned int ply;
     };
-    std::vector<Piece>        pieces;
+    std::array<std::vector<Piece>, 2> sides;
     const std::vector<double> breaks = body.line_breaks(line.from, line.to);
     for (unsigned int k = 0; k + 1 < breaks.size(); ++k)
       {
-        const Point<3>     middle = point(0.5 * (breaks[k] + breaks[k + 1]));
-        const unsigned int ply    = locate_all(body, {middle}, what)[0].ply;
-        if (!pieces.empty() && pieces.back().ply == ply)
-          pieces.back().end = breaks[k + 1];
-        else
-          pieces.push_back({breaks[k], breaks[k + 1], ply});
+        const Point<3> middle = point(0.5 * (breaks[k] + breaks[k + 1]));
+        locate_all(body, {middle}, what);
+        const std::vector<Location> plies = body.locate({middle}).front();
+        for (unsigned int side = 0;
+             side < std::min<std::size_t>(2, plies.size());
+             ++side)
+          {
+            std::vector<Piece> &pieces = sides[side];
+            if (!pieces.empty() && pieces.back().ply == plies[side].ply &&
+                pieces.back().end == breaks[k])
+              pieces.back().end = breaks[k + 1];
+            else
+              pieces.push_back({breaks[k], breaks[k + 1], plies[side].ply});
+          }
       }
+    std::vector<Piece> all = std::move(sides[0]);
+    all.insert(all.end(), sides[1].begin(), sides[1].end());
 
     line_samples.emplace_back();
-    for (const Piece &piece : pieces)
+    for (const Piece &piece : all)
       for (unsigned int i = 0; i < line.samples; ++i)
         {
           const double t =
@@ -364,16 +376,6 @@ namespace lamella
   Recorder::write(const std::string &directory) const
   {
     for (const auto &[name, text] : files)
-      {
-        const std::filesystem::path path =
-          std::filesystem::path(directory) / name;
-        std::filesystem::create_directories(path.parent_path());
-        std::ofstream file(path);
-        file << text;
-        file.close();
-        if (!file)
-          throw InputError("Cannot write " + path.string() +
-                           ". Is the disk full?");
-      }
+      write_file(directory + "/" + name, text);
   }
 } // namespace lamella

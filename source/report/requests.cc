@@ -164,7 +164,8 @@ namespace lamella
     if (first != second)
       throw InputError(what + ": From and To must be on the same body.");
     if (from.distance(to) == 0.)
-      throw InputError(what + ": From and To are the same point.");
+      throw InputError(what +
+                       ": From and To are the same point. Move one of them.");
     return {name,
             first,
             from,

@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <lamella/base/exceptions.h>
+#include <lamella/base/output_file.h>
 #include <lamella/report/fields_table.h>
 #include <lamella/report/section_table.h>
 
 #include <deal.II/fe/mapping_q.h>
 
 #include <array>
-#include <filesystem>
-#include <fstream>
 
 namespace lamella
 {
@@ -65,13 +64,7 @@ namespace lamella
                 const std::string &name,
                 const SectionMesh &section)
   {
-    const std::filesystem::path path =
-      std::filesystem::path(directory) / "sections" / (name + ".csv");
-    std::filesystem::create_directories(path.parent_path());
-    std::ofstream file(path);
-    file << section_table(section);
-    file.close();
-    if (!file)
-      throw InputError("Cannot write " + path.string() + ". Is the disk full?");
+    write_file(directory + "/sections/" + name + ".csv",
+               section_table(section));
   }
 } // namespace lamella

@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include <lamella/base/exceptions.h>
+#include <lamella/base/output_file.h>
 #include <lamella/report/summary.h>
 
 #include <nlohmann/json.hpp>
-
-#include <fstream>
 
 namespace lamella
 {
@@ -160,6 +158,10 @@ namespace lamella
     for (unsigned int s = 0; s < summary.checks.reactions.size(); ++s)
       json["supports"][summary.support_names[s]]["reaction"] =
         to_json(summary.checks.reactions[s]);
+    json["loads"] = Json::object();
+    for (const LoadResultant &load : summary.structure->load_resultants())
+      json["loads"][load.name] = {{"force", to_json(load.force)},
+                                  {"moment", to_json(load.moment)}};
     json["force_balance"]        = summary.checks.force_balance;
     json["residual"]             = summary.checks.residual;
     json["max_rotation"]         = summary.checks.max_rotation;
@@ -174,11 +176,7 @@ namespace lamella
     json["converged"]            = summary.converged;
     json["warnings"]             = summary.warnings;
 
-    std::ofstream file(directory + "/summary.json");
-    file << json.dump(2) << "\n";
-    file.close();
-    if (!file)
-      throw InputError("Cannot write " + directory +
-                       "/summary.json. Is the disk full?");
+    write_file(directory + "/summary.json",
+               json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
   }
 } // namespace lamella

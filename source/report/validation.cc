@@ -1,18 +1,64 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <lamella/base/text.h>
 #include <lamella/report/validation.h>
 #include <lamella/section/properties.h>
+#include <lamella/section/theory_limits.h>
 
+#include <cmath>
 #include <iomanip>
 #include <ostream>
 
 namespace lamella
 {
+  namespace
+  {
+    /// ` [N mm^2]`: force times length to the power @p n; nothing without
+    /// units.
+    std::string
+    unit(const Units &units, const int n)
+    {
+      if (units.force.empty())
+        return "";
+      return " [" + units.force +
+             (n < 0 ? "/" :
+              n > 0 ? " " :
+                      "") +
+             (n == 0 ? "" : units.length) +
+             (std::abs(n) < 2 ? "" : "^" + std::to_string(std::abs(n))) + "]";
+    }
+
+
+
+    /// Prints G J, if it is known.
+    void
+    print_torsion(std::ostream      &out,
+                  const SectionMesh &section,
+                  const Units       &units)
+    {
+      // What a note is worth: LE-2 of more cells takes seconds.
+      constexpr unsigned int most_cells = 150;
+      if (section.mesh.n_active_cells() > most_cells)
+        return;
+      // The mesh outlives the section that is made of it here.
+      const std::shared_ptr<const SectionMesh> mesh(&section,
+                                                    [](const SectionMesh *) {});
+      if (const auto GJ =
+            torsional_stiffness(*make_section(mesh, Theory::parse("LE-2", ""))))
+        out << "  GJ " << *GJ << unit(units, 2)
+            << " (Saint-Venant's torsion, LE-2 on this mesh)\n";
+    }
+  } // namespace
+
+
+
   void
   print_laminate(std::ostream           &out,
                  const std::string      &name,
                  const std::vector<Ply> &plies,
-                 const double            width)
+                 const double            width,
+                 const SectionMesh      &section,
+                 const Units            &units)
   {
     out << "\nSection " << name << ": " << width << " x " << plies.back().top
         << ", plies from the bottom:\n";
@@ -26,20 +72,36 @@ namespace lamella
     out
       << "  Classical lamination theory about the mid-plane, order yy, xx, xy "
          "(y along the beam):\n";
-    for (const auto &[letter, matrix] : {std::make_pair("A", &stiffness.A),
-                                         std::make_pair("B", &stiffness.B),
-                                         std::make_pair("D", &stiffness.D)})
+    // What is left of sums that cancel, over what they are made of.
+    const double h = plies.back().top, A = stiffness.A.norm();
+    struct Part
+    {
+      const char                 *letter;
+      const dealii::Tensor<2, 3> *matrix;
+      double                      scale;
+      int                         lengths;
+    };
+    for (const Part &part : {Part{"A", &stiffness.A, A, -1},
+                             Part{"B", &stiffness.B, A * h, 0},
+                             Part{"D", &stiffness.D, A * h * h, 1}})
       for (unsigned int r = 0; r < 3; ++r)
         {
-          out << "  " << (r == 0 ? letter : " ");
+          out << "  " << (r == 0 ? part.letter : " ");
           for (unsigned int c = 0; c < 3; ++c)
-            out << std::setw(14) << (*matrix)[r][c];
-          out << "\n";
+            {
+              const double value = (*part.matrix)[r][c];
+              out << std::setw(14)
+                  << (std::abs(value) < 1e-13 * part.scale ? 0. : value);
+            }
+          out << (r == 0 ? unit(units, part.lengths) : "") << "\n";
         }
-    out << "  EA " << stiffness.EA << ", EI " << stiffness.EI << ", GA "
-        << stiffness.GA
+    out << "  EA " << stiffness.EA << unit(units, 0) << ", EI " << stiffness.EI
+        << unit(units, 2) << ", GA " << stiffness.GA << unit(units, 0)
+        << ", kGA " << shear_stiffness(plies, width) << unit(units, 0)
         << "\n  (EA, EI: free to contract and twist; GA: int G_yz dA, no shear "
-           "factor)\n\n";
+           "factor; kGA: from the\n  equilibrium of the plies)\n";
+    print_torsion(out, section, units);
+    out << "\n";
   }
 
 
@@ -48,7 +110,8 @@ namespace lamella
   print_section(std::ostream      &out,
                 const std::string &name,
                 const std::string &shape,
-                const SectionMesh &section)
+                const SectionMesh &section,
+                const Units       &units)
   {
     const SectionProperties p = section_properties(section);
     // Of a symmetric section rounding is left of the mixed moment.
@@ -72,6 +135,7 @@ namespace lamella
     for (unsigned int i = 0; i < section.plies.size(); ++i)
       out << "  part " << i + 1 << ": " << section.plies[i].material << ", "
           << section.plies[i].angle << " deg, area " << p.ply_areas[i] << "\n";
+    print_torsion(out, section, units);
     out << "\n";
   }
 
@@ -80,12 +144,16 @@ namespace lamella
   void
   print_bodies(std::ostream                        &out,
                const Structure                     &structure,
-               const std::vector<ContactInterface> &contacts)
+               const std::vector<ContactInterface> &contacts,
+               const Units                         &units)
   {
     for (const auto &body : structure.bodies())
       out << "Body " << body->name() << ": " << body->theory() << ", "
           << body->n_dofs() << " DoFs\n";
     out << structure.n_dofs() << " DoFs in all\n";
+    for (const LoadResultant &load : structure.load_resultants())
+      out << "Load " << load.name << ": resultant " << to_text(load.force)
+          << (units.force.empty() ? "" : " ") << units.force << " in all\n";
     for (const ContactInterface &contact : contacts)
       out << "Contact " << contact.name << ": " << contact.rows.size()
           << " pairs that may touch"

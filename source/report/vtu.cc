@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include <lamella/base/exceptions.h>
+#include <lamella/base/output_file.h>
 #include <lamella/base/processes.h>
 #include <lamella/report/fields_table.h>
 #include <lamella/report/vtu.h>
 
 #include <deal.II/base/data_out_base.h>
 
-#include <fstream>
+#include <sstream>
 
 namespace lamella
 {
@@ -132,23 +132,36 @@ namespace lamella
       return n_processes() == 1 ? name + ".vtu" :
                                          name + "." + std::to_string(process) + ".vtu";
     };
-    std::ofstream file(directory + "/" + part(this_process()));
-    output.write_vtu(file);
-    file.close();
-    bool written = bool(file);
+    const auto write = [&directory](const std::string &file_name,
+                                    const auto        &content) {
+      OutputFile file(directory + "/" + file_name);
+      try
+        {
+          content(file.stream());
+        }
+      catch (const ExceptionBase &)
+        {
+          // deal.II's word for a stream that takes no more.
+          return false;
+        }
+      return file.put_in_place();
+    };
+    bool written = write(part(this_process()), [&output](std::ostream &file) {
+      output.write_vtu(file);
+    });
     if (n_processes() > 1 && is_speaker())
       {
         std::vector<std::string> parts;
         for (unsigned int p = 0; p < n_processes(); ++p)
           parts.push_back(part(p));
-        std::ofstream record(directory + "/" + name + ".pvtu");
-        output.write_pvtu_record(record, parts);
-        record.close();
-        written = written && record;
+        written = write(name + ".pvtu",
+                        [&](std::ostream &file) {
+                          output.write_pvtu_record(file, parts);
+                        }) &&
+                  written;
       }
     if (!on_all_processes(written))
-      throw InputError("Cannot write " + directory + "/" + name +
-                       ".vtu. Is the disk full?");
+      fail_to_write(directory + "/" + name + ".vtu");
     return name + (n_processes() == 1 ? ".vtu" : ".pvtu");
   }
 
@@ -161,11 +174,8 @@ namespace lamella
   {
     if (files.empty())
       return;
-    std::ofstream file(directory + "/" + name + ".pvd");
-    DataOutBase::write_pvd_record(file, files);
-    file.close();
-    if (!file)
-      throw InputError("Cannot write " + directory + "/" + name +
-                       ".pvd. Is the disk full?");
+    std::ostringstream text;
+    DataOutBase::write_pvd_record(text, files);
+    write_file(directory + "/" + name + ".pvd", text.str());
   }
 } // namespace lamella

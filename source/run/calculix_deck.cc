@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <lamella/base/exceptions.h>
+#include <lamella/base/output_file.h>
 #include <lamella/base/text.h>
 #include <lamella/run/calculix_conditions.h>
 #include <lamella/run/calculix_contact.h>
@@ -9,7 +10,6 @@
 #include <nlohmann/json.hpp>
 
 #include <filesystem>
-#include <fstream>
 #include <ostream>
 #include <sstream>
 
@@ -270,26 +270,6 @@ namespace lamella
 
 
 
-    /// Writes a file as a whole, or leaves nothing; messages call it @p shown.
-    void
-    write_file(const std::filesystem::path &name,
-               const std::filesystem::path &shown,
-               const std::string           &text)
-    {
-      std::ofstream file(name);
-      if (!(file << text << std::flush))
-        {
-          std::error_code error;
-          if (file.is_open())
-            std::filesystem::remove(name, error);
-          throw InputError("--output " + shown.string() +
-                           ": it cannot be written. Name a file in a folder "
-                           "that exists and can be written.");
-        }
-    }
-
-
-
     /// Both, or neither, and then what was there before stays.
     void
     write_files(const std::filesystem::path &deck,
@@ -297,26 +277,19 @@ namespace lamella
                 const std::filesystem::path &meaning,
                 const std::string           &meaning_text)
     {
-      const auto fresh = [](std::filesystem::path path) {
-        return path += ".new";
-      };
       if (std::filesystem::is_directory(meaning) ||
           std::filesystem::is_directory(deck))
         throw InputError("--output " + deck.string() + ": " + deck.string() +
                          " or " + meaning.string() +
                          " is a folder. Name another file.");
-      write_file(fresh(deck), deck, deck_text);
-      try
-        {
-          write_file(fresh(meaning), meaning, meaning_text);
-        }
-      catch (const InputError &)
-        {
-          std::filesystem::remove(fresh(deck));
-          throw;
-        }
-      std::filesystem::rename(fresh(deck), deck);
-      std::filesystem::rename(fresh(meaning), meaning);
+      OutputFile first(deck.string()), second(meaning.string());
+      const bool written = (first.stream() << deck_text << std::flush) &&
+                           (second.stream() << meaning_text << std::flush) &&
+                           first.put_in_place() && second.put_in_place();
+      if (!written)
+        throw InputError("--output " + deck.string() +
+                         ": it cannot be written. Name a file in a folder that "
+                         "can be created and written.");
     }
   } // namespace
 

@@ -2,6 +2,7 @@
 
 #include <lamella/base/exceptions.h>
 #include <lamella/base/memory.h>
+#include <lamella/base/output_file.h>
 #include <lamella/base/processes.h>
 #include <lamella/base/text.h>
 #include <lamella/contact/assumptions.h>
@@ -10,16 +11,33 @@
 #include <lamella/report/validation.h>
 #include <lamella/report/vtu.h>
 #include <lamella/run/simulation.h>
+#include <lamella/scene/theory_notes.h>
 #include <lamella/solve/condensed_strategy.h>
 #include <lamella/solve/full_strategy.h>
 
-#include <filesystem>
-#include <fstream>
 #include <ostream>
 
 namespace lamella
 {
   using namespace dealii;
+
+  namespace
+  {
+    /// What takes a while says so before it begins.
+    void
+    tell_large_sections(const SectionMeshes &sections, std::ostream &out)
+    {
+      constexpr unsigned int many = 5000;
+      for (const auto &[name, section] : sections)
+        if (const unsigned int n = section->mesh.n_active_cells(); n > many)
+          out
+            << "Section " << name << ": " << n
+            << " cells; making its expansion, bodies and supports takes a while"
+            << std::endl;
+    }
+  } // namespace
+
+
 
   Simulation::Simulation(const Scene &scene, std::ostream &out)
     : scene(scene)
@@ -29,6 +47,7 @@ namespace lamella
     {
       TimerOutput::Scope scope(timer, "setup");
       sections = build_section_meshes(scene);
+      tell_large_sections(sections, out);
       std::vector<Stabilisation> stabilisations;
       for (const BodyDescription &body : scene.bodies)
         stabilisations.push_back(body.stabilisation);
@@ -49,15 +68,23 @@ namespace lamella
                           contacts.back().rows.end());
         }
       check_conflicts(contacts, structure->bodies());
+      for (const ContactPair &contact : scene.contacts)
+        search_checks.emplace_back(contact, structure->bodies());
     }
     TimerOutput::Scope scope(timer, "setup");
     for (const Support &support : scene.supports)
       summary.support_names.push_back(support.name);
     summary.title    = scene.title;
     summary.warnings = scene.warnings;
+    for (const std::string &note : notes_on_theories(scene, sections))
+      summary.warnings.push_back(note);
     for (const std::string &warning :
          torques_left_out(scene.loads, structure->bodies()))
       summary.warnings.push_back(warning);
+    for (const LoadResultant &load : structure->load_resultants())
+      summary.warnings.insert(summary.warnings.end(),
+                              load.notes.begin(),
+                              load.notes.end());
     for (const ContactInterface &contact : contacts)
       summary.warnings.insert(summary.warnings.end(),
                               contact.notes.begin(),
@@ -79,41 +106,13 @@ namespace lamella
 
 
 
-  namespace
-  {
-    /// Creates @p directory where there is none, which it returns, and makes
-    /// sure that files can be written there.
-    bool
-    prepare_directory(const std::string &directory)
-    {
-      bool is_new = false, writes = true;
-      if (is_speaker())
-        {
-          std::error_code error;
-          is_new = !std::filesystem::exists(directory, error);
-          std::filesystem::create_directories(directory, error);
-          const std::string trial = directory + "/.lamella";
-          writes = !error && std::ofstream(trial).put('\n').good();
-          std::filesystem::remove(trial, error);
-        }
-      if (!on_all_processes(writes))
-        throw InputError("--output " + directory +
-                         ": results cannot be written there. Name a folder "
-                         "that can be created and written.");
-      return is_new;
-    }
-  } // namespace
-
-
-
   void
   Simulation::run(const std::string &directory)
   {
     const MemoryBudget budget(scene.solve.memory_limit);
     const std::string  memory = budget.require_matrices(*structure);
-    output_directory          = directory;
-    created_directory         = prepare_directory(directory);
-    print_bodies(out, *structure, contacts);
+    folder                    = std::make_unique<ResultsFolder>(directory);
+    print_bodies(out, *structure, contacts, scene.units);
     out << "Memory: " << memory << std::endl;
     {
       TimerOutput::Scope scope(timer, "assembly");
@@ -143,14 +142,13 @@ namespace lamella
       }
     catch (const NumericsError &error)
       {
-        write_results(directory);
-        if (summary.iterations.empty() &&
-            std::filesystem::exists(directory + "/summary.json"))
+        write_results();
+        if (folder->has_earlier_results())
           throw NumericsError(std::string(error.what()) + " (The results in " +
                               directory + " are of an earlier run.)");
         throw;
       }
-    write_results(directory);
+    write_results();
   }
 
 
@@ -163,28 +161,10 @@ namespace lamella
         strategy = std::make_unique<FullStrategy>(*structure, gap_rows);
         return;
       }
-    try
-      {
-        structure->factorise([&](const Body &body, const FactorSize &size) {
-          out << "Memory: " << budget.require_factor(body, size) << std::endl;
-        });
-      }
-    catch (const InputError &)
-      {
-        remove_created_directory();
-        throw;
-      }
+    structure->factorise([&](const Body &body, const FactorSize &size) {
+      out << "Memory: " << budget.require_factor(body, size) << std::endl;
+    });
     strategy = std::make_unique<CondensedStrategy>(*structure, gap_rows);
-  }
-
-
-
-  void
-  Simulation::remove_created_directory() const
-  {
-    std::error_code error;
-    if (created_directory)
-      std::filesystem::remove(output_directory, error);
   }
 
 
@@ -212,17 +192,20 @@ namespace lamella
       TimerOutput::Scope scope(timer, "solve");
       state = newton->solve_free(factor);
     }
-    {
-      TimerOutput::Scope scope(timer, "contact");
-      if (!gap_rows.empty())
-        state = newton->solve_contact(state, factor, previous);
-    }
+    if (!gap_rows.empty())
+      {
+        TimerOutput::Scope scope(timer, "contact");
+        state = newton->release_springs(
+          newton->solve_contact(state, factor, previous), factor);
+      }
     Checks checks;
     {
       TimerOutput::Scope scope(timer, "solve");
       checks =
         check_state(*structure, contacts, scene.supports.size(), state, factor);
       require_sound(state, checks, scene.solve.rotation_limit);
+      for (unsigned int k = 0; k < contacts.size(); ++k)
+        search_checks[k].check(contacts[k], state.u, factor, active_rows(k));
     }
     TimerOutput::Scope scope(timer, "output");
     recorder->record(step, factor, state, checks);
@@ -244,27 +227,31 @@ namespace lamella
 
 
 
+  std::vector<unsigned int>
+  Simulation::active_rows(const unsigned int contact) const
+  {
+    unsigned int first = 0;
+    for (unsigned int k = 0; k < contact; ++k)
+      first += contacts[k].rows.size();
+    std::vector<unsigned int> active;
+    for (const unsigned int row : state.active)
+      if (row >= first && row < first + contacts[contact].rows.size())
+        active.push_back(row - first);
+    return active;
+  }
+
+
+
   void
   Simulation::add_warnings(const unsigned int step,
                            const double       factor,
                            const Checks      &checks)
   {
     std::vector<std::string> warnings = warnings_of(state, checks, contacts);
-    // Whose rows are active, numbered from 0 in each contact.
-    auto         row       = state.active.begin();
-    unsigned int first_row = 0;
-    for (const ContactInterface &contact : contacts)
-      {
-        std::vector<unsigned int> active;
-        for (; row != state.active.end() &&
-               *row < first_row + contact.rows.size();
-             ++row)
-          active.push_back(*row - first_row);
-        first_row += contact.rows.size();
-        for (const std::string &warning : broken_assumptions(
-               contact, structure->bodies(), state.u, factor, active))
-          warnings.push_back(warning);
-      }
+    for (unsigned int k = 0; k < contacts.size(); ++k)
+      for (const std::string &warning : broken_assumptions(
+             contacts[k], structure->bodies(), state.u, factor, active_rows(k)))
+        warnings.push_back(warning);
     for (const std::string &warning : warnings)
       summary.warnings.push_back((scene.solve.load_factors.size() > 1 ?
                                     "load step " + std::to_string(step) + ": " :
@@ -277,8 +264,9 @@ namespace lamella
   void
   Simulation::write_vtu_files(const unsigned int step, const double factor)
   {
+    folder->make_room();
     vtu_files["solution"].emplace_back(
-      step, write_vtu(output_directory, step, factor, *structure, state.u));
+      step, write_vtu(folder->path(), step, factor, *structure, state.u));
     if (!is_speaker())
       return;
     unsigned int first_row = 0;
@@ -287,7 +275,7 @@ namespace lamella
         vtu_files["contact_" + contacts[k].name].emplace_back(
           step,
           contact_surfaces[k].write_vtu(
-            output_directory, step, factor, state, first_row));
+            folder->path(), step, factor, state, first_row));
         first_row += contacts[k].rows.size();
       }
   }
@@ -295,14 +283,11 @@ namespace lamella
 
 
   void
-  Simulation::write_results(const std::string &directory)
+  Simulation::write_results()
   {
+    // Where nothing was solved nothing is left behind.
     if (summary.iterations.empty())
-      {
-        // Nothing was solved, so nothing is left behind.
-        remove_created_directory();
-        return;
-      }
+      return;
     if (scene.solve.strategy == Strategy::condensed)
       for (const auto &body : structure->bodies())
         summary.solvers[body->name()] = body->solver().statistics();
@@ -310,8 +295,10 @@ namespace lamella
     summary.peak_memory = Utilities::MPI::max(peak_memory(), communicator());
     summary.peak_memory_of_all =
       Utilities::MPI::sum(peak_memory(), communicator());
+    folder->make_room();
     if (!is_speaker())
       return;
+    const std::string &directory = folder->path();
     {
       TimerOutput::Scope scope(timer, "output");
       recorder->write(directory);
@@ -319,9 +306,7 @@ namespace lamella
         write_pvd(directory, name, files);
       for (const auto &[name, section] : sections)
         write_section(directory, name, *section);
-      if (!(std::ofstream(directory + "/scene.prm") << scene.resolved))
-        throw InputError("Cannot write into " + directory +
-                         ". Is the disk full?");
+      write_file(directory + "/scene.prm", scene.resolved);
     }
     for (const char *phase :
          {"setup", "assembly", "factorisation", "solve", "contact", "output"})
@@ -362,10 +347,13 @@ namespace lamella
         print_laminate(out,
                        name,
                        laminate->plies(scene.materials),
-                       laminate->width);
+                       laminate->width,
+                       *sections.at(name),
+                       scene.units);
       else
-        print_section(out, name, name_of(shape), *sections.at(name));
-    print_bodies(out, *structure, contacts);
+        print_section(
+          out, name, name_of(shape), *sections.at(name), scene.units);
+    print_bodies(out, *structure, contacts, scene.units);
     for (const std::string &warning : summary.warnings)
       out << "Note: " << warning << ".\n";
     out << "The scene is valid; nothing was solved or written." << std::endl;

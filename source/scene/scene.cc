@@ -10,6 +10,7 @@
 #include <lamella/contact/parameters.h>
 #include <lamella/material/parameters.h>
 #include <lamella/scene/scene.h>
+#include <lamella/scene/size_check.h>
 #include <lamella/section/parameters.h>
 
 #include <algorithm>
@@ -17,6 +18,7 @@
 #include <regex>
 #include <set>
 #include <sstream>
+#include <tuple>
 
 namespace lamella
 {
@@ -107,8 +109,8 @@ namespace lamella
         Anything(),
         "For a body that contact alone holds, e.g. a roller under a force: "
         "springs to the ground in its free rigid motions, of this share of its "
-        "axial stiffness E A / L (1e-6, say). Their share of the energy is "
-        "reported. 0: none; a body that can move freely is an error.");
+        "axial stiffness E A / L (1e-6, say), which are iterated out of the "
+        "result. 0: none; a body that can move freely is an error.");
       prm.enter_subsection("Kinematics");
       TheoryParameters::declare(prm);
       AxisParameters::declare(prm);
@@ -178,7 +180,7 @@ namespace lamella
       ParameterHandler        prm;
       declare_scene(prm);
       text.check_declared(prm, /*top_level_only=*/true);
-      prm.parse_input_from_string(text.text(), "", true);
+      text.fill(prm, /*top_level_only=*/true);
       Names names;
       for (const auto &[list, kind] : kinds())
         {
@@ -494,45 +496,60 @@ namespace lamella
             parse_references(prm.get("References"), resultant, what);
         });
       resolve_requests(prm, in, names, scene);
+      check_sizes(scene);
       return scene;
     }
   } // namespace
 
 
 
-  void
-  check_entries(const SceneText &text)
+  namespace
   {
+    /// @p text without what --set leaves out of a list, and the names.
+    std::pair<SceneText, Names>
+    listed(SceneText text)
+    {
+      Names names = read_names(text);
+      for (const auto &[list, kind] : kinds())
+        text.drop_unlisted(list, kind, names.at(list));
+      return {std::move(text), std::move(names)};
+    }
+  } // namespace
+
+
+
+  void
+  check_entries(const SceneText &given)
+  {
+    const auto [text, names] = listed(given);
     ParameterHandler prm;
-    declare_all(prm, read_names(text));
+    declare_all(prm, names);
     text.check_declared(prm);
   }
 
 
 
   Scene
-  read_scene(const SceneText &text)
+  read_scene(const SceneText &given)
   {
+    SceneText text = given;
     try
       {
-        const Names      names = read_names(text);
+        Names names;
+        std::tie(text, names) = listed(given);
         ParameterHandler prm;
         declare_all(prm, names);
         text.check_declared(prm);
-        prm.parse_input_from_string(text.text());
+        text.fill(prm);
 
-        Scene              scene = resolve(prm, names, text);
-        std::ostringstream resolved;
-        prm.print_parameters(resolved,
-                             ParameterHandler::ShortText |
-                               ParameterHandler::KeepDeclarationOrder);
-        scene.resolved = resolved.str();
+        Scene scene    = resolve(prm, names, text);
+        scene.resolved = SceneText::printed(prm);
         return scene;
       }
     catch (const InputError &error)
       {
         // Messages of the text itself know their place already.
-        const std::string message = error.what();
+        const std::string message = text.abbreviated(error.what());
         const bool        placed  = message.find(": ") < message.find(' ') ||
                             message.compare(0, 5, "--set") == 0;
         throw InputError(placed ? message : text.place_of(message) + message);

@@ -70,6 +70,137 @@ namespace lamella
 
 
 
+    /// Longer than any scene: a device or a file of results.
+    constexpr std::size_t longest_scene = 1 << 24;
+
+
+
+    /// The number of bytes of the character at @p i of @p text in UTF-8; 0 if
+    /// there is none, or one that controls a terminal.
+    std::size_t
+    length_of_character(const std::string &text, const std::size_t i)
+    {
+      const auto byte = [&text](const std::size_t k) {
+        return k < text.size() ? static_cast<unsigned char>(text[k]) : 0u;
+      };
+      const unsigned int first = byte(i);
+      if (first < 0x80)
+        return first >= 0x20 ? first != 0x7f :
+                               first == '\t' || first == '\n' || first == '\r';
+      const std::size_t n = first >= 0xc2 && first < 0xe0 ? 2 :
+                            first >= 0xe0 && first < 0xf0 ? 3 :
+                            first >= 0xf0 && first < 0xf5 ? 4 :
+                                                            0;
+      for (std::size_t k = 1; k < n; ++k)
+        if ((byte(i + k) & 0xc0) != 0x80)
+          return 0;
+      return n;
+    }
+
+
+
+    /// Throws InputError, beginning with @p file, for bytes that no text of a
+    /// scene has; returns it without the mark that some editors put before
+    /// UTF-8.
+    std::string
+    checked_bytes(const std::string &text, const std::string &file)
+    {
+      const auto begins = [&text](const char *mark) {
+        return text.rfind(mark, 0) == 0;
+      };
+      if (begins("\xff\xfe") || begins("\xfe\xff"))
+        throw InputError(file + ": the file is text in UTF-16. Save it as "
+                                "UTF-8 (or ASCII).");
+      const std::string result = begins("\xef\xbb\xbf") ? text.substr(3) : text;
+      for (std::size_t i = 0; i < result.size();)
+        {
+          const std::size_t n = length_of_character(result, i);
+          if (n == 0)
+            throw InputError(
+              file + ":" +
+              std::to_string(
+                1 + std::count(result.begin(), result.begin() + i, '\n')) +
+              ": the line has a byte that no text in UTF-8 has there. Save the "
+              "file as UTF-8 (or ASCII), or write the line anew.");
+          i += n;
+        }
+      return result;
+    }
+
+
+
+    /// Where the comment of @p line begins, npos if it has none: at a '#' that
+    /// no backslash stands before.
+    std::size_t
+    begin_of_comment(const std::string &line)
+    {
+      for (std::size_t i = 0; i < line.size(); ++i)
+        if (line[i] == '#' && (i == 0 || line[i - 1] != '\\'))
+          return i;
+      return std::string::npos;
+    }
+
+
+
+    /// @p text with each @p what replaced.
+    std::string
+    replaced(std::string text, const std::string &what, const std::string &by)
+    {
+      for (std::size_t at = 0; (at = text.find(what, at)) != std::string::npos;
+           at += by.size())
+        text.replace(at, what.size(), by);
+      return text;
+    }
+
+
+
+    /// Whether @p a is @p b but for a slip of one or two letters.
+    bool
+    are_alike(const std::string &a, const std::string &b)
+    {
+      const std::size_t longer = std::max(a.size(), b.size()),
+                        common = std::min(a.size(), b.size());
+      std::size_t first = 0, last = 0;
+      while (first < common && a[first] == b[first])
+        ++first;
+      while (last < common - first &&
+             a[a.size() - 1 - last] == b[b.size() - 1 - last])
+        ++last;
+      return longer - first - last <= 2;
+    }
+
+
+
+    /// Makes @p line whole with those of @p lines that continue it, counted in
+    /// @p number, takes its comment off and returns whether it had one. Throws
+    /// InputError, beginning with @p place, if the comment ends with a
+    /// backslash.
+    bool
+    complete(std::string       &line,
+             std::istream      &lines,
+             unsigned int      &number,
+             const std::string &place)
+    {
+      line = trimmed(line);
+      while (!line.empty() && line.back() == '\\')
+        {
+          if (begin_of_comment(line) != std::string::npos)
+            throw InputError(
+              place + "a comment ends with a backslash, which would make "
+                      "the next line a part of it. Remove the "
+                      "backslash, or write something behind it.");
+          std::string next;
+          std::getline(lines, next);
+          ++number;
+          line = line.substr(0, line.size() - 1) + trimmed(next);
+        }
+      const std::size_t comment = begin_of_comment(line);
+      line = replaced(trimmed(line.substr(0, comment)), "\\#", "#");
+      return comment != std::string::npos;
+    }
+
+
+
     void
     refuse_repetition(const std::vector<SceneText::Entry> &items,
                       const std::string                   &kind,
@@ -109,7 +240,7 @@ namespace lamella
                        const std::vector<std::string> &overrides)
     : file(file)
   {
-    scan(text, file, entries, subsections);
+    scan(checked_bytes(text, file), file, entries, subsections);
     refuse_repetition(entries, "entry", file);
     refuse_repetition(subsections, "subsection", file);
     if (entries.empty())
@@ -117,7 +248,7 @@ namespace lamella
                               "--print-parameters` prints what it may say.");
     for (const std::string &assignment : overrides)
       {
-        const Entry entry = override_entry(assignment);
+        const Entry entry = override_entry(checked_bytes(assignment, "--set"));
         const auto  old   = std::find_if(entries.begin(),
                                       entries.end(),
                                       [&entry](const Entry &e) {
@@ -136,20 +267,59 @@ namespace lamella
 
 
 
-  std::string
-  SceneText::text() const
+  void
+  SceneText::fill(dealii::ParameterHandler &prm,
+                  const bool                top_level_only) const
   {
-    std::string result;
     for (const Entry &entry : entries)
       {
+        if (top_level_only && !parent(entry.path).empty())
+          continue;
         const std::vector<std::string> parts = split(entry.path, '/');
         for (unsigned int i = 0; i + 1 < parts.size(); ++i)
-          result += "subsection " + parts[i] + "\n";
-        result += "set " + parts.back() + " = " + entry.value + "\n";
+          prm.enter_subsection(parts[i]);
+        prm.set(parts.back(), entry.value);
         for (unsigned int i = 0; i + 1 < parts.size(); ++i)
-          result += "end\n";
+          prm.leave_subsection();
       }
-    return result;
+  }
+
+
+
+  std::string
+  SceneText::printed(const dealii::ParameterHandler &prm)
+  {
+    std::ostringstream text;
+    prm.print_parameters(text,
+                         dealii::ParameterHandler::ShortText |
+                           dealii::ParameterHandler::KeepDeclarationOrder);
+    return replaced(text.str(), "#", "\\#");
+  }
+
+
+
+  void
+  SceneText::drop_unlisted(const std::string              &list,
+                           const std::string              &kind,
+                           const std::vector<std::string> &names)
+  {
+    const bool overridden =
+      std::any_of(entries.begin(), entries.end(), [&list](const Entry &entry) {
+        return entry.path == list && entry.line == 0;
+      });
+    if (!overridden)
+      return;
+    const auto is_left_out = [&](const Entry &item) {
+      const std::string first = item.path.substr(0, item.path.find('/'));
+      return first.compare(0, kind.size() + 1, kind + " ") == 0 &&
+             item.line != 0 &&
+             std::find(names.begin(),
+                       names.end(),
+                       first.substr(kind.size() + 1)) == names.end();
+    };
+    for (std::vector<Entry> *items : {&entries, &subsections})
+      items->erase(std::remove_if(items->begin(), items->end(), is_left_out),
+                   items->end());
   }
 
 
@@ -176,13 +346,17 @@ namespace lamella
   SceneText::read(const std::string              &file,
                   const std::vector<std::string> &overrides)
   {
-    std::ifstream      input(file);
-    std::ostringstream text;
-    text << input.rdbuf();
+    std::ifstream input(file);
     if (!input || std::filesystem::is_directory(file))
       throw InputError(file + ": cannot read this scene file. Check its name "
                               "and that it may be read.");
-    return SceneText(text.str(), file, overrides);
+    std::string text(longest_scene + 1, ' ');
+    input.read(text.data(), text.size());
+    text.resize(input.gcount());
+    if (text.size() > longest_scene)
+      throw InputError(file + ": has more than 16 MB, so it is no scene. Name "
+                              "a text of subsections and entries.");
+    return SceneText(text, file, overrides);
   }
 
 
@@ -204,20 +378,17 @@ namespace lamella
     while (std::getline(lines, line))
       {
         const unsigned int first = ++number;
-        // A backslash at the end continues the line.
-        std::string next;
-        line = trimmed(line);
-        while (!line.empty() && line.back() == '\\' &&
-               std::getline(lines, next))
-          {
-            ++number;
-            line = line.substr(0, line.size() - 1) + trimmed(next);
-          }
-        line                   = trimmed(line.substr(0, line.find('#')));
-        const std::string word = line.substr(0, line.find_first_of(" \t"));
-        const std::string rest = collapsed(line.substr(word.size()));
+        const auto         place = file + ":" + std::to_string(first) + ": ";
+        const bool         has_comment = complete(line, lines, number, place);
+        const std::string  word = line.substr(0, line.find_first_of(" \t"));
+        const std::string  rest = collapsed(line.substr(word.size()));
         if (word.empty())
           continue;
+        if ((word == "subsection" || word == "set") &&
+            rest.substr(0, rest.find('=')).find('/') != std::string::npos)
+          throw InputError(place + "'" + line +
+                           "' has a '/' in a name. Open subsections one in the "
+                           "other; '/' stands between them with --set only.");
         if (word == "subsection" && !rest.empty())
           {
             subsections.push_back({full(rest), "", first});
@@ -230,12 +401,21 @@ namespace lamella
             opened.pop_back();
           }
         else if (const auto equals = rest.find('=');
-                 word == "set" && equals != std::string::npos)
-          entries.push_back({full(trimmed(rest.substr(0, equals))),
-                             trimmed(rest.substr(equals + 1)),
-                             first});
+                 word == "set" && equals != std::string::npos &&
+                 !trimmed(rest.substr(0, equals)).empty())
+          {
+            entries.push_back({full(trimmed(rest.substr(0, equals))),
+                               trimmed(rest.substr(equals + 1)),
+                               first});
+            if (entries.back().value.empty() && has_comment)
+              throw InputError(place + entries.back().path +
+                               ": the value is empty, since '#' begins a "
+                               "comment. Write the value before it, or '\\#' "
+                               "for a '#' of the value, or leave the entry "
+                               "out.");
+          }
         else
-          throw InputError(file + ":" + std::to_string(first) + ": '" + line +
+          throw InputError(place + "'" + line +
                            "' is not understood. A line is 'subsection NAME', "
                            "'set ENTRY = VALUE' or the 'end' of an open "
                            "subsection; '#' begins a comment.");
@@ -261,12 +441,8 @@ namespace lamella
                             const bool top_level_only) const
   {
     // What is declared, in the one form that ParameterHandler gives it in.
-    std::ostringstream declared_text;
-    prm.print_parameters(declared_text,
-                         dealii::ParameterHandler::ShortText |
-                           dealii::ParameterHandler::KeepDeclarationOrder);
     std::vector<Entry> declared, declared_subsections;
-    scan(declared_text.str(), "", declared, declared_subsections);
+    scan(printed(prm), "", declared, declared_subsections);
 
     for (const Entry &item : subsections)
       if (!top_level_only && !contains(declared_subsections, item.path))
@@ -280,10 +456,11 @@ namespace lamella
           const std::string nearest =
             nearest_name(last_part(item.path),
                          children(declared, parent(item.path)));
-          throw InputError(
-            place(item) + "there is no entry '" + last_part(item.path) + "'" +
-            where +
-            (nearest.empty() ? "." : "; the nearest is '" + nearest + "'."));
+          throw InputError(place(item) + "there is no entry '" +
+                           last_part(item.path) + "'" + where +
+                           (nearest.empty() ?
+                              ". Remove it." :
+                              "; the nearest is '" + nearest + "'."));
         }
   }
 
@@ -302,14 +479,39 @@ namespace lamella
           other.compare(0, kind.size() + 1, kind + " ") == 0)
         alike.push_back(other);
     const std::string nearest = nearest_name(name, alike);
-    const bool        nested  = !parent(item.path).empty();
+    if (!parent(item.path).empty())
+      throw InputError(
+        place(item) + "there is no subsection '" + name + "' in " +
+        parent(item.path) +
+        (nearest.empty() ? "." : "; the nearest is '" + nearest + "'."));
     throw InputError(
-      place(item) + "there is no subsection '" + name + "'" +
-      (nested ? " in " + parent(item.path) : "") +
-      (nearest.empty() ? "." : "; the nearest is '" + nearest + "'.") +
-      (nested ? "" :
-                " A subsection's name must stand in its list (Materials, "
-                "Sections, Bodies, ...) first."));
+      place(item) + "there is no subsection '" + name +
+      "': its name must stand in its list (Materials, Sections, Bodies, ...). "
+      "Add it there, or remove the subsection" +
+      (are_alike(name, nearest) ?
+         "; or is the nearest meant, '" + nearest + "'?" :
+         "."));
+  }
+
+
+
+  std::string
+  SceneText::abbreviated(std::string message) const
+  {
+    constexpr std::size_t longest = 120, kept = 50;
+    const auto            shorter = [](const std::string &text) {
+      return text.substr(0, kept) + " ... (" + std::to_string(text.size()) +
+             " characters) ... " + text.substr(text.size() - kept / 2);
+    };
+    for (const Entry &entry : entries)
+      if (entry.value.size() > longest)
+        message = replaced(message, entry.value, shorter(entry.value));
+    // What is a part of a value.
+    std::istringstream words(message);
+    for (std::string word; words >> word;)
+      if (word.size() > 2 * longest && word.find('/') == std::string::npos)
+        message = replaced(message, word, shorter(word));
+    return message;
   }
 
 

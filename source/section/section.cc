@@ -9,9 +9,6 @@
 #include <deal.II/base/geometry_info.h>
 #include <deal.II/base/quadrature_lib.h>
 
-#include <deal.II/lac/dynamic_sparsity_pattern.h>
-#include <deal.II/lac/lapack_full_matrix.h>
-
 #include <numeric>
 
 namespace lamella
@@ -62,7 +59,10 @@ namespace lamella
     is_curved = has_curved_edges(expansion->section_mesh());
     make_fields();
     make_points();
-    make_matrices();
+    if (spans_the_section())
+      make_moments();
+    else
+      make_matrices();
     make_boxes();
   }
 
@@ -185,9 +185,37 @@ namespace lamella
 
 
 
+  bool
+  Section::spans_the_section() const
+  {
+    return section_theory.kind == Theory::Kind::TE && section_theory.order > 1;
+  }
+
+
+
+  void
+  Section::make_sample_points()
+  {
+    constexpr double   enough = 500.;
+    const unsigned int n =
+      std::min<double>(expansion->n_gauss_points(),
+                       std::max(1., std::round(std::sqrt(enough / n_cells()))));
+    const QGauss<2> quadrature(n);
+    for (unsigned int cell = 0; cell < n_cells(); ++cell)
+      for (const Point<2> &unit : quadrature.get_points())
+        points.push_back(evaluate_fields(cell, unit));
+  }
+
+
+
   void
   Section::make_points()
   {
+    if (spans_the_section())
+      {
+        make_sample_points();
+        return;
+      }
     const QGauss<2> quadrature(expansion->n_gauss_points());
     for (unsigned int cell = 0; cell < n_cells(); ++cell)
       for (unsigned int q = 0; q < quadrature.size(); ++q)
@@ -211,91 +239,6 @@ namespace lamella
     if (completion != nullptr)
       for (SectionPoint &point : points)
         completion->complete(point);
-  }
-
-
-
-  void
-  Section::make_matrices()
-  {
-    DynamicSparsityPattern pattern(n_fields());
-    for (const std::vector<unsigned int> &coupled : cell_fields)
-      for (const unsigned int alpha : coupled)
-        pattern.add_entries(alpha, coupled.begin(), coupled.end(), true);
-    sparsity.copy_from(pattern);
-    for (Matrix &matrix : matrices)
-      matrix.reinit(sparsity);
-
-    // Cell by cell as products of dense matrices: the strains at all points of
-    // a cell, normal ones (and xz) of in_plane, transverse shear ones of
-    // in_plane, and along.
-    const unsigned int n_points = points.size() / n_cells();
-    for (unsigned int cell = 0; cell < n_cells(); ++cell)
-      {
-        const unsigned int                      n = cell_fields[cell].size();
-        std::array<LAPACKFullMatrix<double>, 3> strain, stress;
-        for (unsigned int p = 0; p < 3; ++p)
-          {
-            strain[p].reinit(6 * n_points, n);
-            stress[p].reinit(6 * n_points, n);
-          }
-        for (unsigned int k = 0; k < n_points; ++k)
-          {
-            const unsigned int  number = cell * n_points + k;
-            const SectionPoint &point  = points[number];
-            for (unsigned int a = 0; a < n; ++a)
-              {
-                std::array<Voigt, 3> e;
-                for (unsigned int c = 0; c < 6; ++c)
-                  e[is_transverse_shear(c) ? 1 : 0][c] = point.in_plane[a][c];
-                e[2] = point.along[a];
-                for (unsigned int p = 0; p < 3; ++p)
-                  {
-                    const Voigt s = weights[number] * (elasticity(cell) * e[p]);
-                    for (unsigned int c = 0; c < 6; ++c)
-                      {
-                        strain[p](6 * k + c, a) = e[p][c];
-                        stress[p](6 * k + c, a) = s[c];
-                      }
-                  }
-              }
-          }
-        add_cell_matrices(cell, strain, stress);
-      }
-  }
-
-
-
-  void
-  Section::add_cell_matrices(
-    const unsigned int                             cell,
-    const std::array<LAPACKFullMatrix<double>, 3> &strain,
-    const std::array<LAPACKFullMatrix<double>, 3> &stress)
-  {
-    const auto              &numbers = cell_fields[cell];
-    const unsigned int       n       = numbers.size();
-    LAPACKFullMatrix<double> product(n, n);
-    std::vector<double>      row(n);
-    // Which of the matrices the product of parts p and q belongs to.
-    constexpr unsigned int S_00 = 0, S_01 = 1, S_10 = 2, S_11 = 3, shear = 4;
-    constexpr std::array<std::array<unsigned int, 3>, 3> part_of{
-      {{{S_00, shear, S_01}}, {{shear, shear, S_01}}, {{S_10, S_10, S_11}}}};
-    for (unsigned int p = 0; p < 3; ++p)
-      for (unsigned int q = 0; q < 3; ++q)
-        {
-          strain[p].Tmmult(product, stress[q]);
-          for (unsigned int a = 0; a < n; ++a)
-            {
-              for (unsigned int b = 0; b < n; ++b)
-                row[b] = product(a, b);
-              for (const unsigned int m :
-                   part_of[p][q] == shear ?
-                     std::vector<unsigned int>{S_00, shear} :
-                     std::vector<unsigned int>{part_of[p][q]})
-                matrices[m].add(
-                  numbers[a], n, numbers.data(), row.data(), false, true);
-            }
-        }
   }
 
 
@@ -361,38 +304,21 @@ namespace lamella
   double
   Section::area() const
   {
-    return std::accumulate(weights.begin(), weights.end(), 0.);
+    const QGauss<2> quadrature(expansion->n_gauss_points());
+    double          sum = 0.;
+    for (unsigned int cell = 0; cell < n_cells(); ++cell)
+      for (unsigned int q = 0; q < quadrature.size(); ++q)
+        sum +=
+          quadrature.weight(q) *
+          determinant(expansion->evaluate(cell, quadrature.point(q)).jacobian);
+    return sum;
   }
-
-
-
-  namespace
-  {
-    /// Throws InputError if the integration points of a Taylor expansion, each
-    /// with all fields, would not fit in memory: cells cost TE-N all of them.
-    void
-    check_size(const SectionMesh &mesh, const Theory &theory)
-    {
-      const double cells = mesh.mesh.n_active_cells(), N = theory.order;
-      const double side = N + (has_curved_edges(mesh) ? 9. : 1.);
-      const double gigabytes =
-        cells * side * side * 1.5 * (N + 1.) * (N + 2.) * 128. / 1e9;
-      if (gigabytes > 2.)
-        throw InputError(
-          "Theory = " + theory.name() + " on a section of " + to_text(cells) +
-          " cells needs " + to_text(gigabytes, 2) +
-          " GB for its integration points. Use a coarser section mesh (one "
-          "cell a part is enough for TE-N), a lower N, or LE-N.");
-    }
-  } // namespace
 
 
 
   std::shared_ptr<const Section>
   make_section(std::shared_ptr<const SectionMesh> mesh, const Theory &theory)
   {
-    if (theory.kind == Theory::Kind::TE)
-      check_size(*mesh, theory);
     std::unique_ptr<const CrossSectionElement> element;
     if (theory.kind == Theory::Kind::LE)
       element =

@@ -6,6 +6,8 @@
 #include <lamella/base/text.h>
 #include <lamella/solve/memory_budget.h>
 
+#include <algorithm>
+
 namespace lamella
 {
   namespace
@@ -32,11 +34,15 @@ namespace lamella
                  needed = dealii::Utilities::MPI::max(sum_over_machine(bytes),
                                                       communicator());
     if (needed > available)
-      throw InputError((limit > 0. ?
-                          "Memory limit = " + gigabytes(limit) + ": " :
-                          std::string()) +
-                       what + ", and " + gigabytes(available) +
-                       " are available on each machine. " + remedy);
+      throw InputError(
+        (limit > 0. ? "Memory limit = " + gigabytes(limit) + ": " :
+                      std::string()) +
+        what + ", and " + gigabytes(available) +
+        " are available on each machine" +
+        (limit > 0. ? " (the program itself has taken " +
+                        gigabytes(resident_memory()) + " of the limit)" :
+                      "") +
+        ". " + remedy);
   }
 
 
@@ -79,7 +85,11 @@ namespace lamella
     require(size.bytes,
             "Body '" + body.name() + "' has a " + what,
             remedies(body.is_nodal()));
-    return "body " + body.name() + ", " + what + "; " +
-           gigabytes(available_memory(limit)) + " available";
+    // Matrices are there by now; what follows (rows, output) is small beside
+    // them.
+    const double peak = dealii::Utilities::MPI::sum(
+      std::max(peak_memory(), resident_memory() + size.bytes), communicator());
+    return "body " + body.name() + ", " + what + "; about " + gigabytes(peak) +
+           " in all, " + gigabytes(available_memory(limit)) + " available";
   }
 } // namespace lamella

@@ -6,11 +6,24 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 
 namespace lamella
 {
   using namespace dealii;
+
+  namespace
+  {
+    std::vector<unsigned int>
+    united(std::vector<unsigned int> a, const std::vector<unsigned int> &b)
+    {
+      a.insert(a.end(), b.begin(), b.end());
+      return a;
+    }
+  } // namespace
+
+
 
   Newton::Newton(const Structure           &structure,
                  const std::vector<GapRow> &rows,
@@ -39,10 +52,111 @@ namespace lamella
 
 
   State
-  Newton::solve_free(const double factor) const
+  Newton::release_springs(State state, const double factor) const
+  {
+    constexpr unsigned int most_rounds = 60;
+    // Of the displacements, what the springs' rest still moves by; of loads and
+    // contact forces, what springs still carry. (A motion that nothing loads
+    // nor holds drifts by rounding, without a force to speak of.)
+    constexpr double at_rest = 1e-12, without_force = 1e-13;
+
+    if (!structure.has_springs())
+      return state;
+    double before = std::numeric_limits<double>::max();
+    for (unsigned int round = 1;; ++round)
+      {
+        const SpringRest rest   = structure.spring_lengths(state.u);
+        double           change = 0., force = 0.;
+        for (unsigned int b = 0; b < rest.size(); ++b)
+          for (unsigned int k = 0; k < rest[b].size(); ++k)
+            {
+              const double moved = std::abs(
+                rest[b][k] - (state.rest.empty() ? 0. : state.rest[b][k]));
+              change = std::max(change, moved);
+              force =
+                std::max(force, structure.springs(b)[k].stiffness * moved);
+            }
+        double forces = std::abs(factor) * structure.load().linfty_norm();
+        for (const double lambda : state.force)
+          forces = std::max(forces, std::abs(lambda));
+        if (change <= at_rest * size_of(state, factor) ||
+            force <= without_force * forces)
+          return state;
+        if (round > most_rounds)
+          fail_on_springs(state, change / before);
+        before     = change;
+        State next = solve_contact(solve_free(factor, rest), factor, state);
+        next.iterations += state.iterations;
+        next.spring_rounds = round;
+        state              = std::move(next);
+      }
+  }
+
+
+
+  void
+  Newton::fail_on_springs(const State &state, const double rate) const
+  {
+    constexpr double wanted_rate = 0.1;
+
+    // Whose spring is still under the largest force.
+    const SpringRest lengths = structure.spring_lengths(state.u);
+    unsigned int     body = 0, spring = 0;
+    double           largest = -1.;
+    for (unsigned int b = 0; b < lengths.size(); ++b)
+      for (unsigned int k = 0; k < lengths[b].size(); ++k)
+        {
+          const double force = structure.springs(b)[k].stiffness *
+                               std::abs(lengths[b][k] - state.rest[b][k]);
+          if (force > largest)
+            {
+              largest = force;
+              body    = b;
+              spring  = k;
+            }
+        }
+    const Spring     &worst = structure.springs(body)[spring];
+    const std::string name  = structure.bodies()[body]->name();
+    if (!(rate < 0.999))
+      throw NumericsError(
+        "Body '" + name +
+        "' is not held by its contacts: its loads move it on "
+        "and on (" +
+        worst.motion +
+        "), against nothing but its stabilising springs. Add a support, close "
+        "its gaps by a prescribed displacement, or load it towards the body "
+        "that is to hold it.");
+    throw NumericsError("The stabilising springs of body '" + name +
+                        "' are too stiff beside the contacts that hold it (" +
+                        worst.motion + "): their share falls by the factor " +
+                        to_text(rate, 3) + " a round only. Take Body " + name +
+                        "/Stabilisation = " +
+                        to_text(worst.share * wanted_rate / (1. - wanted_rate) *
+                                  (1. - rate) / rate,
+                                1) +
+                        ".");
+  }
+
+
+
+  double
+  Newton::size_of(const State &state, const double factor) const
+  {
+    // Gaps are differences of displacements and of the way of obstacles.
+    double size = state.u.linfty_norm();
+    for (const GapRow &row : rows)
+      size = std::max(size, std::abs(factor * row.gap_rate));
+    return size;
+  }
+
+
+
+  State
+  Newton::solve_free(const double factor, const SpringRest &rest) const
   {
     State state;
-    state.u = structure.particular(factor);
+    state.rest = rest;
+    state.u    = structure.particular(factor);
     state.force.assign(rows.size(), 0.);
     // The first correction is the solution itself, the second a refinement.
     state.free_corrections = refine(state, factor, 2);
@@ -60,7 +174,7 @@ namespace lamella
     std::vector<double> corrections;
     for (unsigned int k = 0; k < parameters.max_refinements + at_least; ++k)
       {
-        BlockVector r_u = structure.residual(state.u, factor);
+        BlockVector r_u = structure.residual(state.u, factor, state.rest);
         Vector      r_lambda(state.active.size());
         for (unsigned int i = 0; i < state.active.size(); ++i)
           {
@@ -140,6 +254,37 @@ namespace lamella
 
 
 
+  bool
+  Newton::correct_set(State &state, const double factor) const
+  {
+    constexpr unsigned int most_rounds = 20;
+    constexpr double       acceptable  = 1e-10;
+    for (unsigned int round = 0; round < most_rounds; ++round)
+      {
+        const double size = size_of(state, factor);
+        const double closed =
+          size * std::max(1e-14, state.contact_corrections.back());
+        const Misses found = misses(state, gaps(state.u, factor), closed);
+        if (found.opening.empty() && found.closing.empty())
+          return found.gap <= acceptable * size;
+        for (const unsigned int r : found.opening)
+          state.force[r] = 0.;
+        std::vector<unsigned int> staying;
+        std::set_difference(state.active.begin(),
+                            state.active.end(),
+                            found.opening.begin(),
+                            found.opening.end(),
+                            std::back_inserter(staying));
+        state.active = united(std::move(staying), found.closing);
+        std::sort(state.active.begin(), state.active.end());
+        ++state.iterations;
+        state.contact_corrections = refine(state, factor, 1);
+      }
+    return false;
+  }
+
+
+
   void
   Newton::watch(const Round &round, unsigned int &iterations) const
   {
@@ -173,8 +318,8 @@ namespace lamella
       (names.empty()       ? "" :
        changing.size() > 3 ? "; ...)" :
                              ")") +
-      ". Try a softer penalty, the condensed strategy, a finer mesh at the "
-      "edge of the contact, or more Maximum iterations.");
+      ". Try " + strategy.remedy() +
+      ", a finer mesh at the edge of the contact, or more Maximum iterations.");
   }
 
 
@@ -191,9 +336,10 @@ namespace lamella
     State          state   = free;
     ContactProblem problem = first_problem(gaps(free.u, factor), previous);
     double         before  = std::numeric_limits<double>::max();
+    std::vector<unsigned int> last;
     while (true)
       {
-        problem.closed = 1e-14 * state.u.linfty_norm();
+        problem.closed = 1e-14 * size_of(state, factor);
         const ContactSolution contact =
           strategy.settle(problem, [&](const Round &round) {
             watch(round, state.iterations);
@@ -206,7 +352,7 @@ namespace lamella
         State settled             = state;
         state.contact_corrections = refine(state, factor, 1);
 
-        const double size = state.u.linfty_norm();
+        const double size = size_of(state, factor);
         problem.closed =
           size * std::max(1e-14, state.contact_corrections.back());
         problem.gap        = gaps(state.u, factor);
@@ -217,6 +363,13 @@ namespace lamella
                       (slow && found.gap <= acceptable * size)))
           return state;
 
+        if (!right && contact.active == last)
+          {
+            State corrected = state;
+            if (correct_set(corrected, factor))
+              return corrected;
+          }
+        last = contact.active;
         if (!right)
           {
             // Only the strategy's forces are sure to push: with them alone the
@@ -232,11 +385,8 @@ namespace lamella
             if (left.closing.empty() && left.gap <= acceptable * size)
               return state;
           }
-        std::vector<unsigned int> changing = found.opening;
-        changing.insert(changing.end(),
-                        found.closing.begin(),
-                        found.closing.end());
-        check_iterations(state.iterations, changing);
+        check_iterations(state.iterations,
+                         united(found.opening, found.closing));
         if (slow)
           strategy.stiffen();
         before           = found.gap;

@@ -4,6 +4,8 @@
 #include <lamella/base/text.h>
 #include <lamella/solve/structure.h>
 
+#include <algorithm>
+
 namespace lamella
 {
   Structure::Structure(Bodies                            bodies,
@@ -30,7 +32,7 @@ namespace lamella
                                                     stabilisations[b]));
       }
     for (const Load &load : loads)
-      add_load(load, all_bodies, unit_load);
+      resultants.push_back(add_load(load, all_bodies, unit_load));
   }
 
 
@@ -48,8 +50,9 @@ namespace lamella
           free.push_back(motion.words);
         if (!free.empty())
           throw InputError(
-            "Body '" + all_bodies[b]->name() +
-            "' can move freely: " + joined(free, "; ") +
+            "Body '" + all_bodies[b]->name() + "' can move freely: " +
+            (free.size() == 6 ? "no support holds it at all" :
+                                joined(free, "; ")) +
             ". Add a support that prevents this, or, if contact is to hold "
             "it, a Stabilisation (Body " +
             all_bodies[b]->name() + "/Stabilisation = 1e-6).");
@@ -114,16 +117,45 @@ namespace lamella
 
 
 
+  bool
+  Structure::has_springs() const
+  {
+    return std::any_of(all_springs.begin(),
+                       all_springs.end(),
+                       [](const auto &springs) { return !springs.empty(); });
+  }
+
+
+
+  SpringRest
+  Structure::spring_lengths(const BlockVector &u) const
+  {
+    SpringRest lengths(all_springs.size());
+    for (unsigned int b = 0; b < all_springs.size(); ++b)
+      for (const Spring &spring : all_springs[b])
+        lengths[b].push_back(spring.row(u.block(b)));
+    return lengths;
+  }
+
+
+
   BlockVector
-  Structure::residual(const BlockVector &u, const double factor) const
+  Structure::residual(const BlockVector &u,
+                      const double       factor,
+                      const SpringRest  &rest) const
   {
     BlockVector r = zero();
     for (unsigned int b = 0; b < all_bodies.size(); ++b)
       {
         all_bodies[b]->add_internal_forces(u.block(b), r.block(b));
-        for (const Spring &spring : all_springs[b])
-          spring.row.add_to(r.block(b),
-                            spring.stiffness * spring.row(u.block(b)));
+        for (unsigned int k = 0; k < all_springs[b].size(); ++k)
+          {
+            const Spring &spring = all_springs[b][k];
+            spring.row.add_to(r.block(b),
+                              spring.stiffness *
+                                (spring.row(u.block(b)) -
+                                 (rest.empty() ? 0. : rest[b][k])));
+          }
       }
     r.sadd(-1., factor, unit_load);
     return r;

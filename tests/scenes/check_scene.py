@@ -19,7 +19,8 @@ is `0.1%` (relative), `abs 1e-9`, `exact`, `below` (|result| <= VALUE) or `above
     probe:NAME:uz                     at the last step; probe:NAME/PLY:uz where
                                       the point has a row a ply
     line:NAME:COLUMN:mean             over the arc length, at the last step;
-                                      also max, min, maxabs
+                                      also max, min, maxabs; line:NAME/PLY:... of
+                                      one ply, as in an interface
     contact:NAME:COLUMN:sum           over all pairs at the last step; also max,
                                       min
     difference:ux,uy,uz               `run` against `again`: the largest
@@ -166,7 +167,11 @@ def mean(abscissae, values):
 
 
 def line_value(run, name, column, how):
-    rows = run.table(f"lines/{name}.csv")
+    name, _, ply = name.partition("/")
+    rows = [row for row in run.table(f"lines/{name}.csv")
+            if not ply or row["ply"] == ply]
+    if not rows:
+        raise Fault(f"lines/{name}.csv has no ply {ply}")
     values = numbers(rows, column)
     if how == "mean":
         return mean(numbers(rows, "s"), values)

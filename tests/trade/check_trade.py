@@ -248,7 +248,7 @@ def check_killed(program, scene, workdir):
 
 def check_time_limit(program, scene, workdir):
     trade = Trade(program, scene, workdir / "limit")
-    done = trade.run("Trade/Ladder=TBT | LE-8, axis 20, section 20",
+    done = trade.run("Trade/Ladder=TBT | LE-4, axis 10, section 4",
                      "Trade/Time limit=1", "Trade/Reference=TBT")
     failed = [row["failure"] for row in trade.table() if row["failure"]]
     expect(done.returncode == 0 and len(failed) == 1 and "time limit of 1 s"

@@ -783,7 +783,7 @@ BOOST_AUTO_TEST_CASE(bad_loads)
     refused(force_load(tip, {"0", "0", expression}),
             {"Load load", "'" + expression + "' is not an expression"});
   refused({"load", {{0, Region::Kind::surface, "top", {}}}, {}, "p0"},
-          {"Load load, Pressure", "'p0'"});
+          {"Load load/Pressure", "'p0'"});
 
   refused(force_load({0, Region::Kind::point, "", {{0., 2.1, 0.}}},
                      {"0", "0", "1"}),

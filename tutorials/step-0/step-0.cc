@@ -14,7 +14,9 @@
 
 // A beam is a section times an axis; each has its own room in the library.
 #include <lamella/axis/axis.h>
+#include <lamella/base/exceptions.h>
 #include <lamella/base/factorisation.h>
+#include <lamella/base/mpi_session.h>
 #include <lamella/body/beam.h>
 #include <lamella/conditions/load.h>
 #include <lamella/conditions/row_reduction.h>
@@ -222,6 +224,6 @@ int
 main(int argc, char **argv)
 {
   // The axis is shared among processes, so there is MPI, for one, too.
-  dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
-  StoppedCantilever().run();
+  MpiSession mpi(argc, argv);
+  return run_and_tell([] { StoppedCantilever().run(); });
 }

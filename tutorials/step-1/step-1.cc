@@ -10,6 +10,8 @@
 // and an axis without a fine mesh at the clamp. See README.md in this folder.
 
 #include <lamella/axis/axis.h>
+#include <lamella/base/exceptions.h>
+#include <lamella/base/mpi_session.h>
 #include <lamella/body/beam.h>
 #include <lamella/section/laminate.h>
 #include <lamella/section/theory.h>
@@ -245,6 +247,6 @@ int
 main(int argc, char **argv)
 {
   // The axis is shared among processes, so there is MPI, for one, too.
-  dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
-  FiveTheories().run();
+  MpiSession mpi(argc, argv);
+  return run_and_tell([] { FiveTheories().run(); });
 }

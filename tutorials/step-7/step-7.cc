@@ -10,12 +10,13 @@
 // does not: the cheapest rung that meets all tolerances, and the best one
 // within a budget. See README.md in this folder.
 
+#include <lamella/base/exceptions.h>
+#include <lamella/base/mpi_session.h>
 #include <lamella/run/ladder.h>
 #include <lamella/run/simulation.h>
 #include <lamella/run/trade_picture.h>
 #include <lamella/run/trade_table.h>
 
-#include <deal.II/base/mpi.h>
 #include <deal.II/base/table_handler.h>
 
 #include <filesystem>
@@ -280,6 +281,6 @@ int
 main(int argc, char **argv)
 {
   // The axis is shared among processes, so there is MPI, for one, too.
-  dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
-  BendingTest().run();
+  MpiSession mpi(argc, argv);
+  return run_and_tell([] { BendingTest().run(); });
 }

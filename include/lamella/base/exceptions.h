@@ -3,6 +3,7 @@
 #ifndef lamella_base_exceptions_h
 #define lamella_base_exceptions_h
 
+#include <functional>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -28,6 +29,26 @@ namespace lamella
   public:
     using std::runtime_error::runtime_error;
   };
+
+  /// How a program came to its end.
+  struct Outcome
+  {
+    /// 0 done, 1 InputError, 2 NumericsError or anything else.
+    int status = 0;
+    /// For the user; empty where the status is 0.
+    std::string message;
+  };
+
+  /// Runs @p program and turns whatever it throws into its outcome.
+  Outcome
+  outcome_of(const std::function<void()> &program);
+
+  /**
+   * Runs @p program and returns its exit status; what it throws becomes one
+   * message on the standard error stream. The `main` of a small program.
+   */
+  int
+  run_and_tell(const std::function<void()> &program);
 
   /**
    * The member of @p valid with the smallest edit distance (Levenshtein) to

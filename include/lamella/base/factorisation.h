@@ -3,10 +3,24 @@
 #ifndef lamella_base_factorisation_h
 #define lamella_base_factorisation_h
 
+#include <lamella/base/exceptions.h>
 #include <lamella/base/linear_solver.h>
 
 namespace lamella
 {
+  /// A factorisation that broke down at the DoF @p dof (of the matrix, not in
+  /// the order of elimination).
+  class NotPositiveDefinite : public NumericsError
+  {
+  public:
+    NotPositiveDefinite(const std::string &message, const DofIndex dof)
+      : NumericsError(message)
+      , dof(dof)
+    {}
+
+    const DofIndex dof;
+  };
+
   /**
    * Factorises @p matrix, of which only the upper triangle is read, with
    * CHOLMOD's supernodal Cholesky factorisation A = P^T L L^T P (AMD or METIS

@@ -26,7 +26,8 @@ namespace lamella
 
   /**
    * The finite number that all of @p text spells. Throws InputError, beginning
-   * with @p what (which names the entry), if it spells none.
+   * with @p what (which names the entry), if it spells none, or one whose
+   * products leave the range of doubles (zero apart, beyond 1e-30 to 1e30).
    */
   double
   to_number(const std::string &text, const std::string &what);
@@ -55,6 +56,11 @@ namespace lamella
   /// @p point as `(x, y, z)`.
   std::string
   to_text(const dealii::Point<3> &point);
+
+  /// @p v as `(x, y, z)`; a component below 1e-9 of its length is rounding and
+  /// reads 0.
+  std::string
+  to_text(const dealii::Tensor<1, 3> &v);
 } // namespace lamella
 
 #endif

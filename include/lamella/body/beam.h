@@ -53,6 +53,8 @@ namespace lamella
     owned_dofs() const override;
     unsigned int
     dof_level(const DofIndex dof) const override;
+    dealii::Point<3>
+    dof_position(const DofIndex dof) const override;
     const Constraints &
     kinematic_constraints() const override
     {
@@ -172,6 +174,30 @@ namespace lamella
     /// one past the last.
     std::pair<unsigned int, unsigned int>
     own_points() const;
+
+    /// What the section answers at a point of the axis: the forces that do work
+    /// on each field's value, in transverse shear and else, and on its
+    /// derivative, and the strain energy per length.
+    struct SectionForce
+    {
+      std::array<Vector, 3> work;
+      double                energy = 0.;
+    };
+
+    /// Calls @p use with the section force at each of own_points(), from the
+    /// moments of a section that spans_the_section(). Strains come first here,
+    /// too: those of whole fields in place of those at points.
+    void
+    for_each_section_force(
+      const Vector                                                        &u,
+      const std::function<void(const unsigned int, const SectionForce &)> &use)
+      const;
+
+    /// The two ways of add_internal_forces(), this process' share.
+    void
+    add_forces_by_moments(const Vector &u, Vector &share) const;
+    void
+    add_forces_by_points(const Vector &u, Vector &share) const;
 
     /// Displacement, strain and stress in the body frame.
     struct PointState

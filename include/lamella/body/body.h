@@ -164,6 +164,11 @@ namespace lamella
     virtual unsigned int
     dof_level(const DofIndex dof) const = 0;
 
+    /// Where @p dof is at home, for messages: of a beam the place of its node
+    /// on the axis.
+    virtual dealii::Point<3>
+    dof_position(const DofIndex dof) const = 0;
+
     /// What the theory itself ties together, whatever the supports:
     /// displacements of the body satisfy these homogeneous constraints.
     virtual const Constraints &

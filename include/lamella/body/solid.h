@@ -57,6 +57,12 @@ namespace lamella
     stiffness_entries() const override;
     dealii::IndexSet
     owned_dofs() const override;
+    dealii::Point<3>
+    dof_position(const DofIndex dof) const override
+    {
+      return placement.to_scene(mesh.nodes()[dof / 3]);
+    }
+
     unsigned int
     dof_level(const DofIndex) const override
     {

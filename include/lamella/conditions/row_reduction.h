@@ -5,7 +5,7 @@
 
 #include <lamella/conditions/support.h>
 
-#include <deal.II/lac/lapack_full_matrix.h>
+#include <deal.II/lac/sparse_direct.h>
 
 #include <memory>
 #include <string>
@@ -67,8 +67,9 @@ namespace lamella
     {
       std::vector<unsigned int> rows;
       std::vector<DofIndex>     pivots;
-      /// Groups that are the same but for a shift share it.
-      std::shared_ptr<const dealii::LAPACKFullMatrix<double>> transposed;
+      /// The factorised transpose of the rows in the pivots' columns; groups
+      /// that are the same but for a shift share it.
+      std::shared_ptr<const dealii::SparseDirectUMFPACK> transposed;
     };
 
     struct Equation;

@@ -19,6 +19,8 @@ namespace lamella
     Row row;
     /// Force / length.
     double stiffness = 0.;
+    /// The Stabilisation that it comes from.
+    double share = 0.;
     /// The rigid motion that it holds, in words.
     std::string motion;
   };
@@ -34,10 +36,12 @@ namespace lamella
   /**
    * One spring for each rigid motion of @p body, number @p index, that @p rows
    * leave free. Each acts in
-   *   r(u) = sum_p q(X_p) . u(X_p),
-   * where the X_p are two far points of either end and the motions q are made
-   * orthonormal over them; its stiffness is @p stabilisation.share times E A /
-   * L (normal modulus and area of the start, distance of the ends).
+   *   r(u) = 4 / n sum_p q(X_p) . u(X_p),
+   * where the n points X_p are the corners of both ends (all points that are
+   * furthest from the end's centroid) and the motions q are made orthonormal in
+   * that product; its stiffness is @p stabilisation.share times E A / L (normal
+   * modulus and area of the start, distance of the ends). A body and its mirror
+   * image are held alike.
    */
   std::vector<Spring>
   stabilising_springs(const Body                       &body,

@@ -163,6 +163,12 @@ namespace lamella
    */
   ContactInterface
   make_interface(const ContactPair &contact, const Bodies &bodies);
+
+  /// The same with places up to @p reach apart, whatever the Search distance.
+  ContactInterface
+  interface_within(const ContactPair &contact,
+                   const Bodies      &bodies,
+                   const double       reach);
 } // namespace lamella
 
 #endif

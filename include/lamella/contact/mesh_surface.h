@@ -65,13 +65,15 @@ namespace lamella
    * the normal is -n, and of bodies that mirror each other n is the normal of
    * the mirror. A fixed point iteration from n = n_1 finds it (from the normal
    * of a place nearby, if the line along n_1 misses). None if the normals are
-   * not opposed to 60 degrees.
+   * not opposed to @p opposed, the cosine of the angle between n_1 and -n_2: 60
+   * degrees.
    */
   std::optional<Opposition>
   opposing_place(const OpposingSurface      &other,
                  const dealii::Point<3>     &x,
                  const dealii::Tensor<1, 3> &n1,
-                 const double                reach);
+                 const double                reach,
+                 const double                opposed = 0.5);
 
   /// The surface of a rigid obstacle.
   class ObstacleSurface : public OpposingSurface

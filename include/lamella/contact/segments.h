@@ -19,6 +19,10 @@ namespace lamella
   double
   area(const Polygon &polygon);
 
+  /// Its centroid; the area must not vanish.
+  dealii::Point<2>
+  centroid(const Polygon &polygon);
+
   /// The part of @p polygon inside of @p window, both convex and
   /// counterclockwise (Sutherland and Hodgman).
   Polygon

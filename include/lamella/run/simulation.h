@@ -3,8 +3,10 @@
 #ifndef lamella_run_simulation_h
 #define lamella_run_simulation_h
 
+#include <lamella/contact/search_check.h>
 #include <lamella/report/contact_surface.h>
 #include <lamella/report/recorder.h>
+#include <lamella/report/results_folder.h>
 #include <lamella/report/summary.h>
 #include <lamella/scene/scene.h>
 #include <lamella/solve/checks.h>
@@ -43,14 +45,14 @@ namespace lamella
     /// Factorises what the strategy needs, if it fits into @p budget.
     void
     prepare_strategy(const MemoryBudget &budget);
-    /// The output directory, if this run created it and it is empty.
-    void
-    remove_created_directory() const;
     /// Contact, body and position of the gap row @p row, for messages.
     std::string
     describe_row(unsigned int row) const;
     void
     solve_step(const unsigned int step, const double factor);
+    /// Those of one contact, numbered from 0.
+    std::vector<unsigned int>
+    active_rows(const unsigned int contact) const;
     /// What the user should know of this load step.
     void
     add_warnings(const unsigned int step,
@@ -59,7 +61,7 @@ namespace lamella
     void
     write_vtu_files(const unsigned int step, const double factor);
     void
-    write_results(const std::string &directory);
+    write_results();
 
     // What is to be solved.
     const Scene                  &scene;
@@ -68,6 +70,7 @@ namespace lamella
     dealii::Timer                 wall;
     std::unique_ptr<Structure>    structure;
     std::vector<ContactInterface> contacts;
+    std::vector<SearchCheck>      search_checks;
 
     // How it is solved.
     std::vector<GapRow>              gap_rows;
@@ -79,10 +82,9 @@ namespace lamella
     Summary                   summary;
     std::unique_ptr<Recorder> recorder;
     /// All sections of the scene, whether a body has them or not.
-    SectionMeshes               sections;
-    std::string                 output_directory;
-    bool                        created_directory = false;
-    std::vector<ContactSurface> contact_surfaces;
+    SectionMeshes                  sections;
+    std::unique_ptr<ResultsFolder> folder;
+    std::vector<ContactSurface>    contact_surfaces;
     /// Name of a collection -> its load steps with their files.
     std::map<std::string, std::vector<std::pair<double, std::string>>>
       vtu_files;

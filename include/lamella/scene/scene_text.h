@@ -40,10 +40,24 @@ namespace lamella
     static SceneText
     read(const std::string &file, const std::vector<std::string> &overrides);
 
-    /// What ParameterHandler is to parse: the entries, overrides among them,
-    /// one by one, without the comments, continuations and blanks of the file.
-    std::string
-    text() const;
+    /// Sets the entries of @p prm to what the scene says, overrides among it;
+    /// with @p top_level_only what stands in subsections is left out. All must
+    /// be declared.
+    void
+    fill(dealii::ParameterHandler &prm,
+         const bool                top_level_only = false) const;
+
+    /// All entries of @p prm as a scene of its own, '#' in values as '\\#'.
+    static std::string
+    printed(const dealii::ParameterHandler &prm);
+
+    /// Removes the subsections `KIND NAME`, with all in them, whose name is not
+    /// among @p names, if --set gave the list @p list: leaving a name out there
+    /// is to leave out what it names.
+    void
+    drop_unlisted(const std::string              &list,
+                  const std::string              &kind,
+                  const std::vector<std::string> &names);
 
     /// Where the file lies: what paths in the scene are relative to.
     std::string
@@ -60,6 +74,11 @@ namespace lamella
     void
     check_declared(const dealii::ParameterHandler &prm,
                    const bool top_level_only = false) const;
+
+    /// @p message with the middle left out of values that are longer than
+    /// anybody reads.
+    std::string
+    abbreviated(std::string message) const;
 
     /// `FILE:LINE: ` of the entry whose path @p message begins with, or
     /// `FILE: `.

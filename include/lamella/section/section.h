@@ -123,6 +123,27 @@ namespace lamella
     SectionPoint
     evaluate(const unsigned int cell, const dealii::Point<2> &unit) const;
 
+    /**
+     * Whether the theory's fields live on the whole section with strains of
+     * their own (TE-2 and higher). What the section's points would be looked at
+     * for is then in moments(), whatever the number of cells, and
+     * integration_points() are few, for pictures and the rotation.
+     */
+    bool
+    spans_the_section() const;
+
+    /**
+     * int e_p^T C e_q dA for each pair of fields, where e_0 are the strains
+     * that a field's value multiplies, without transverse shear, e_1 its
+     * transverse shear strains, and e_2 those that its derivative along y
+     * multiplies. Of a section that spans_the_section().
+     */
+    const dealii::LAPACKFullMatrix<double> &
+    moments(const unsigned int p, const unsigned int q) const
+    {
+      return strain_moments[p][q];
+    }
+
     /// The integration points, n_gauss_points()^2 a cell, with weights.
     const std::vector<SectionPoint> &
     integration_points() const
@@ -169,16 +190,32 @@ namespace lamella
     make_fields();
     void
     make_points();
+    /// A reduced set of points, for the rotation: a Taylor expansion is smooth
+    /// over all cells.
+    void
+    make_sample_points();
+    void
+    make_pattern();
+    /// The matrices of fields that live on few cells, cell by cell.
     void
     make_matrices();
+    /// The matrices of fields that live on the whole section, from the moments
+    /// of their functions over each ply: the points of the section are looked
+    /// at once, function by function instead of field by field.
+    void
+    make_moments();
+    /// Of each matrix the rows of the fields that live on all cells.
+    using DenseRows = std::array<std::vector<Vector>, 5>;
     /// Adds the products of strains and stresses at the points of @p cell to
-    /// the matrices; the parts are in_plane without and with nothing but the
-    /// transverse shear strains, and along.
+    /// the matrices, and to @p dense what belongs to its rows; the parts are
+    /// in_plane without and with nothing but the transverse shear strains, and
+    /// along.
     void
     add_cell_matrices(
       const unsigned int                                     cell,
       const std::array<dealii::LAPACKFullMatrix<double>, 3> &strain,
-      const std::array<dealii::LAPACKFullMatrix<double>, 3> &stress);
+      const std::array<dealii::LAPACKFullMatrix<double>, 3> &stress,
+      DenseRows                                             &dense);
     void
     make_boxes();
 
@@ -205,6 +242,9 @@ namespace lamella
 
     dealii::SparsityPattern sparsity;
     std::array<Matrix, 5>   matrices;
+
+    std::array<std::array<dealii::LAPACKFullMatrix<double>, 3>, 3>
+      strain_moments;
 
     bool is_curved = false;
     // Bounding boxes of the cells, for locate().

@@ -65,6 +65,9 @@ namespace lamella
     double energy_balance = 0.;
     /// In rad, over all bodies.
     double max_rotation = 0.;
+    /// The largest component of displacements, those of obstacles among them:
+    /// what gaps are differences of.
+    double max_displacement = 0.;
   };
 
   Checks

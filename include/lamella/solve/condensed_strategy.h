@@ -45,6 +45,13 @@ namespace lamella
     double
     condition_estimate() const override;
 
+    std::string
+    remedy() const override
+    {
+      return "a softer penalty";
+    }
+
+
   private:
     /// The d of a known row: never less than 1e-10 of the compliance, which
     /// keeps C + d definite where rows depend on each other.

@@ -100,6 +100,11 @@ namespace lamella
     virtual double
     condition_estimate() const = 0;
 
+    /// What to try where the search does not end, besides a finer mesh and more
+    /// iterations.
+    virtual std::string
+    remedy() const = 0;
+
     /// What the user should know of penalties and arithmetic, a sentence each.
     virtual std::vector<std::string>
     warnings() const

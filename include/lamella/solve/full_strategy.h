@@ -42,6 +42,12 @@ namespace lamella
       return 0.;
     }
 
+    std::string
+    remedy() const override
+    {
+      return "a softer penalty, the condensed strategy";
+    }
+
     std::vector<std::string>
     warnings() const override;
 

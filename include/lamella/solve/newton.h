@@ -20,6 +20,11 @@ namespace lamella
     /// Numbers of the active rows, ascending.
     std::vector<unsigned int> active;
 
+    /// Where the stabilising springs are without force, and how often they were
+    /// moved there.
+    SpringRest   rest;
+    unsigned int spring_rounds = 0;
+
     unsigned int iterations = 0;
     /// Maximum norm of each correction over that of u: of the free linear
     /// solution, and of the solution with contact. The first of them measures
@@ -61,9 +66,10 @@ namespace lamella
     /// What a gap row is to the user: contact, body, position.
     Describe describe;
 
-    /// The linear solution at load factor @p factor, no row active.
+    /// The linear solution at load factor @p factor, no row active, the springs
+    /// without force at @p rest.
     State
-    solve_free(const double factor) const;
+    solve_free(const double factor, const SpringRest &rest = {}) const;
 
     /**
      * Contact on top of @p free; @p previous, if any, is the state of the load
@@ -76,11 +82,32 @@ namespace lamella
                   const double factor,
                   const State &previous = State()) const;
 
+    /**
+     * @p state of solve_contact() without what stabilising springs falsify:
+     * solved again and again with the springs' rest at the state before, it
+     * converges to one in which they are without force (the proximal point
+     * method; each round leaves the share s / (s + k) of the spring forces, s
+     * the springs' stiffness and k that of the contact that holds the body).
+     * Throws NumericsError if the rounds do not end: nothing holds the body, or
+     * the springs are too stiff, and the message then gives the Stabilisation
+     * to take.
+     */
+    State
+    release_springs(State state, const double factor) const;
+
     /// g of each row at load factor @p factor.
     std::vector<double>
     gaps(const BlockVector &u, const double factor) const;
 
   private:
+    [[noreturn]] void
+    fail_on_springs(const State &state, const double rate) const;
+
+    /// The length that gaps and displacements of @p state are accurate to
+    /// rounding of.
+    double
+    size_of(const State &state, const double factor) const;
+
     /// What is wrong with a refined state.
     struct Misses
     {
@@ -106,6 +133,15 @@ namespace lamella
     refine(State             &state,
            const double       factor,
            const unsigned int at_least) const;
+
+    /**
+     * Takes rows of the refined @p state that pull out of the active set and
+     * rows that penetrate into it, refines, and looks again; whether that ended
+     * well. It is for strategies whose own rounding decides on rows that hardly
+     * touch, and then gives the same wrong set again and again.
+     */
+    bool
+    correct_set(State &state, const double factor) const;
 
     /// Counts and reports a round; throws if there were too many.
     void

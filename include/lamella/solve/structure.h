@@ -14,6 +14,10 @@
 
 namespace lamella
 {
+  /// What each stabilising spring of each body measures where it is without
+  /// force; empty: nothing.
+  using SpringRest = std::vector<std::vector<double>>;
+
   /**
    * The linear part of a scene: bodies with their supports and loads. Contact
    * couples the bodies through rows only, so each has its own matrix.
@@ -60,6 +64,20 @@ namespace lamella
       return all_springs[body];
     }
 
+    /// Of each load what it is in all, at load factor 1.
+    const std::vector<LoadResultant> &
+    load_resultants() const
+    {
+      return resultants;
+    }
+
+    bool
+    has_springs() const;
+
+    /// What the springs of all bodies measure in the state @p u.
+    SpringRest
+    spring_lengths(const BlockVector &u) const;
+
     /// The load vector at load factor 1.
     const BlockVector &
     load() const
@@ -90,9 +108,11 @@ namespace lamella
     factorise(const BodyMonitor &monitor = {});
 
     /// factor * load - integral B^T C (B u) - spring forces, strain first; not
-    /// condensed.
+    /// condensed. The springs are without force at @p rest.
     BlockVector
-    residual(const BlockVector &u, const double factor) const;
+    residual(const BlockVector &u,
+             const double       factor,
+             const SpringRest  &rest = {}) const;
 
     /// G^T r in place: the residual that equilibrium sets to zero.
     void
@@ -107,6 +127,7 @@ namespace lamella
     std::vector<std::unique_ptr<RowReduction>> reductions;
     std::vector<std::vector<Spring>>           all_springs;
     BlockVector                                unit_load;
+    std::vector<LoadResultant>                 resultants;
   };
 } // namespace lamella
 

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <lamella/base/mpi_session.h>
+
+#include <cstdlib>
+
+namespace lamella
+{
+  namespace
+  {
+    bool
+    was_launched()
+    {
+      for (const char *variable :
+           {"OMPI_COMM_WORLD_SIZE", "PMIX_RANK", "PMI_RANK", "SLURM_PROCID"})
+        if (std::getenv(variable) != nullptr)
+          return true;
+      return false;
+    }
+
+
+
+    /// Before MPI starts, which reads its settings once; returns its argument.
+    int &
+    stay_alone_unless_launched(int &argc)
+    {
+      if (!was_launched())
+        for (const auto &[setting, value] :
+             {std::make_pair("OMPI_MCA_ess_singleton_isolated", "1"),
+              std::make_pair("OMPI_MCA_orte_create_session_dirs", "0"),
+              std::make_pair("OMPI_MCA_btl", "self"),
+              std::make_pair("OMPI_MCA_pml", "ob1")})
+          setenv(setting, value, 0);
+      return argc;
+    }
+  } // namespace
+
+
+
+  MpiSession::MpiSession(int &argc, char **&argv)
+    : session(stay_alone_unless_launched(argc), argv, 1)
+  {}
+} // namespace lamella

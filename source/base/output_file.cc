@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <lamella/base/exceptions.h>
+#include <lamella/base/output_file.h>
+
+#include <filesystem>
+
+namespace lamella
+{
+  namespace fs = std::filesystem;
+
+  OutputFile::OutputFile(const std::string &path)
+    : path(path)
+    , beside(path + ".new")
+  {
+    std::error_code error;
+    const fs::path  folder = fs::path(path).parent_path();
+    if (!folder.empty())
+      fs::create_directories(folder, error);
+    file.open(beside);
+  }
+
+
+
+  OutputFile::~OutputFile()
+  {
+    file.close();
+    std::error_code error;
+    fs::remove(beside, error);
+  }
+
+
+
+  bool
+  OutputFile::put_in_place()
+  {
+    file.close();
+    std::error_code error;
+    if (file)
+      fs::rename(beside, path, error);
+    return file && !error;
+  }
+
+
+
+  void
+  write_file(const std::string &path, const std::string &text)
+  {
+    OutputFile file(path);
+    file.stream() << text;
+    if (!file.put_in_place())
+      fail_to_write(path);
+  }
+
+
+
+  void
+  fail_to_write(const std::string &path)
+  {
+    throw InputError("Cannot write " + path +
+                     ". Is the disk full, or was the folder removed? What was "
+                     "written before is whole.");
+  }
+} // namespace lamella

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <lamella/base/exceptions.h>
+#include <lamella/base/text.h>
+#include <lamella/conditions/expression.h>
+
+#include <deal.II/base/exceptions.h>
+
+#include <cmath>
+#include <iostream>
+#include <regex>
+#include <sstream>
+
+namespace lamella
+{
+  using namespace dealii;
+
+  namespace
+  {
+    /// What is wrong with the text before muParser sees it; empty if nothing.
+    std::string
+    fault_of(const std::string &text)
+    {
+      // A comma outside of a function would make muParser take what follows.
+      if (split(text, ',').size() != 1)
+        return " (a decimal point is '.')";
+      // muParser assigns by = and by += and its like.
+      static const std::regex comparison("[=!<>]="),
+        random("\\brand(_seed)?\\b");
+      if (std::regex_replace(text, comparison, "").find('=') !=
+          std::string::npos)
+        return " ('=' would assign; to compare write '==')";
+      if (std::regex_search(text, random))
+        return " (a random number is no load that can be found again)";
+      return "";
+    }
+
+
+
+    bool
+    speaks_of_position(const std::string &text)
+    {
+      static const std::regex position("\\b[xyz]\\b");
+      return std::regex_search(text, position);
+    }
+  } // namespace
+
+
+
+  Expression::Expression(const std::string &expression, const std::string &what)
+    : text(expression)
+    , what(what)
+    , constant(!speaks_of_position(expression))
+  {
+    const auto fail = [&](const std::string &why) {
+      throw InputError(what + ": '" + expression +
+                       "' is not an expression of x, y, z" + why +
+                       ". Write it as for muParser, as in "
+                       "-1000*sin(pi*y/2).");
+    };
+    const std::string fault = fault_of(expression);
+    if (!fault.empty())
+      fail(fault);
+    // deal.II prints what muParser says before it throws; one message is
+    // enough.
+    std::ostringstream    discarded;
+    std::streambuf *const standard_error = std::cerr.rdbuf(discarded.rdbuf());
+    bool                  parses         = true;
+    try
+      {
+        parser.initialize("x,y,z", expression, {{"pi", numbers::PI}}, false);
+        // deal.II parses at the first evaluation.
+        parser.value(Point<3>());
+      }
+    catch (const ExceptionBase &)
+      {
+        parses = false;
+      }
+    std::cerr.rdbuf(standard_error);
+    if (!parses)
+      fail("");
+  }
+
+
+
+  double
+  Expression::operator()(const Point<3> &x) const
+  {
+    const double value = parser.value(x);
+    if (!std::isfinite(value))
+      throw InputError(what + ": '" + text + "' is not a finite number at " +
+                       to_text(x) +
+                       ". Change the expression or where it applies.");
+    return value;
+  }
+} // namespace lamella

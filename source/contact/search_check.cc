@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <lamella/base/exceptions.h>
+#include <lamella/base/text.h>
+#include <lamella/contact/search_check.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+
+namespace lamella
+{
+  using namespace dealii;
+
+  namespace
+  {
+    // Of a row's area: less is rounding.
+    constexpr double same_area = 1e-6;
+    // Of the displacements: what is not rounding.
+    constexpr double touching = 1e-9;
+    // Of the widest gap of those that come to touch, with some room.
+    constexpr double enough = 1.2;
+  } // namespace
+
+
+
+  SearchCheck::SearchCheck(const ContactPair &contact, const Bodies &bodies)
+    : contact(contact)
+    , bodies(bodies)
+  {}
+
+
+
+  void
+  SearchCheck::look_within(const double            new_reach,
+                           const ContactInterface &interface)
+  {
+    reach            = new_reach;
+    ContactPair same = contact;
+    same.points_on =
+      interface.points_on_second ? PointsOn::second : PointsOn::first;
+    ContactInterface all;
+    try
+      {
+        all = interface_within(same, bodies, reach);
+      }
+    catch (const InputError &)
+      {
+        // Further away the surfaces do not suit each other, which may be why
+        // there is a Search distance.
+        return;
+      }
+    const auto own = [&interface](const ContactInterface::Point &point) {
+      const Point<3> &x =
+        interface.points_on_second ? point.second : point.first;
+      return std::array<double, 3>{{x[0], x[1], x[2]}};
+    };
+    std::map<std::array<double, 3>, unsigned int> seen;
+    for (unsigned int k = 0; k < interface.points.size(); ++k)
+      seen[own(interface.points[k])] = k;
+    unseen.clear();
+    for (unsigned int k = 0; k < all.points.size(); ++k)
+      {
+        const auto found = seen.find(own(all.points[k]));
+        if (found == seen.end())
+          unseen.push_back({all.rows[k], all.points[k].first, std::nullopt});
+        else if (interface.points[found->second].area <
+                 (1. - same_area) * all.points[k].area)
+          unseen.push_back({all.rows[k], all.points[k].first, found->second});
+      }
+  }
+
+
+
+  void
+  SearchCheck::check(const ContactInterface          &interface,
+                     const BlockVector               &u,
+                     const double                     factor,
+                     const std::vector<unsigned int> &active)
+  {
+    if (!contact.search_distance)
+      return;
+    // Two surfaces come nearer by no more than both move.
+    const double obstacle =
+      contact.obstacle == nullptr ?
+        0. :
+        std::abs(factor) * contact.obstacle->displacement.norm();
+    const double needed = *contact.search_distance +
+                          2. * std::sqrt(3.) * u.linfty_norm() + obstacle;
+    const double most = std::max(*contact.search_distance,
+                                 automatic_search_distance(contact, bodies));
+    if (std::min(needed, most) > reach)
+      look_within(std::min(needed, most), interface);
+
+    unsigned int  count   = 0;
+    double        deepest = 0., widest = *contact.search_distance;
+    const Unseen *worst = nullptr;
+    for (const Unseen &place : unseen)
+      {
+        const double gap = place.row.gap(u, factor);
+        const bool   touches =
+          gap < -touching * u.linfty_norm() ||
+          (place.seen &&
+           std::binary_search(active.begin(), active.end(), *place.seen));
+        if (!touches)
+          continue;
+        ++count;
+        widest = std::max(widest, place.row.initial_gap);
+        if (worst == nullptr || gap < deepest)
+          {
+            worst   = &place;
+            deepest = gap;
+          }
+      }
+    if (count == 0)
+      return;
+    throw NumericsError(
+      "Contact " + contact.name + "/Search distance = " +
+      to_text(*contact.search_distance) + ": " + std::to_string(count) +
+      (count == 1 ? " place that it leaves" : " places that it leaves") +
+      " without a partner, in whole or in part, come to touch '" +
+      interface.second_name + "' all the same, at " + to_text(worst->position) +
+      (deepest < 0. ? ", " + to_text(-deepest, 3) + " inside of it" : "") +
+      ". Take auto, or at least " + to_text(enough * widest, 2) + ".");
+  }
+} // namespace lamella

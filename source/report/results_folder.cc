@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <lamella/base/exceptions.h>
+#include <lamella/base/processes.h>
+#include <lamella/report/results_folder.h>
+
+#include <sys/file.h>
+
+#include <cerrno>
+#include <fcntl.h>
+#include <filesystem>
+#include <fstream>
+#include <regex>
+#include <unistd.h>
+
+namespace lamella
+{
+  namespace fs = std::filesystem;
+
+  namespace
+  {
+    /// What a run writes, and `scripts/plot` after it, also half finished.
+    bool
+    is_result(const std::string &name)
+    {
+      static const std::regex form(
+        R"re((summary\.json|scene\.prm|(probes|history)\.csv|contact_.*\.(csv|pvd|vtu))re"
+        R"re(|solution(_.*)?\.(pvd|vtu|pvtu)|(lines|cuts|sections)/.*\.csv)re"
+        R"re(|pictures/.*\.png)(\.new)?)re");
+      return std::regex_match(name, form);
+    }
+
+
+
+    void
+    remove_earlier_results(const std::string &folder)
+    {
+      std::error_code error;
+      // The summary first: without it nothing looks like a finished run.
+      fs::remove(folder + "/summary.json", error);
+      for (const std::string part :
+           {"", "lines/", "cuts/", "sections/", "pictures/"})
+        {
+          bool removed = false;
+          for (const auto &entry :
+               fs::directory_iterator(folder + "/" + part, error))
+            if (entry.is_regular_file(error) &&
+                is_result(part + entry.path().filename().string()))
+              removed = fs::remove(entry.path(), error) || removed;
+          if (removed && !part.empty())
+            fs::remove(folder + "/" + part, error);
+        }
+    }
+  } // namespace
+
+
+
+  ResultsFolder::ResultsFolder(const std::string &path)
+    : folder(path)
+  {
+    bool writes = true, alone = true;
+    if (is_speaker())
+      {
+        std::error_code error;
+        is_new = !fs::exists(folder, error);
+        fs::create_directories(folder, error);
+        const std::string trial = folder + "/.lamella";
+        writes = !error && std::ofstream(trial).put('\n').good();
+        fs::remove(trial, error);
+        lock();
+        alone = descriptor >= 0 || !writes;
+      }
+    if (!on_all_processes(writes))
+      throw InputError("--output " + folder +
+                       ": results cannot be written there. Name a folder that "
+                       "can be created and written.");
+    if (!on_all_processes(alone))
+      throw InputError("--output " + folder +
+                       ": another run is at work there. Wait for it, or name "
+                       "another folder.");
+  }
+
+
+
+  void
+  ResultsFolder::lock()
+  {
+    descriptor = open(folder.c_str(), O_RDONLY | O_CLOEXEC);
+    if (descriptor >= 0 && flock(descriptor, LOCK_EX | LOCK_NB) != 0 &&
+        errno == EWOULDBLOCK)
+      {
+        close(descriptor);
+        descriptor = -1;
+      }
+  }
+
+
+
+  ResultsFolder::~ResultsFolder()
+  {
+    if (descriptor < 0)
+      return;
+    std::error_code error;
+    if (is_new)
+      fs::remove(folder, error); // which fails if something is in it
+    close(descriptor);
+  }
+
+
+
+  bool
+  ResultsFolder::has_earlier_results() const
+  {
+    std::error_code error;
+    return !has_room && fs::exists(folder + "/summary.json", error);
+  }
+
+
+
+  void
+  ResultsFolder::make_room()
+  {
+    if (has_room)
+      return;
+    has_room = true;
+    if (is_speaker())
+      remove_earlier_results(folder);
+    // Nobody writes before all of it is gone.
+    on_all_processes(true);
+  }
+} // namespace lamella

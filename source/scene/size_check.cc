@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <lamella/base/exceptions.h>
+#include <lamella/base/memory.h>
+#include <lamella/base/text.h>
+#include <lamella/scene/size_check.h>
+
+#include <numeric>
+
+namespace lamella
+{
+  namespace
+  {
+    // A value, its column in the matrix and in the pattern that it comes from,
+    // and the half of it that a solver asks for in its own format.
+    constexpr double bytes_per_entry = 24.;
+
+    // What has fewer DoFs is made in no time, and told exactly then.
+    constexpr double small = 2e5;
+
+    double
+    sum(const std::vector<unsigned int> &numbers)
+    {
+      return std::accumulate(numbers.begin(), numbers.end(), 0.);
+    }
+
+
+
+    /// DoFs, and from below the non-zeros of the stiffness.
+    std::pair<double, double>
+    size_of(const BodyDescription &body, const Laminate &laminate)
+    {
+      const double nx = sum(laminate.cells_across),
+                   nz = laminate.cells_per_ply.size() == 1 ?
+                          laminate.cells_per_ply[0] * laminate.angles.size() :
+                          sum(laminate.cells_per_ply),
+                   ny = sum(body.axis.elements), p = body.theory.order;
+      const bool   is_solid = body.theory.kind == Theory::Kind::solid;
+      const double q        = is_solid ? p : body.axis.degree;
+      const double dofs = 3. * (p * nx + 1.) * (p * nz + 1.) * (q * ny + 1.);
+      // Along a direction a node sees 2 p + 1 nodes where elements meet and
+      // p + 1 inside of one: p + 2 on average.
+      return {dofs, dofs * 3. * (p + 2.) * (p + 2.) * (q + 2.)};
+    }
+  } // namespace
+
+
+
+  void
+  check_sizes(const Scene &scene)
+  {
+    for (const BodyDescription &body : scene.bodies)
+      {
+        const auto *laminate =
+          std::get_if<Laminate>(&scene.sections.at(body.section));
+        const auto kind = body.theory.kind;
+        if (laminate == nullptr ||
+            (kind != Theory::Kind::LE && kind != Theory::Kind::solid))
+          continue;
+        const auto [dofs, entries] = size_of(body, *laminate);
+        const double bytes         = bytes_per_entry * entries,
+                     available     = available_memory(scene.solve.memory_limit);
+        if (dofs > small && bytes > available)
+          throw InputError(
+            "Body " + body.name + ": " + body.theory.name() +
+            " on its section and axis has " + to_text(dofs, 3) +
+            " DoFs and needs more than " + gigabytes(bytes) +
+            " for its stiffness alone; " + gigabytes(available) +
+            " are available. Take fewer cells (Section " + body.section +
+            "/Cells across, Cells per ply), fewer Axis elements, or a lower "
+            "order.");
+      }
+  }
+} // namespace lamella

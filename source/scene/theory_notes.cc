@@ -1,0 +1,215 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <lamella/base/text.h>
+#include <lamella/scene/theory_notes.h>
+#include <lamella/section/properties.h>
+#include <lamella/section/theory_limits.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace lamella
+{
+  namespace
+  {
+    /// What is worth a note: deflections off by two in a hundred, or torsion by
+    /// five.
+    constexpr double worth_saying = 0.02, torsion_worth_saying = 0.05;
+
+
+
+    /// How many times too stiff in bending the theory makes a beam of @p plies
+    /// for want of shear strain: (1 + phi) / (1 + phi_N), phi = 12 E I / (k G A
+    /// L^2).
+    double
+    shear_error(const BodyDescription  &body,
+                const std::vector<Ply> &plies,
+                const double            width)
+    {
+      const LaminateStiffness stiffness = laminate_stiffness(plies, width);
+      const double            L         = body.axis.length;
+      const auto              phi       = [&](const double kGA) {
+        return 12. * stiffness.EI / (kGA * L * L);
+      };
+      const double truth = phi(shear_stiffness(plies, width));
+      double       found = 0.;
+      if (body.theory.kind == Theory::Kind::TBT)
+        found = phi(body.theory.shear_factor * stiffness.GA);
+      else if (body.theory.kind == Theory::Kind::TE)
+        found = phi(shear_stiffness(plies, width, body.theory.order));
+      return (1. + truth) / (1. + found);
+    }
+
+
+
+    /// As in "5 % too stiff", "3.5 times too stiff".
+    std::string
+    how_stiff(const double ratio)
+    {
+      const std::string percent =
+        to_text(100. * std::abs(ratio - 1.), 1) + " %";
+      return ratio > 1.5 ? to_text(ratio, 2) + " times too stiff" :
+             ratio > 1.  ? percent + " too stiff" :
+                           percent + " too soft";
+    }
+
+
+
+    /// Shear of laminates in theories that are smooth through the thickness.
+    void
+    add_shear_note(const BodyDescription    &body,
+                   const Scene              &scene,
+                   std::vector<std::string> &notes)
+    {
+      const auto *laminate =
+        std::get_if<Laminate>(&scene.sections.at(body.section));
+      if (laminate == nullptr)
+        return;
+      const double ratio =
+        shear_error(body, laminate->plies(scene.materials), laminate->width);
+      if (std::abs(ratio - 1.) > worth_saying)
+        notes.push_back("body " + body.name + ": by the section's constants " +
+                        body.theory.name() + " is " + how_stiff(ratio) +
+                        " in bending at this length (12 E I / (k G A L^2)), "
+                        "since it does not follow the shear of these plies. "
+                        "Use LE-N");
+    }
+
+
+
+    /// Torsion of sections of thin walls in Taylor theories.
+    void
+    add_torsion_note(const BodyDescription                    &body,
+                     const std::shared_ptr<const SectionMesh> &mesh,
+                     std::vector<std::string>                 &notes)
+    {
+      if (body.theory.kind != Theory::Kind::TE)
+        return;
+      const auto found = torsional_stiffness(*make_section(mesh, body.theory));
+      const auto truth =
+        torsional_stiffness(*make_section(mesh, Theory::parse("LE-2", "")));
+      if (found && truth && *found > (1. + torsion_worth_saying) * *truth)
+        notes.push_back("body " + body.name + ": in torsion " +
+                        body.theory.name() + " is " +
+                        to_text(*found / *truth, 2) +
+                        " times as stiff as LE-2 on this section (G J " +
+                        to_text(*found, 3) + " and " + to_text(*truth, 3) +
+                        "), and in whatever bends its walls alike. Use LE-N "
+                        "where the body twists");
+    }
+
+    /// How much stiffer plies are along the beam where they cannot contract:
+    /// C_yy over E_y, both summed over the area, less one.
+    double
+    held_contraction(const SectionMesh &section, const SectionProperties &p)
+    {
+      double held = 0., contracting = 0.;
+      for (unsigned int i = 0; i < section.plies.size(); ++i)
+        {
+          const Ply &ply = section.plies[i];
+          held += p.ply_areas[i] * ply.stiffness()[1][1];
+          contracting += p.ply_areas[i] / compliance(ply)[1][1];
+        }
+      return held / contracting - 1.;
+    }
+
+
+
+    /// The length of the elements at the start and at the end.
+    std::array<double, 2>
+    end_elements(const AxisMesh &axis)
+    {
+      const double first =
+                     axis.breaks.empty() ? axis.length : axis.breaks.front(),
+                   last = axis.length -
+                          (axis.breaks.empty() ? 0. : axis.breaks.back());
+      return {{first / axis.elements.front(), last / axis.elements.back()}};
+    }
+
+
+
+    /// Whether @p support holds the whole section at the start (0) or the end
+    /// (1) of body @p b.
+    bool
+    clamps(const Support &support, const unsigned int b, const unsigned int end)
+    {
+      const bool holds_all =
+        !support.normal && support.u[0] && support.u[1] && support.u[2];
+      return holds_all &&
+             std::any_of(
+               support.on.begin(), support.on.end(), [&](const Region &region) {
+                 return region.body == b &&
+                        region.kind == Region::Kind::surface &&
+                        (region.surface == (end == 0 ? "start" : "end") ||
+                         region.surface == "ends" || region.surface == "all");
+               });
+    }
+
+
+
+    /// Long elements at clamps. What a clamp disturbs (it holds the
+    /// contraction) dies away within about a width of the section, whatever the
+    /// length of the beam; one long element carries it over its own length.
+    void
+    add_clamp_note(const unsigned int        number,
+                   const Scene              &scene,
+                   const SectionMesh        &mesh,
+                   std::vector<std::string> &notes)
+    {
+      // Elements longer than `coarse` widths are told, `fine` would do; of the
+      // deflection, per stiffening and per share of the length: measured,
+      // doc/theories.md.
+      constexpr double coarse = 0.5, fine = 0.25, cost = 0.16, worth = 2e-3;
+
+      const BodyDescription  &body    = scene.bodies[number];
+      const SectionProperties p       = section_properties(mesh);
+      const double            width   = p.low.distance(p.high);
+      double                  longest = 0.;
+      for (const Support &support : scene.supports)
+        for (const unsigned int end : {0, 1})
+          if (clamps(support, number, end))
+            longest = std::max(longest, end_elements(body.axis)[end]);
+      const double error =
+        cost * held_contraction(mesh, p) * longest / body.axis.length;
+      if (longest > coarse * width && error > worth)
+        notes.push_back(
+          "body " + body.name +
+          ": a support holds its section as a whole where the element is " +
+          to_text(longest, 3) + " long, " + to_text(longest / width, 2) +
+          " times the section's width: deflections may be " +
+          to_text(100. * error, 1) +
+          " % too small. Next to a clamp elements of " +
+          to_text(fine * width, 2) + " would do (Axis breaks)");
+    }
+  } // namespace
+
+
+
+  std::vector<std::string>
+  notes_on_theories(const Scene &scene, const SectionMeshes &meshes)
+  {
+    // The fields of LE-2 of more cells would cost more than the note is worth.
+    constexpr unsigned int most_cells = 150;
+
+    std::vector<std::string> notes;
+    for (unsigned int b = 0; b < scene.bodies.size(); ++b)
+      {
+        const BodyDescription &body = scene.bodies[b];
+        const auto            &mesh = meshes.at(body.section);
+        const auto             kind = body.theory.kind;
+        // Sections of the others are plane, or contract freely.
+        if (kind == Theory::Kind::LE ||
+            (kind == Theory::Kind::TE && body.theory.order > 1))
+          add_clamp_note(b, scene, *mesh, notes);
+        if (kind == Theory::Kind::LE || kind == Theory::Kind::solid)
+          continue;
+        add_shear_note(body, scene, notes);
+        if (!std::holds_alternative<Laminate>(
+              scene.sections.at(body.section)) &&
+            mesh->mesh.n_active_cells() <= most_cells)
+          add_torsion_note(body, mesh, notes);
+      }
+    return notes;
+  }
+} // namespace lamella
