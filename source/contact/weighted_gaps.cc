@@ -411,13 +411,23 @@ namespace lamella
       const auto                      on_own = opposing_place(
         SurfacePart(mesh, own), point.position, point.normal, reach, opposed);
       // Next to the edge of a curved facet the neighbour's segment may begin a
-      // little earlier or later than the facet.
+      // little earlier or later than the facet, or be a sliver that was left
+      // out.
       if (!on_own)
-        return opposing_place(SurfacePart(mesh, search.candidates),
-                              point.position,
-                              point.normal,
-                              reach,
-                              opposed);
+        {
+          const auto beside =
+            opposing_place(SurfacePart(mesh, search.candidates),
+                           point.position,
+                           point.normal,
+                           reach,
+                           opposed);
+          return beside ? beside :
+                          opposing_place(mesh,
+                                         point.position,
+                                         point.normal,
+                                         std::min(reach, 2. * sides.reach),
+                                         opposed);
+        }
       if (search.layered)
         {
           const auto   nearest  = mesh.meet_among(search.candidates,
