@@ -338,43 +338,6 @@ namespace lamella
 
 
 
-  std::vector<SurfacePoint>
-  Beam::surface_quadrature(const std::string &surface) const
-  {
-    // Two points more than the trace needs, for loads that vary.
-    const CrossSectionElement &element = beam_section->element();
-    const SurfaceParts        parts = parts_of(surface, element.section_mesh());
-    std::vector<SurfacePoint> points;
-    const QGauss<2>           in_section(element.degree() + 3);
-    for (const bool at_start : parts.ends)
-      for (unsigned int cell = 0; cell < beam_section->n_cells(); ++cell)
-        for (unsigned int q = 0; q < in_section.size(); ++q)
-          {
-            EdgePoint p = point_in_section(element, cell, in_section.point(q));
-            p.weight *= in_section.weight(q);
-            points.push_back(end_point(p, at_start));
-          }
-
-    const QGauss<1> along(beam_axis->degree() + 3);
-    for (const std::string &boundary : parts.boundaries)
-      {
-        const auto around =
-          element.edge_quadrature(boundary, element.degree() + 3);
-        for (unsigned int cell = 0; cell < beam_axis->n_cells(); ++cell)
-          for (unsigned int q = 0; q < along.size(); ++q)
-            for (const EdgePoint &p : around)
-              points.push_back(
-                lateral_point(p,
-                              along.weight(q) * (beam_axis->cell_end(cell) -
-                                                 beam_axis->cell_begin(cell)),
-                              cell,
-                              along.point(q)[0]));
-      }
-    return points;
-  }
-
-
-
   void
   Beam::complete(SurfaceFacet &facet) const
   {

@@ -46,25 +46,6 @@ namespace lamella
 
 
 
-  std::vector<std::pair<Point<3>, double>>
-  Body::line_quadrature(const Point<3> &a, const Point<3> &b) const
-  {
-    // Two points more than the trace needs, for loads that vary.
-    const QGauss<1>                          quadrature(line_degree(a, b) + 3);
-    const std::vector<double>                breaks = line_breaks(a, b);
-    std::vector<std::pair<Point<3>, double>> points;
-    for (unsigned int k = 0; k + 1 < breaks.size(); ++k)
-      for (unsigned int q = 0; q < quadrature.size(); ++q)
-        points.emplace_back(a + (breaks[k] + quadrature.point(q)[0] *
-                                               (breaks[k + 1] - breaks[k])) *
-                                  (b - a),
-                            quadrature.weight(q) * (breaks[k + 1] - breaks[k]) *
-                              a.distance(b));
-    return points;
-  }
-
-
-
   double
   Body::stiffness_entries() const
   {

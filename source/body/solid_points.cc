@@ -417,30 +417,6 @@ namespace lamella
 
 
 
-  std::vector<SurfacePoint>
-  Solid::surface_quadrature(const std::string &surface) const
-  {
-    // Two points more than the trace needs, for loads that vary.
-    std::vector<SurfacePoint> points;
-    const QGauss<2>           gauss(degree() + 3);
-    for (const auto &[cell, face] : faces_of(surface))
-      {
-        const UnitFace frame = unit_face(face);
-        for (unsigned int q = 0; q < gauss.size(); ++q)
-          {
-            points.push_back(face_point(cell,
-                                        face,
-                                        frame.origin +
-                                          gauss.point(q)[0] * frame.along_s +
-                                          gauss.point(q)[1] * frame.along_t));
-            points.back().area *= gauss.weight(q);
-          }
-      }
-    return points;
-  }
-
-
-
   std::vector<SurfaceFacet>
   Solid::surface_facets(const std::string &surface) const
   {

@@ -133,6 +133,13 @@ namespace lamella
           }
       }
 
+      /// Whether the facet is a plane parallelogram under an affine map.
+      bool
+      affine() const
+      {
+        return is_affine;
+      }
+
       Place
       operator()(const Point<2> &st) const
       {
@@ -174,6 +181,27 @@ namespace lamella
       result.independent = moments.independent;
       result.bisections  = moments.bisections;
       result.checked     = true;
+    }
+
+
+
+    /// Adds @p force, constant per unit of the square of an affine @p facet, at
+    /// as few points as integrate its trace functions exactly.
+    void
+    add_constant(const Body         &body,
+                 const SurfaceFacet &facet,
+                 const Tensor<1, 3> &force,
+                 PointForces        &result)
+    {
+      const QGauss<1> s(facet.trace_degree_s / 2 + 1),
+        t(facet.trace_degree_t / 2 + 1);
+      for (unsigned int j = 0; j < t.size(); ++j)
+        for (unsigned int i = 0; i < s.size(); ++i)
+          {
+            const Point<2> st(s.point(i)[0], t.point(j)[0]);
+            result.locations.push_back(body.surface_point(facet, st).location);
+            result.forces.push_back(s.weight(i) * t.weight(j) * force);
+          }
     }
 
 
@@ -237,31 +265,40 @@ namespace lamella
                            PointForces  &result) const
     {
       check_surface(body, region.surface, what + "/On");
-      const std::vector<SurfaceFacet> facets =
-        body.surface_facets(region.surface);
-      std::vector<Moments<2>::Cell> cells;
-      for (const SurfaceFacet &facet : facets)
-        cells.push_back(
-          {[this, map = FacetMap(body, facet)](const Point<2> &st) {
-             const auto [x, normal, area] = map(st);
-             return area * traction(x, normal);
-           },
-           {{facet.trace_degree_s, facet.trace_degree_t}},
-           {{facet.corners[0].distance(facet.corners[1]),
-             facet.corners[0].distance(facet.corners[2])}}});
+      const std::vector<SurfaceFacet> all = body.surface_facets(region.surface);
+      std::vector<const SurfaceFacet *> facets;
+      std::vector<Moments<2>::Cell>     cells;
+      for (const SurfaceFacet &facet : all)
+        {
+          const FacetMap map(body, facet);
+          if (is_constant && map.affine())
+            {
+              const auto [x, normal, area] = map(Point<2>());
+              add_constant(body, facet, area * traction(x, normal), result);
+              continue;
+            }
+          facets.push_back(&facet);
+          cells.push_back({[this, map](const Point<2> &st) {
+                             const auto [x, normal, area] = map(st);
+                             return area * traction(x, normal);
+                           },
+                           {{facet.trace_degree_s, facet.trace_degree_t}},
+                           {{facet.corners[0].distance(facet.corners[1]),
+                             facet.corners[0].distance(facet.corners[2])}}});
+        }
       const Moments<2> moments = adaptive_moments<2>(cells, is_constant);
       if (!is_constant)
         take(moments, result);
       for (unsigned int k = 0; k < facets.size(); ++k)
         {
-          const QGaussLobatto<1> s(facets[k].trace_degree_s + 1),
-            t(facets[k].trace_degree_t + 1);
+          const QGaussLobatto<1> s(facets[k]->trace_degree_s + 1),
+            t(facets[k]->trace_degree_t + 1);
           for (unsigned int j = 0; j < t.size(); ++j)
             for (unsigned int i = 0; i < s.size(); ++i)
               {
                 result.locations.push_back(
                   body
-                    .surface_point(facets[k],
+                    .surface_point(*facets[k],
                                    Point<2>(s.point(i)[0], t.point(j)[0]))
                     .location);
                 result.forces.push_back(moments.of_cells[k][j * s.size() + i]);
@@ -269,7 +306,7 @@ namespace lamella
         }
       if (!facets.empty())
         result.place =
-          body.surface_point(facets[moments.cell], moments.place).position;
+          body.surface_point(*facets[moments.cell], moments.place).position;
     }
 
 
@@ -334,6 +371,38 @@ namespace lamella
           "are right, but what is close to it is that of a load spread over "
           "the element. Put shorter elements there (Axis breaks)");
     }
+
+
+
+    /// A torque about the axis of a body whose theory has no turn about it
+    /// (EBBT, TBT) does no work on its displacements and vanishes from the
+    /// problem.
+    void
+    add_torque_note(const std::string        &name,
+                    const PointForces        &at,
+                    const Body               &body,
+                    std::vector<std::string> &notes)
+    {
+      for (const RigidMotion &missing : body.missing_motions())
+        {
+          const Point<3> axis(missing[3], missing[4], missing[5]);
+          double         torque = 0., size = 0.;
+          for (unsigned int i = 0; i < at.forces.size(); ++i)
+            {
+              Tensor<1, 3> arm = at.locations[i].position - body.centre();
+              arm -= (arm * axis) * axis;
+              torque += cross_product_3d(arm, at.forces[i]) * axis;
+              size += arm.norm() * at.forces[i].norm();
+            }
+          if (std::abs(torque) > 1e-6 * size)
+            notes.push_back(
+              "load " + name + " twists body " + body.name() +
+              " by a torque of " + to_text(torque) +
+              " (force times length) about its axis; sections of its theory "
+              "cannot turn, and the torque is left out. Use TE-N or LE-N to "
+              "see what it does");
+        }
+    }
   } // namespace
 
 
@@ -354,45 +423,14 @@ namespace lamella
     result.name = load.name;
     for (const Region &region : load.on)
       {
-        const PointForces at = values.on(region, *bodies[region.body]);
-        add_point_forces(*bodies[region.body], at, f.block(region.body));
+        const Body       &body = *bodies[region.body];
+        const PointForces at   = values.on(region, body);
+        add_point_forces(body, at, f.block(region.body));
         result.force += at.force;
         result.moment += at.moment;
+        add_torque_note(load.name, at, body, result.notes);
         add_notes(load.name, at, result.notes);
       }
     return result;
-  }
-
-
-
-  std::vector<std::string>
-  torques_left_out(const std::vector<Load> &loads, const Bodies &bodies)
-  {
-    std::vector<std::string> warnings;
-    for (const Load &load : loads)
-      for (const Region &region : load.on)
-        for (const RigidMotion &missing :
-             bodies[region.body]->missing_motions())
-          {
-            const Body       &body = *bodies[region.body];
-            const PointForces at   = point_forces(load, region, body);
-            const Point<3>    axis(missing[3], missing[4], missing[5]);
-            double            torque = 0., size = 0.;
-            for (unsigned int i = 0; i < at.forces.size(); ++i)
-              {
-                Tensor<1, 3> arm = at.locations[i].position - body.centre();
-                arm -= (arm * axis) * axis;
-                torque += cross_product_3d(arm, at.forces[i]) * axis;
-                size += arm.norm() * at.forces[i].norm();
-              }
-            if (std::abs(torque) > 1e-6 * size)
-              warnings.push_back(
-                "load " + load.name + " twists body " + body.name() +
-                " by a torque of " + to_text(torque) +
-                " (force times length) about its axis; sections of its theory "
-                "cannot turn, and the torque is left out. Use TE-N or LE-N to "
-                "see what it does");
-          }
-    return warnings;
   }
 } // namespace lamella

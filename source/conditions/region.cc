@@ -8,25 +8,34 @@ namespace lamella
 {
   using namespace dealii;
 
+  std::vector<std::vector<Location>>
+  locate_sides(const Body                  &body,
+               const std::vector<Point<3>> &points,
+               const std::string           &what)
+  {
+    std::vector<std::vector<Location>> found = body.locate(points);
+    for (unsigned int i = 0; i < points.size(); ++i)
+      if (found[i].empty())
+        {
+          const auto box = body.bounding_box().get_boundary_points();
+          throw InputError(
+            what + ": the point " + to_text(points[i]) + " is not in body '" +
+            body.name() + "', which extends from " + to_text(box.first) +
+            " to " + to_text(box.second) + ". Move the point into it.");
+        }
+    return found;
+  }
+
+
+
   std::vector<Location>
   locate_all(const Body                  &body,
              const std::vector<Point<3>> &points,
              const std::string           &what)
   {
-    const std::vector<std::vector<Location>> found = body.locate(points);
-    std::vector<Location>                    locations;
-    for (unsigned int i = 0; i < points.size(); ++i)
-      {
-        if (found[i].empty())
-          {
-            const auto box = body.bounding_box().get_boundary_points();
-            throw InputError(
-              what + ": the point " + to_text(points[i]) + " is not in body '" +
-              body.name() + "', which extends from " + to_text(box.first) +
-              " to " + to_text(box.second) + ". Move the point into it.");
-          }
-        locations.push_back(found[i].front());
-      }
+    std::vector<Location> locations;
+    for (const std::vector<Location> &sides : locate_sides(body, points, what))
+      locations.push_back(sides.front());
     return locations;
   }
 

@@ -92,17 +92,22 @@ namespace lamella
       return found == entries.end() ? 0. : found->second;
     }
 
-    void
+    /// Returns the DoFs that come in.
+    std::vector<DofIndex>
     subtract(const Equation &other, const double factor)
     {
+      std::vector<DofIndex> fresh;
       for (const auto &[dof, weight] : other.entries)
         {
           const auto [place, is_new] = entries.emplace(dof, 0.);
           place->second -= factor * weight;
-          if (place->second == 0.)
+          if (is_new)
+            fresh.push_back(dof);
+          else if (place->second == 0.)
             entries.erase(place);
         }
       value -= factor * other.value;
+      return fresh;
     }
   };
 
@@ -263,10 +268,10 @@ namespace lamella
         for (Equation *equation : with_dof)
           if (equation != pivot && equation->entry(dof) != 0.)
             {
-              equation->subtract(*pivot, equation->entry(dof));
-              equation->entries.erase(dof);
-              for (const auto &[other, weight] : pivot->entries)
+              for (const DofIndex other :
+                   equation->subtract(*pivot, equation->entry(dof)))
                 users[other].insert(equation);
+              equation->entries.erase(dof);
             }
         independent.rows.push_back(pivot->number);
         independent.pivots.push_back(dof);

@@ -30,8 +30,8 @@ namespace lamella
     for (const Probe &probe : probes)
       {
         const Body &body = *structure.bodies()[probe.body];
-        locate_all(body, {probe.position}, "Probe " + probe.name);
-        probe_locations.push_back(body.locate({probe.position}).front());
+        probe_locations.push_back(
+          locate_sides(body, {probe.position}, "Probe " + probe.name).front());
       }
     for (const Line &line : lines)
       locate_line(line);
@@ -81,11 +81,13 @@ namespace lamella
     };
     std::array<std::vector<Piece>, 2> sides;
     const std::vector<double> breaks = body.line_breaks(line.from, line.to);
+    std::vector<Point<3>>     middles;
     for (unsigned int k = 0; k + 1 < breaks.size(); ++k)
+      middles.push_back(point(0.5 * (breaks[k] + breaks[k + 1])));
+    const auto found = locate_sides(body, middles, what);
+    for (unsigned int k = 0; k < middles.size(); ++k)
       {
-        const Point<3> middle = point(0.5 * (breaks[k] + breaks[k + 1]));
-        locate_all(body, {middle}, what);
-        const std::vector<Location> plies = body.locate({middle}).front();
+        const std::vector<Location> &plies = found[k];
         for (unsigned int side = 0;
              side < std::min<std::size_t>(2, plies.size());
              ++side)

@@ -5,6 +5,7 @@
 #include <lamella/report/results_folder.h>
 
 #include <sys/file.h>
+#include <sys/stat.h>
 
 #include <cerrno>
 #include <fcntl.h>
@@ -117,9 +118,26 @@ namespace lamella
 
 
 
+  bool
+  ResultsFolder::is_still_there() const
+  {
+    struct stat ours, there;
+    return !is_speaker() ||
+           (fstat(descriptor, &ours) == 0 &&
+            stat(folder.c_str(), &there) == 0 && ours.st_dev == there.st_dev &&
+            ours.st_ino == there.st_ino);
+  }
+
+
+
   void
   ResultsFolder::make_room()
   {
+    if (!on_all_processes(is_still_there()))
+      throw InputError("--output " + folder +
+                       ": the folder was removed or renamed while the run was "
+                       "at work, and what it had written with it. Run the "
+                       "scene again.");
     if (has_room)
       return;
     has_room = true;

@@ -36,15 +36,7 @@ namespace lamella
                   const SectionMesh &section,
                   const Units       &units)
     {
-      // What a note is worth: LE-2 of more cells takes seconds.
-      constexpr unsigned int most_cells = 150;
-      if (section.mesh.n_active_cells() > most_cells)
-        return;
-      // The mesh outlives the section that is made of it here.
-      const std::shared_ptr<const SectionMesh> mesh(&section,
-                                                    [](const SectionMesh *) {});
-      if (const auto GJ =
-            torsional_stiffness(*make_section(mesh, Theory::parse("LE-2", ""))))
+      if (const auto GJ = torsional_stiffness(section))
         out << "  GJ " << *GJ << unit(units, 2)
             << " (Saint-Venant's torsion, LE-2 on this mesh)\n";
     }

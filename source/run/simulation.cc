@@ -78,9 +78,6 @@ namespace lamella
     summary.warnings = scene.warnings;
     for (const std::string &note : notes_on_theories(scene, sections))
       summary.warnings.push_back(note);
-    for (const std::string &warning :
-         torques_left_out(scene.loads, structure->bodies()))
-      summary.warnings.push_back(warning);
     for (const LoadResultant &load : structure->load_resultants())
       summary.warnings.insert(summary.warnings.end(),
                               load.notes.begin(),

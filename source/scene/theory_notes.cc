@@ -86,10 +86,11 @@ namespace lamella
     {
       if (body.theory.kind != Theory::Kind::TE)
         return;
+      const auto truth = torsional_stiffness(*mesh);
+      if (!truth)
+        return;
       const auto found = torsional_stiffness(*make_section(mesh, body.theory));
-      const auto truth =
-        torsional_stiffness(*make_section(mesh, Theory::parse("LE-2", "")));
-      if (found && truth && *found > (1. + torsion_worth_saying) * *truth)
+      if (found && *found > (1. + torsion_worth_saying) * *truth)
         notes.push_back("body " + body.name + ": in torsion " +
                         body.theory.name() + " is " +
                         to_text(*found / *truth, 2) +
@@ -189,9 +190,6 @@ namespace lamella
   std::vector<std::string>
   notes_on_theories(const Scene &scene, const SectionMeshes &meshes)
   {
-    // The fields of LE-2 of more cells would cost more than the note is worth.
-    constexpr unsigned int most_cells = 150;
-
     std::vector<std::string> notes;
     for (unsigned int b = 0; b < scene.bodies.size(); ++b)
       {
@@ -205,9 +203,7 @@ namespace lamella
         if (kind == Theory::Kind::LE || kind == Theory::Kind::solid)
           continue;
         add_shear_note(body, scene, notes);
-        if (!std::holds_alternative<Laminate>(
-              scene.sections.at(body.section)) &&
-            mesh->mesh.n_active_cells() <= most_cells)
+        if (!std::holds_alternative<Laminate>(scene.sections.at(body.section)))
           add_torsion_note(body, mesh, notes);
       }
     return notes;

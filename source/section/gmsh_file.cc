@@ -657,11 +657,8 @@ namespace lamella
                 at.integer(first_word + i, "a node's number", 1);
               const auto found = place_of_node.find(node);
               if (found == place_of_node.end())
-                at.fault("the mesh cannot be read (While creating cell " +
-                         std::to_string(file.elements.size()) +
-                         ", which is element " + std::to_string(number) +
-                         ": there is no node of index " + std::to_string(node) +
-                         ").");
+                at.fault("element " + std::to_string(number) + " has node " +
+                         std::to_string(node) + ", which $Nodes has not.");
               const auto end = element.nodes.begin() + i;
               if (std::find(element.nodes.begin(), end, found->second) != end)
                 at.fault("element " + std::to_string(number) + " has node " +

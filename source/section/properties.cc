@@ -12,6 +12,10 @@
 
 #include <deal.II/grid/grid_tools.h>
 
+#include <deal.II/numerics/rtree.h>
+
+#include <boost/geometry/index/rtree.hpp>
+
 #include <algorithm>
 #include <array>
 #include <numeric>
@@ -117,25 +121,24 @@ namespace lamella
       for (unsigned int v = 0; v < section.mesh.n_vertices(); ++v)
         if (section.mesh.get_used_vertices()[v])
           points.push_back(section.mesh.get_vertices()[v]);
-      std::sort(points.begin(),
-                points.end(),
-                [](const Point<2> &a, const Point<2> &b) {
-                  return a[0] < b[0];
-                });
       double shortest = std::numeric_limits<double>::max();
       for (const auto &face : section.mesh.active_face_iterators())
         shortest = std::min(shortest, face->diameter());
-      const double tolerance = 1e-6 * shortest;
-      for (auto a = points.begin(); a != points.end(); ++a)
-        for (auto b = a + 1;
-             b != points.end() && (*b)[0] - (*a)[0] <= tolerance;
-             ++b)
-          if (a->distance(*b) <= tolerance)
+      const Point<2> tolerance(1e-6 * shortest, 1e-6 * shortest);
+      const auto     tree = pack_rtree(points);
+      for (const Point<2> &point : points)
+        {
+          const BoundingBox<2> here(
+            std::make_pair(point + -1. * tolerance, point + tolerance));
+          if (std::distance(tree.qbegin(
+                              boost::geometry::index::intersects(here)),
+                            tree.qend()) > 1)
             throw InputError(
-              what + ": two nodes stand at " + place(*a) +
+              what + ": two nodes stand at " + place(point) +
               ", so that the cells on both sides are not joined. In Gmsh, "
               "share points and lines between surfaces, or write 'Coherence;' "
               "('Coherence Mesh;' after meshing).");
+        }
     }
 
 

@@ -5,6 +5,7 @@
 #include <deal.II/base/polynomial.h>
 #include <deal.II/base/quadrature_lib.h>
 
+#include <deal.II/lac/lapack_full_matrix.h>
 #include <deal.II/lac/vector.h>
 
 #include <map>
@@ -107,13 +108,15 @@ namespace lamella
     step.parent    = parent;
     step.direction = direction;
     step.degree    = recurrence[parent].degree + 1;
-    step.parts.assign(values.size(), 0.);
+    while (recurrence[step.first].degree + 2 < step.degree)
+      ++step.first;
+    step.parts.assign(values.size() - step.first, 0.);
     const double before = std::sqrt(product(fresh, fresh));
     for (unsigned int pass = 0; pass < 2; ++pass)
-      for (unsigned int j = 0; j < values.size(); ++j)
+      for (unsigned int j = step.first; j < values.size(); ++j)
         {
           const double part = product(fresh, values[j]);
-          step.parts[j] += part;
+          step.parts[j - step.first] += part;
           for (unsigned int q = 0; q < n; ++q)
             fresh[q] -= part * values[j][q];
         }
@@ -171,10 +174,11 @@ namespace lamella
         double       value    = t * values[step.parent];
         Tensor<1, 2> gradient = t * gradients[step.parent];
         gradient[step.direction] += values[step.parent] / half[step.direction];
-        for (unsigned int j = 0; j < k; ++j)
+        for (unsigned int j = step.first; j < k; ++j)
           {
-            value -= step.parts[j] * values[j];
-            gradient -= step.parts[j] * gradients[j];
+            const double part = step.parts[j - step.first];
+            value -= part * values[j];
+            gradient -= part * gradients[j];
           }
         values.push_back(value / step.norm);
         gradients.push_back(gradient / step.norm);
@@ -289,27 +293,41 @@ namespace lamella
 
   namespace
   {
-    /// The numbers of as many of @p rows, one a candidate, as they have
-    /// entries, chosen one by one: the longest of what is left of them.
+    /// The numbers of as many rows of @p A, one a candidate, as it has columns,
+    /// chosen one by one: the longest of what is left of them without their
+    /// parts along those before (pivoted Cholesky factorisation of A A^T).
     std::vector<unsigned int>
-    most_independent(std::vector<Vector<double>> rows)
+    most_independent(const LAPACKFullMatrix<double> &A)
     {
-      const unsigned int        n = rows[0].size();
-      std::vector<unsigned int> chosen;
-      while (chosen.size() < n)
+      std::vector<double> squares(A.m(), 0.);
+      for (unsigned int c = 0; c < A.n(); ++c)
+        for (unsigned int i = 0; i < A.m(); ++i)
+          squares[i] += A(i, c) * A(i, c);
+      std::vector<unsigned int>   chosen;
+      std::vector<Vector<double>> directions;
+      Vector<double>              parts(A.m());
+      while (chosen.size() < A.n())
         {
-          const auto longest =
-            std::max_element(rows.begin(),
-                             rows.end(),
-                             [](const auto &a, const auto &b) {
-                               // Equal up to rounding: the first, always.
-                               return a.norm_sqr() < (1. - 1e-9) * b.norm_sqr();
-                             });
-          chosen.push_back(longest - rows.begin());
-          const Vector<double> direction = *longest;
-          const double         square    = direction.norm_sqr();
-          for (Vector<double> &row : rows)
-            row.add(-(row * direction) / square, direction);
+          chosen.push_back(std::max_element(squares.begin(),
+                                            squares.end(),
+                                            [](const double a, const double b) {
+                                              // Equal up to rounding: the
+                                              // first, always.
+                                              return a < (1. - 1e-9) * b;
+                                            }) -
+                           squares.begin());
+          Vector<double> direction(A.n());
+          for (unsigned int c = 0; c < A.n(); ++c)
+            direction[c] = A(chosen.back(), c);
+          for (unsigned int pass = 0; pass < 2; ++pass)
+            for (const Vector<double> &known : directions)
+              direction.add(-(direction * known), known);
+          direction /= direction.l2_norm();
+          A.vmult(parts, direction);
+          for (unsigned int i = 0; i < A.m(); ++i)
+            squares[i] -= parts[i] * parts[i];
+          squares[chosen.back()] = 0.;
+          directions.push_back(std::move(direction));
         }
       return chosen;
     }
@@ -321,11 +339,13 @@ namespace lamella
   TaylorElement::section_points() const
   {
     // The ends of a side, at least.
-    const QGaussLobatto<2>      candidates_of_cell(order + 1);
-    std::vector<EdgePoint>      candidates;
-    std::vector<Vector<double>> rows;
-    std::vector<double>         values;
-    std::vector<Tensor<1, 2>>   gradients;
+    const QGaussLobatto<2>    candidates_of_cell(order + 1);
+    std::vector<EdgePoint>    candidates;
+    std::vector<double>       values;
+    std::vector<Tensor<1, 2>> gradients;
+    LAPACKFullMatrix<double>  rows(geometry.n_cells() *
+                                    candidates_of_cell.size(),
+                                  recurrence.size());
     for (unsigned int cell = 0; cell < geometry.n_cells(); ++cell)
       for (const Point<2> &unit : candidates_of_cell.get_points())
         {
@@ -335,7 +355,8 @@ namespace lamella
           point.position = geometry.map(cell, unit).position;
           candidates.push_back(point);
           evaluate_polynomials(point.position, values, gradients);
-          rows.emplace_back(values.begin(), values.end());
+          for (unsigned int c = 0; c < values.size(); ++c)
+            rows(candidates.size() - 1, c) = values[c];
         }
 
     std::vector<EdgePoint> points;

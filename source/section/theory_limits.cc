@@ -202,4 +202,19 @@ namespace lamella
     K.solve(w);
     return (section.S(1, 1).el(r_y, r_y) - w * load) * h * h;
   }
+
+
+
+  std::optional<double>
+  torsional_stiffness(const SectionMesh &mesh)
+  {
+    constexpr unsigned int most_cells = 150;
+
+    if (mesh.mesh.n_active_cells() > most_cells)
+      return {};
+    // The mesh outlives the section that is made of it here.
+    const std::shared_ptr<const SectionMesh> lent(&mesh,
+                                                  [](const SectionMesh *) {});
+    return torsional_stiffness(*make_section(lent, Theory::parse("LE-2", "")));
+  }
 } // namespace lamella

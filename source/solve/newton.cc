@@ -87,8 +87,7 @@ namespace lamella
         before     = change;
         State next = solve_contact(solve_free(factor, rest), factor, state);
         next.iterations += state.iterations;
-        next.spring_rounds = round;
-        state              = std::move(next);
+        state = std::move(next);
       }
   }
 

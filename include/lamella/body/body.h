@@ -258,10 +258,6 @@ namespace lamella
     virtual std::vector<Location>
     body_points() const = 0;
 
-    /// Integration points of @p surface.
-    virtual std::vector<SurfacePoint>
-    surface_quadrature(const std::string &surface) const = 0;
-
     /// The facets that @p surface is made of.
     virtual std::vector<SurfaceFacet>
     surface_facets(const std::string &surface) const = 0;
@@ -290,10 +286,6 @@ namespace lamella
     /// Points of the segment from @p a to @p b that fix the displacement there.
     std::vector<dealii::Point<3>>
     line_points(const dealii::Point<3> &a, const dealii::Point<3> &b) const;
-
-    /// Gauss points of that segment with weights (lengths).
-    std::vector<std::pair<dealii::Point<3>, double>>
-    line_quadrature(const dealii::Point<3> &a, const dealii::Point<3> &b) const;
 
     /// Numbers of the elements in the section at @p position along the axis and
     /// their fields on an n x n grid each, for contours.

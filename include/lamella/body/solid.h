@@ -111,8 +111,6 @@ namespace lamella
     fixing_points(const std::string &surface) const override;
     std::vector<Location>
     body_points() const override;
-    std::vector<SurfacePoint>
-    surface_quadrature(const std::string &surface) const override;
     std::vector<SurfaceFacet>
     surface_facets(const std::string &surface) const override;
     SurfacePoint

@@ -30,7 +30,8 @@ namespace lamella
    * Forces at points of a body that stand for a load t on one of its regions:
    * they do the same work on all displacements that the body can have there.
    * On a surface the points are the trace nodes X_k of each facet and the
-   * forces integral phi_k t dA, with phi_k the facet's trace functions.
+   * forces integral phi_k t dA, with phi_k the facet's trace functions; where t
+   * is constant on a plane facet, Gauss points for these functions.
    */
   struct PointForces
   {
@@ -64,7 +65,8 @@ namespace lamella
     /// On all of its regions, at load factor 1; the moment about the scene's
     /// origin.
     dealii::Tensor<1, 3> force, moment;
-    /// What the user should know of how it was integrated, a sentence each.
+    /// What the user should know of how it was integrated and of what its
+    /// bodies cannot feel, a sentence each.
     std::vector<std::string> notes;
   };
 
@@ -76,14 +78,6 @@ namespace lamella
    */
   LoadResultant
   add_load(const Load &load, const Bodies &bodies, BlockVector &f);
-
-  /**
-   * Sentences on torques of @p loads about the axes of bodies whose theory has
-   * no turn about it (EBBT, TBT): they do no work on such a body's
-   * displacements and vanish from the problem.
-   */
-  std::vector<std::string>
-  torques_left_out(const std::vector<Load> &loads, const Bodies &bodies);
 } // namespace lamella
 
 #endif

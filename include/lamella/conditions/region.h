@@ -42,10 +42,16 @@ namespace lamella
                    const std::string &what);
 
   /**
-   * For each point one location (either side of a ply interface: displacements
-   * are continuous). Throws InputError, beginning with @p what, for a point
+   * For each point its locations, one in each ply that it touches
+   * (Body::locate()). Throws InputError, beginning with @p what, for a point
    * outside of @p body; the message gives the body's extent.
    */
+  std::vector<std::vector<Location>>
+  locate_sides(const Body                          &body,
+               const std::vector<dealii::Point<3>> &points,
+               const std::string                   &what);
+
+  /// For each point the first of these (displacements are continuous).
   std::vector<Location>
   locate_all(const Body                          &body,
              const std::vector<dealii::Point<3>> &points,

@@ -30,8 +30,9 @@ namespace lamella
     }
 
     /// To be called before anything is written: the first call removes what an
-    /// earlier run has left, and nothing that a run does not write. On several
-    /// processes all call it.
+    /// earlier run has left, and nothing that a run does not write. Throws
+    /// InputError if the folder has gone since. On several processes all call
+    /// it.
     void
     make_room();
 
@@ -42,6 +43,8 @@ namespace lamella
   private:
     void
     lock();
+    bool
+    is_still_there() const;
 
     std::string folder;
     bool        is_new = false, has_room = false;

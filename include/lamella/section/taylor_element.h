@@ -87,10 +87,12 @@ namespace lamella
 
   private:
     /// How an orthonormal polynomial comes about: coordinate @p direction times
-    /// number @p parent, less @p parts of the earlier ones, over @p norm.
+    /// number @p parent, less @p parts of number @p first and the later ones,
+    /// over @p norm. It has no parts of those before @p first, of three degrees
+    /// less: <x p, q> = <p, x q>, and x q is of a lower degree than p.
     struct Step
     {
-      unsigned int        parent = 0, direction = 0, degree = 0;
+      unsigned int        parent = 0, direction = 0, degree = 0, first = 0;
       std::vector<double> parts;
       double              norm = 1.;
     };

@@ -47,6 +47,11 @@ namespace lamella
    */
   std::optional<double>
   torsional_stiffness(const Section &section);
+
+  /// The same in LE-2 on @p mesh; none for more cells (150) than a note is
+  /// worth.
+  std::optional<double>
+  torsional_stiffness(const SectionMesh &mesh);
 } // namespace lamella
 
 #endif

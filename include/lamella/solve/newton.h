@@ -20,10 +20,8 @@ namespace lamella
     /// Numbers of the active rows, ascending.
     std::vector<unsigned int> active;
 
-    /// Where the stabilising springs are without force, and how often they were
-    /// moved there.
-    SpringRest   rest;
-    unsigned int spring_rounds = 0;
+    /// Where the stabilising springs are without force.
+    SpringRest rest;
 
     unsigned int iterations = 0;
     /// Maximum norm of each correction over that of u: of the free linear
