@@ -595,6 +595,7 @@ namespace lamella
     for (const BodyDescription &description : scene.bodies)
       {
         const auto &mesh = meshes.at(description.section);
+        check_slenderness(description, *mesh);
         if (description.theory.kind == Theory::Kind::solid)
           {
             SolidRefinement refinement = description.refinement;

@@ -16,6 +16,11 @@ namespace lamella
    */
   void
   check_sizes(const Scene &scene);
+
+  /// Throws InputError if @p body is so long for the section @p mesh that its
+  /// rigid motions cannot be told apart in doubles.
+  void
+  check_slenderness(const BodyDescription &body, const SectionMesh &mesh);
 } // namespace lamella
 
 #endif
