@@ -2,14 +2,14 @@
 
 #include <lamella/section/shapes.h>
 
-#include <deal.II/base/table.h>
-
 #include <deal.II/grid/grid_generator.h>
 #include <deal.II/grid/grid_tools.h>
 #include <deal.II/grid/manifold_lib.h>
 
 #include <array>
+#include <map>
 #include <numeric>
+#include <utility>
 
 namespace lamella
 {
@@ -196,6 +196,45 @@ namespace lamella
                                                          4);
           }
     }
+
+
+
+    /// Meshes the cells @p filled (column, row) of a grid of columns and rows
+    /// of the widths @p steps. (deal.II's subdivided_hyper_rectangle makes the
+    /// vertices of the whole grid, of which thin walls hold next to nothing.)
+    void
+    mesh_grid(const std::array<std::vector<double>, 2>                 &steps,
+              const std::vector<std::pair<unsigned int, unsigned int>> &filled,
+              Triangulation<2>                                         &mesh)
+    {
+      std::array<std::vector<double>, 2> at;
+      for (unsigned int d = 0; d < 2; ++d)
+        {
+          at[d] = {0.};
+          for (const double step : steps[d])
+            at[d].push_back(at[d].back() + step);
+        }
+      // Row after row, as the cells come.
+      std::map<std::pair<unsigned int, unsigned int>, unsigned int> vertex;
+      for (const auto &[i, j] : filled)
+        for (unsigned int k = 0; k < 4; ++k)
+          vertex[{j + k / 2, i + k % 2}] = 0;
+      std::vector<Point<2>> vertices;
+      for (auto &[place, number] : vertex)
+        {
+          number = vertices.size();
+          vertices.emplace_back(at[0][place.second], at[1][place.first]);
+        }
+      std::vector<CellData<2>> cells;
+      for (const auto &[i, j] : filled)
+        {
+          cells.emplace_back();
+          for (unsigned int k = 0; k < 4; ++k)
+            cells.back().vertices[k] = vertex.at({j + k / 2, i + k % 2});
+          cells.back().material_id = 0;
+        }
+      mesh.create_triangulation(vertices, cells, SubCellData());
+    }
   } // namespace
 
 
@@ -231,27 +270,24 @@ namespace lamella
                                                                  walls.flanges,
                                                                  walls);
 
-    // The block of each column and row of cells.
-    std::vector<std::vector<double>>       steps(2);
-    std::vector<std::vector<unsigned int>> block(2);
-    for (unsigned int d = 0; d < 2; ++d)
-      for (unsigned int b = 0; b < (d == 0 ? n_columns : n_rows); ++b)
-        for (const double step : (d == 0 ? columns : rows)[b])
-          {
-            steps[d].push_back(step);
-            block[d].push_back(b);
-          }
-    Table<2, types::material_id> material(steps[0].size(), steps[1].size());
-    for (unsigned int i = 0; i < steps[0].size(); ++i)
-      for (unsigned int j = 0; j < steps[1].size(); ++j)
-        material(i, j) =
-          layout.picture[n_rows - 1 - block[1][j]][block[0][i]] == '#' ?
-            0 :
-            numbers::invalid_material_id;
-    GridGenerator::subdivided_hyper_rectangle(section->mesh,
-                                              steps,
-                                              Point<2>(),
-                                              material);
+    std::array<std::vector<double>, 2>                 steps;
+    std::vector<std::pair<unsigned int, unsigned int>> filled;
+    for (const std::vector<double> &widths : columns)
+      steps[0].insert(steps[0].end(), widths.begin(), widths.end());
+    for (unsigned int b = 0; b < n_rows; ++b)
+      for (const double height : rows[b])
+        {
+          unsigned int i = 0;
+          for (unsigned int c = 0; c < n_columns; ++c)
+            {
+              if (layout.picture[n_rows - 1 - b][c] == '#')
+                for (unsigned int k = 0; k < columns[c].size(); ++k)
+                  filled.emplace_back(i + k, steps[1].size());
+              i += columns[c].size();
+            }
+          steps[1].push_back(height);
+        }
+    mesh_grid(steps, filled, section->mesh);
     name_sides(*section, walls.width, walls.height);
     return section;
   }

@@ -337,7 +337,9 @@ BOOST_AUTO_TEST_CASE(faults_with_their_lines)
   BOOST_TEST(finds(changed(v2, "50 1 1", "50 1e999 1"), 15, "'1e999' is not"));
   BOOST_TEST(finds(changed(v2, "50 1 1", "20 1 1"), 15, "is in line 12"));
   BOOST_TEST(finds(changed(v2, "50 1 1", "0 1 1"), 15, "'0' is not a node's"));
-  BOOST_TEST(finds(changed(v2, "20 50 40", "20 51 40"), 22, "index 51"));
+  BOOST_TEST(finds(changed(v2, "20 50 40", "20 51 40"),
+                   22,
+                   "node 51, which $Nodes has not"));
   BOOST_TEST(finds(changed(v2, "20 50 40", "20 20 40"), 22, "node 20 twice"));
   BOOST_TEST(
     finds(changed(v2, "20 50 40", "20 50"), 22, "8 words instead of 9"));
