@@ -10,6 +10,38 @@
 
 namespace lamella
 {
+  namespace
+  {
+    /// @p message without what nobody reads: words of hundreds of characters,
+    /// longer than any path, are cut in the middle.
+    std::string
+    readable(const std::string &message)
+    {
+      constexpr std::size_t longest = 400, kept = 50;
+      std::string           result, word;
+      const auto            end_word = [&] {
+        result += word.size() <= longest ?
+                               word :
+                               word.substr(0, kept) + " ... (" +
+                      std::to_string(word.size()) + " characters) ... " +
+                      word.substr(word.size() - kept / 2);
+        word.clear();
+      };
+      for (const char c : message)
+        if (c == ' ' || c == '\n')
+          {
+            end_word();
+            result += c;
+          }
+        else
+          word += c;
+      end_word();
+      return result;
+    }
+  } // namespace
+
+
+
   Outcome
   outcome_of(const std::function<void()> &program)
   {
@@ -19,7 +51,7 @@ namespace lamella
       }
     catch (const InputError &error)
       {
-        return {1, error.what()};
+        return {1, readable(error.what())};
       }
     catch (const NumericsError &error)
       {

@@ -195,30 +195,38 @@ namespace lamella
 
 
     bool
-    is_in(const Body &body, const Point<3> &x)
+    is_in(const Body &body, const BoundingBox<3> &box, const Point<3> &x)
     {
-      return body.bounding_box().point_inside(x) &&
-             !body.locate({x})[0].empty();
+      return box.point_inside(x) && !body.locate({x})[0].empty();
     }
 
 
 
-    /// Whether one of the two places is in the body (or the obstacle) of the
-    /// other.
-    bool
-    is_inside(const ContactPair &contact,
-              const Bodies      &bodies,
-              const bool         on_second,
-              const DeepPlace   &place)
+    /// The first of @p places of which one side is in the body (or the
+    /// obstacle) of the other; null if there is none.
+    const DeepPlace *
+    first_inside(const ContactPair            &contact,
+                 const Bodies                 &bodies,
+                 const bool                    on_second,
+                 const std::vector<DeepPlace> &places)
     {
-      const Body &carrying =
-        *bodies[(on_second ? contact.second : contact.first).body];
-      if (is_in(carrying, place.opposite))
-        return true;
-      if (contact.obstacle != nullptr)
-        return contains(*contact.obstacle, place.position);
-      return is_in(*bodies[(on_second ? contact.first : contact.second).body],
-                   place.position);
+      if (places.empty())
+        return nullptr;
+      const Body
+        &carrying = *bodies[(on_second ? contact.second : contact.first).body],
+        &other =
+          *bodies[(on_second || contact.obstacle != nullptr ? contact.first :
+                                                              contact.second)
+                    .body];
+      const BoundingBox<3> box          = carrying.bounding_box(),
+                           box_of_other = other.bounding_box();
+      for (const DeepPlace &place : places)
+        if (is_in(carrying, box, place.opposite) ||
+            (contact.obstacle != nullptr ?
+               contains(*contact.obstacle, place.position) :
+               is_in(other, box_of_other, place.position)))
+          return &place;
+      return nullptr;
     }
 
 
@@ -240,13 +248,12 @@ namespace lamella
                "' of Second, at " +
                to_text(on_second ? place.opposite : place.position);
       };
-      for (const DeepPlace &place : gaps.too_deep)
-        if (is_inside(contact, bodies, on_second, place))
-          throw InputError(
-            where(place) +
-            ", which is more than the cells there are deep: the "
-            "bodies lie in each other. Move the bodies apart, or "
-            "name the two surfaces that look at each other.");
+      if (const DeepPlace *place =
+            first_inside(contact, bodies, on_second, gaps.too_deep))
+        throw InputError(where(*place) +
+                         ", which is more than the cells there are deep: the "
+                         "bodies lie in each other. Move the bodies apart, or "
+                         "name the two surfaces that look at each other.");
       if (gaps.gaps.empty() && !gaps.too_deep.empty())
         throw InputError(where(gaps.too_deep.front()) +
                          ". Name the two surfaces that look at each other, or "

@@ -483,7 +483,8 @@ namespace lamella
       throw InputError(
         place(item) + "there is no subsection '" + name + "' in " +
         parent(item.path) +
-        (nearest.empty() ? "." : "; the nearest is '" + nearest + "'."));
+        (nearest.empty() ? "" : "; the nearest is '" + nearest + "'") +
+        ". Remove it, or put the 'end' that is missing before it.");
     throw InputError(
       place(item) + "there is no subsection '" + name +
       "': its name must stand in its list (Materials, Sections, Bodies, ...). "

@@ -75,9 +75,11 @@ namespace lamella
     for (const auto &cell :
          expansion->section_mesh().mesh.active_cell_iterators())
       {
-        // A curved side may bulge out of the box of its vertices.
+        // A curved side may bulge out of the box of its vertices. (Boxes of
+        // thin straight cells that grew alike would hold each other.)
         BoundingBox<2> box = cell->bounding_box();
-        box.extend(0.2 * cell->diameter());
+        if (is_curved)
+          box.extend(0.2 * cell->diameter());
         cell_boxes.emplace_back(box, cell->active_cell_index());
       }
     boxes = pack_rtree(cell_boxes);
@@ -250,17 +252,17 @@ namespace lamella
     Point<2> unit(0.5, 0.5);
     for (unsigned int iteration = 0; iteration < 20; ++iteration)
       {
-        const FunctionValues at = expansion->evaluate(cell, unit);
-        const double size       = std::sqrt(std::abs(determinant(at.jacobian)));
-        if (x.distance(at.position) < 1e-14 * size)
+        const auto [position, jacobian] = expansion->map(cell, unit);
+        const double size = std::sqrt(std::abs(determinant(jacobian)));
+        if (x.distance(position) < 1e-14 * size)
           break;
-        unit += invert(at.jacobian) * (x - at.position);
+        unit += invert(jacobian) * (x - position);
         // Beyond its cell a curved map may fold; stay near.
         for (unsigned int d = 0; d < 2; ++d)
           unit[d] = std::min(1.5, std::max(-0.5, unit[d]));
       }
     const Point<2> inside = GeometryInfo<2>::project_to_unit_cell(unit);
-    return {inside, x.distance(expansion->evaluate(cell, inside).position)};
+    return {inside, x.distance(expansion->map(cell, inside).position)};
   }
 
 

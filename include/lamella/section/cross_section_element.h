@@ -3,6 +3,7 @@
 #ifndef lamella_section_cross_section_element_h
 #define lamella_section_cross_section_element_h
 
+#include <lamella/section/section_geometry.h>
 #include <lamella/section/section_mesh.h>
 
 #include <deal.II/base/bounding_box.h>
@@ -98,6 +99,10 @@ namespace lamella
     /// cell_functions() and the geometry at @p unit of the unit square.
     virtual FunctionValues
     evaluate(const unsigned int cell, const dealii::Point<2> &unit) const = 0;
+
+    /// The geometry alone, for searches.
+    virtual SectionGeometry::Place
+    map(const unsigned int cell, const dealii::Point<2> &unit) const = 0;
 
     /// Points that fix the trace of the expansion on the boundary named
     /// @p boundary, with outward normals and weights.

@@ -69,6 +69,12 @@ namespace lamella
     evaluate(const unsigned int      cell,
              const dealii::Point<2> &unit) const override;
 
+    SectionGeometry::Place
+    map(const unsigned int cell, const dealii::Point<2> &unit) const override
+    {
+      return geometry.map(cell, unit);
+    }
+
     /// A grid of degree() + 1 Gauss-Lobatto points a side of a cell.
     std::vector<EdgePoint>
     edge_points(const std::string &boundary) const override;
