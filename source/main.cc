@@ -124,7 +124,7 @@ namespace
     if (command.validate)
       simulation->print_validation();
     else
-      simulation->run(command.output);
+      simulation->run(command.output, command.resume);
   }
 
 

@@ -55,6 +55,25 @@ namespace lamella
 
 
   void
+  append_to_file(const std::string &path, const std::string &text)
+  {
+    std::error_code error;
+    const auto      before = fs::file_size(path, error);
+    if (error)
+      fail_to_write(path);
+    std::ofstream file(path, std::ios::binary | std::ios::app);
+    file << text;
+    file.close();
+    if (!file)
+      {
+        fs::resize_file(path, before, error);
+        fail_to_write(path);
+      }
+  }
+
+
+
+  void
   fail_to_write(const std::string &path)
   {
     throw InputError("Cannot write " + path +

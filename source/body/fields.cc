@@ -62,4 +62,34 @@ namespace lamella
             std::max(mean.jump, (a.stress - b.stress).norm() / largest);
     return mean;
   }
+
+
+
+  const std::vector<std::string> &
+  field_names()
+  {
+    static const std::vector<std::string> names{"ux",  "uy",  "uz",  "exx",
+                                                "eyy", "ezz", "gxy", "gxz",
+                                                "gyz", "sxx", "syy", "szz",
+                                                "sxy", "sxz", "syz", "s11",
+                                                "s22", "s33", "s12", "s13",
+                                                "s23", "jump"};
+    return names;
+  }
+
+
+
+  std::vector<double>
+  field_values(const FieldSample &sample)
+  {
+    std::vector<double> values;
+    for (unsigned int c = 0; c < 3; ++c)
+      values.push_back(sample.displacement[c]);
+    for (const Voigt *part :
+         {&sample.strain, &sample.stress, &sample.ply_stress})
+      for (unsigned int c = 0; c < 6; ++c)
+        values.push_back((*part)[c]);
+    values.push_back(sample.jump);
+    return values;
+  }
 } // namespace lamella

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <lamella/base/text.h>
+#include <lamella/body/fields.h>
 #include <lamella/report/console.h>
+#include <lamella/report/summary.h>
 
 #include <algorithm>
 #include <cmath>
@@ -10,6 +12,8 @@
 
 namespace lamella
 {
+  using dealii::Tensor;
+
   void
   print_table(std::ostream &out, const TextTable &table)
   {
@@ -87,33 +91,34 @@ namespace lamella
 
     void
     print_contact(std::ostream      &out,
-                  const Summary     &summary,
+                  const Results     &results,
                   const unsigned int k)
     {
-      const ContactInterface &contact = (*summary.contacts)[k];
-      const ContactPair      &pair    = (*summary.pairs)[k];
-      const KuhnTucker       &kkt     = summary.checks.contacts[k];
-      const auto             &change  = summary.status_changes[k].back();
-      const std::string       force   = unit(summary.units.force),
-                        length        = unit(summary.units.length),
-                        work = unit(summary.units.force, summary.units.length);
-
+      const ContactFacts  &contact = results.contacts[k];
+      const KuhnTucker    &kkt     = results.last().checks.contacts[k];
+      const StatusChanges &change  = results.last().changes[k];
+      const std::string    force   = unit(results.units.force),
+                        length     = unit(results.units.length),
+                        work = unit(results.units.force, results.units.length);
       out << "  contact " << contact.name << " ("
           << name_of(contact.discretisation) << ", "
-          << name_of(pair.enforcement) << "): " << kkt.active << " of "
-          << contact.rows.size() << " pairs touch (in this load step "
-          << change.closed << " closed, " << change.opened << " opened)";
+          << name_of(contact.enforcement) << "): " << kkt.active << " of "
+          << contact.rows << " pairs touch (in this load step " << change.closed
+          << " closed, " << change.opened << " opened)";
       for (const auto &[side, n] :
            {std::make_pair("First", contact.unpaired),
             std::make_pair("Second", contact.unpaired_second)})
         if (n > 0)
           out << ", " << n << " points of " << side << " have no partner";
       out << "\n    force on '" << contact.second_name << "' "
-          << to_text(kkt.force) << force << "\n    penetration "
-          << to_text(kkt.max_penetration, 3) << length << ", "
-          << to_text(kkt.max_penetration / scene_size(*summary.structure), 2)
+          << to_text(kkt.force) << force;
+      if (kkt.active > 0)
+        out << ", its line of action through "
+            << to_text(kkt.centre_of_pressure);
+      out << "\n    penetration " << to_text(kkt.max_penetration, 3) << length
+          << ", " << to_text(kkt.max_penetration / results.size, 2)
           << " of the scene's size"
-          << (pair.enforcement == Enforcement::penalty ?
+          << (contact.enforcement == Enforcement::penalty ?
                 " (force over penalty, by design)" :
                 "")
           << "\n    Kuhn-Tucker: gaps hold the contact law to "
@@ -121,29 +126,84 @@ namespace lamella
           << to_text(kkt.min_force, 4) << force << ", force times open gap "
           << to_text(kkt.complementarity, 2) << work << "\n";
     }
+
+
+
+    void
+    print_resultants(std::ostream &out, const Results &results)
+    {
+      const Checks &checks = results.last().checks;
+      for (unsigned int s = 0; s < checks.reactions.size(); ++s)
+        {
+          const Resultant &reaction = checks.reactions[s];
+          out << "  support " << results.supports[s] << ": reaction "
+              << to_text(reaction.force) << unit(results.units.force)
+              << ", moment " << to_text(reaction.moment)
+              << unit(results.units.force, results.units.length) << " about "
+              << to_text(reaction.about) << "\n";
+        }
+      for (unsigned int k = 0; k < checks.contacts.size(); ++k)
+        print_contact(out, results, k);
+    }
+
+
+
+    void
+    print_cost(std::ostream &out, const Results &results)
+    {
+      out << "\nSeconds:\n ";
+      for (const std::string &phase : phase_names())
+        out << " " << phase << " " << seconds(results.seconds.at(phase)) << ",";
+      out << " total " << seconds(results.seconds.at("total"))
+          << "; peak memory " << std::lround(results.peak_memory / 1048576.)
+          << " MB";
+      if (results.processes > 1)
+        out << " (process with most), "
+            << std::lround(results.peak_memory_of_all / 1048576.) << " MB (all "
+            << results.processes << " processes)";
+      out << "\n";
+      for (const BodyFacts &body : results.bodies)
+        if (body.solver)
+          out << "Solver of " << body.name << ": "
+              << lamella::to_text(*body.solver) << "\n";
+    }
   } // namespace
 
 
 
   void
-  print_comparison(std::ostream                           &out,
-                   const std::vector<Probe>               &probes,
-                   const Recorder                         &recorder,
-                   const std::vector<ResultantReferences> &resultants)
+  print_comparison(std::ostream         &out,
+                   const Results        &results,
+                   const ReferenceLists &references)
   {
+    const StepResults &step  = results.last();
+    const auto        &names = field_names();
     Table table{{"quantity", "Lamella", "reference", "difference", "source"}};
-    for (unsigned int p = 0; p < probes.size(); ++p)
-      for (const Reference &reference : probes[p].references)
-        add_row(table,
-                probes[p].name,
-                recorder.probe_value(p, reference.quantity),
-                reference);
-    for (const ResultantReferences &resultant : resultants)
-      for (const Reference &reference : resultant.references)
-        add_row(table,
-                resultant.what,
-                resultant.force[reference.quantity[1] - 'x'],
-                reference);
+    for (unsigned int p = 0; p < step.probes.size(); ++p)
+      for (const Reference &reference : references.probes[p])
+        {
+          const auto place =
+            std::find(names.begin(), names.end(), reference.quantity);
+          add_row(table,
+                  results.probes[p],
+                  field_values(
+                    step.probes[p].front().sample)[place - names.begin()],
+                  reference);
+        }
+    const auto add_resultant = [&](const std::string            &what,
+                                   const Tensor<1, 3>           &force,
+                                   const std::vector<Reference> &of) {
+      for (const Reference &reference : of)
+        add_row(table, what, force[reference.quantity[1] - 'x'], reference);
+    };
+    for (unsigned int s = 0; s < results.supports.size(); ++s)
+      add_resultant("support " + results.supports[s],
+                    step.checks.reactions[s].force,
+                    references.supports[s]);
+    for (unsigned int k = 0; k < results.contacts.size(); ++k)
+      add_resultant("contact " + results.contacts[k].name,
+                    step.checks.contacts[k].force,
+                    references.contacts[k]);
     if (table.size() == 1)
       return;
     out << "\nResults beside their references:\n";
@@ -153,52 +213,27 @@ namespace lamella
 
 
   void
-  print_summary(std::ostream &out, const Summary &summary)
+  print_summary(std::ostream &out, const Results &results)
   {
-    const Checks     &checks = summary.checks;
-    const std::string force =
-      summary.units.force.empty() ? "" : " " + summary.units.force;
-
+    const StepResults &step   = results.last();
+    const Checks      &checks = step.checks;
     out << "\nForces and checks at the last load step:\n";
-    for (unsigned int s = 0; s < checks.reactions.size(); ++s)
-      out << "  support " << summary.support_names[s] << ": reaction "
-          << to_text(checks.reactions[s]) << force << "\n";
-    for (unsigned int k = 0; k < checks.contacts.size(); ++k)
-      print_contact(out, summary, k);
+    print_resultants(out, results);
     out << "  force balance " << to_text(checks.force_balance, 2)
         << ", residual " << to_text(checks.residual, 2) << ", energy balance "
         << to_text(checks.energy_balance, 2) << ", largest rotation "
         << to_text(checks.max_rotation, 3) << " rad\n";
-
     if (checks.stabilisation_energy > 0.)
       out << "  stabilising springs hold "
           << to_text(100. * checks.stabilisation_share, 2)
           << " % of the energy\n";
-
-    for (const auto &[line, jump] : summary.interface_jumps)
-      out << "  line " << line << ": tractions jump by " << percent(100. * jump)
-          << " of the largest at ply interfaces\n";
-
-    out << "\nSeconds:\n ";
-    for (const char *phase : {"setup",
-                              "assembly",
-                              "factorisation",
-                              "solve",
-                              "contact",
-                              "output",
-                              "total"})
-      out << " " << phase << " " << seconds(summary.seconds.at(phase))
-          << (std::string(phase) == "total" ? "" : ",");
-    out << "; peak memory " << std::lround(summary.peak_memory / 1048576.)
-        << " MB";
-    if (summary.processes > 1)
-      out << " (process with most), "
-          << std::lround(summary.peak_memory_of_all / 1048576.) << " MB (all "
-          << summary.processes << " processes)";
-    out << "\n";
-    for (const auto &[body, solver] : summary.solvers)
-      out << "Solver of " << body << ": " << lamella::to_text(solver) << "\n";
-    for (const std::string &warning : summary.warnings)
+    for (unsigned int l = 0; l < results.lines.size(); ++l)
+      if (step.jumps[l].interfaces > 0)
+        out << "  line " << results.lines[l] << ": tractions jump by "
+            << percent(100. * step.jumps[l].relative)
+            << " of the largest at ply interfaces\n";
+    print_cost(out, results);
+    for (const std::string &warning : results.all_warnings())
       out << "\nNote: " << warning << ".\n";
   }
 } // namespace lamella

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include <lamella/base/output_file.h>
 #include <lamella/report/summary.h>
 
 #include <nlohmann/json.hpp>
@@ -47,18 +46,6 @@ namespace lamella
 
 
 
-  double
-  scene_size(const Structure &structure)
-  {
-    dealii::BoundingBox<3> box = structure.bodies().front()->bounding_box();
-    for (const auto &body : structure.bodies())
-      box.merge_with(body->bounding_box());
-    const auto corners = box.get_boundary_points();
-    return corners.first.distance(corners.second);
-  }
-
-
-
   namespace
   {
     Json
@@ -70,39 +57,34 @@ namespace lamella
 
 
     Json
-    contact_json(const Summary &summary, const unsigned int k)
+    contact_json(const Results &results, const unsigned int k)
     {
-      const ContactInterface &contact = (*summary.contacts)[k];
-      const KuhnTucker       &kkt     = summary.checks.contacts[k];
-      double smallest = contact.rows.front().initial_gap, largest = smallest;
-      for (const GapRow &row : contact.rows)
-        {
-          smallest = std::min(smallest, row.initial_gap);
-          largest  = std::max(largest, row.initial_gap);
-        }
+      const ContactFacts       &contact = results.contacts[k];
+      const KuhnTucker         &kkt = results.steps.back().checks.contacts[k];
       std::vector<unsigned int> closed, opened;
-      for (const auto &change : summary.status_changes[k])
+      for (const StepResults &step : results.steps)
         {
-          closed.push_back(change.closed);
-          opened.push_back(change.opened);
+          closed.push_back(step.changes[k].closed);
+          opened.push_back(step.changes[k].opened);
         }
       return {{"discretisation", name_of(contact.discretisation)},
-              {"enforcement", name_of((*summary.pairs)[k].enforcement)},
-              {"rows", contact.rows.size()},
+              {"enforcement", name_of(contact.enforcement)},
+              {"rows", contact.rows},
               {"unpaired", contact.unpaired},
               {"unpaired_second", contact.unpaired_second},
               {"active", kkt.active},
               {"closed", closed},
               {"opened", opened},
               {"force", to_json(kkt.force)},
+              {"moment", to_json(kkt.moment)},
+              {"centre_of_pressure", to_json(kkt.centre_of_pressure)},
               {"max_penetration", kkt.max_penetration},
-              {"max_penetration_relative",
-               kkt.max_penetration / scene_size(*summary.structure)},
+              {"max_penetration_relative", kkt.max_penetration / results.size},
               {"min_force", kkt.min_force},
               {"complementarity", kkt.complementarity},
               {"law_error", kkt.law_error},
-              {"initial_gap_min", smallest},
-              {"initial_gap_max", largest}};
+              {"initial_gap_min", contact.initial_gap_min},
+              {"initial_gap_max", contact.initial_gap_max}};
     }
 
 
@@ -121,62 +103,85 @@ namespace lamella
         json["factor_non_zeros"] = solver.non_zeros;
       return json;
     }
+    /// What is known before a step is solved, and what the run cost.
+    Json
+    run_json(const Results &results)
+    {
+      constexpr double megabyte = 1024. * 1024.;
+      Json             json;
+      json["version"] = LAMELLA_VERSION;
+      json["title"]   = results.title;
+      json["units"]   = {{"length", results.units.length},
+                         {"force", results.units.force},
+                         {"stress", results.units.stress}};
+      for (const BodyFacts &body : results.bodies)
+        json["theory"][body.name] = body.theory;
+      json["dofs"] = results.n_dofs();
+      for (const BodyFacts &body : results.bodies)
+        {
+          json["bodies"][body.name]["dofs"] = body.dofs;
+          if (body.solver)
+            json["bodies"][body.name]["solver"] = solver_json(*body.solver);
+        }
+      for (const auto &[phase, seconds] : results.seconds)
+        json["seconds"][phase] = seconds;
+      json["processes"]             = results.processes;
+      json["peak_memory_mb"]        = results.peak_memory / megabyte;
+      json["peak_memory_of_all_mb"] = results.peak_memory_of_all / megabyte;
+      json["load_steps"]            = results.steps.size();
+      json["load_steps_of_scene"]   = results.load_steps;
+      return json;
+    }
+
+
+
+    /// Resultants and checks of the last load step.
+    void
+    add_last_step(const Results &results, Json &json)
+    {
+      const StepResults &last   = results.steps.back();
+      const Checks      &checks = last.checks;
+      for (unsigned int k = 0; k < results.contacts.size(); ++k)
+        json["contacts"][results.contacts[k].name] = contact_json(results, k);
+      for (unsigned int s = 0; s < results.supports.size(); ++s)
+        json["supports"][results.supports[s]] = {
+          {"reaction", to_json(checks.reactions[s].force)},
+          {"moment", to_json(checks.reactions[s].moment)},
+          {"about", to_json(checks.reactions[s].about)}};
+      json["force_balance"]        = checks.force_balance;
+      json["residual"]             = checks.residual;
+      json["max_rotation"]         = checks.max_rotation;
+      json["energy"]               = checks.energy;
+      json["external_work"]        = checks.external_work;
+      json["energy_balance"]       = checks.energy_balance;
+      json["stabilisation_energy"] = checks.stabilisation_energy;
+      json["condition_estimate"]   = results.condition_estimate;
+      json["free_corrections"]     = last.state.free_corrections;
+      json["contact_corrections"]  = last.state.contact_corrections;
+      json["interface_jumps"]      = Json::object();
+      for (unsigned int l = 0; l < results.lines.size(); ++l)
+        if (last.jumps[l].interfaces > 0)
+          json["interface_jumps"][results.lines[l]] = last.jumps[l].relative;
+    }
   } // namespace
 
 
 
-  void
-  write_summary(const Summary &summary, const std::string &directory)
+  std::string
+  summary_text(const Results &results)
   {
-    constexpr double megabyte = 1024. * 1024.;
-    Json             json;
-    json["version"] = LAMELLA_VERSION;
-    json["title"]   = summary.title;
-    json["units"]   = {{"length", summary.units.length},
-                       {"force", summary.units.force},
-                       {"stress", summary.units.stress}};
-    for (const auto &body : summary.structure->bodies())
-      json["theory"][body->name()] = body->theory();
-    json["dofs"] = summary.structure->n_dofs();
-    for (const auto &body : summary.structure->bodies())
-      json["bodies"][body->name()]["dofs"] = body->n_dofs();
-    for (const auto &[phase, seconds] : summary.seconds)
-      json["seconds"][phase] = seconds;
-    for (const auto &[body, solver] : summary.solvers)
-      json["bodies"][body]["solver"] = solver_json(solver);
-    json["processes"]             = summary.processes;
-    json["peak_memory_mb"]        = summary.peak_memory / megabyte;
-    json["peak_memory_of_all_mb"] = summary.peak_memory_of_all / megabyte;
-    json["load_steps"]            = summary.iterations.size();
-    json["iterations"]            = summary.iterations;
-    json["contacts"]              = Json::object();
-    json["supports"]              = Json::object();
-    const bool solved =
-      summary.checks.contacts.size() == summary.contacts->size();
-    for (unsigned int k = 0; solved && k < summary.contacts->size(); ++k)
-      json["contacts"][(*summary.contacts)[k].name] = contact_json(summary, k);
-    for (unsigned int s = 0; s < summary.checks.reactions.size(); ++s)
-      json["supports"][summary.support_names[s]]["reaction"] =
-        to_json(summary.checks.reactions[s]);
-    json["loads"] = Json::object();
-    for (const LoadResultant &load : summary.structure->load_resultants())
+    Json json        = run_json(results);
+    json["contacts"] = json["supports"] = json["loads"] = Json::object();
+    json["iterations"]                                  = Json::array();
+    for (const StepResults &step : results.steps)
+      json["iterations"].push_back(step.state.iterations);
+    for (const LoadResultant &load : results.loads)
       json["loads"][load.name] = {{"force", to_json(load.force)},
                                   {"moment", to_json(load.moment)}};
-    json["force_balance"]        = summary.checks.force_balance;
-    json["residual"]             = summary.checks.residual;
-    json["max_rotation"]         = summary.checks.max_rotation;
-    json["energy"]               = summary.checks.energy;
-    json["external_work"]        = summary.checks.external_work;
-    json["energy_balance"]       = summary.checks.energy_balance;
-    json["stabilisation_energy"] = summary.checks.stabilisation_energy;
-    json["condition_estimate"]   = summary.condition_estimate;
-    json["free_corrections"]     = summary.free_corrections;
-    json["contact_corrections"]  = summary.contact_corrections;
-    json["interface_jumps"]      = summary.interface_jumps;
-    json["converged"]            = summary.converged;
-    json["warnings"]             = summary.warnings;
-
-    write_file(directory + "/summary.json",
-               json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
+    if (!results.steps.empty())
+      add_last_step(results, json);
+    json["converged"] = results.converged;
+    json["warnings"]  = results.all_warnings();
+    return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
   }
 } // namespace lamella

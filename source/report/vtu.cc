@@ -2,7 +2,7 @@
 
 #include <lamella/base/output_file.h>
 #include <lamella/base/processes.h>
-#include <lamella/report/fields_table.h>
+#include <lamella/body/fields.h>
 #include <lamella/report/vtu.h>
 
 #include <deal.II/base/data_out_base.h>

@@ -24,6 +24,8 @@ far it is off; or writes it as an input deck of CalculiX.
                         results/SCENE-trade; of an export the deck, SCENE.inp)
   --set PATH=VALUE      override an entry, as in
                         --set "Body upper/Kinematics/Theory=LE-3"; repeatable
+  --resume              go on with a run that did not come to its end, after the
+                        load steps that its folder has
   --validate            check the scene and print its plies and stiffnesses
   --print-parameters    print all entries (with a scene: as they are resolved)
   --threads N           threads (default 1)
@@ -64,9 +66,15 @@ Exit status: 0 done, 1 a fault of the input, 2 a failure of the numerics.
         throw InputError("--calculix, --element and --contact-stiffness belong "
                          "to lamella export.");
       if (command.task != Task::run &&
-          (command.validate || command.print_parameters))
-        throw InputError("--validate and --print-parameters belong to a run: "
-                         "leave out trade or export.");
+          (command.validate || command.print_parameters || command.resume))
+        throw InputError(
+          "--validate, --print-parameters and --resume belong to "
+          "a run: leave out trade or export. (A trade goes on by "
+          "itself.)");
+      if (command.resume && (command.validate || command.print_parameters))
+        throw InputError(
+          "--resume goes on with a run; leave out --validate and "
+          "--print-parameters.");
       const bool needs_scene =
         !command.version && !command.help && !command.print_parameters;
       if (needs_scene && command.scene.empty())
@@ -112,6 +120,7 @@ Exit status: 0 done, 1 a fault of the input, 2 a failure of the numerics.
       {"--element", &result.element},
       {"--contact-stiffness", &result.contact_stiffness}};
     const std::map<std::string, bool *> flags{{"--calculix", &calculix},
+                                              {"--resume", &result.resume},
                                               {"--validate", &result.validate},
                                               {"--print-parameters",
                                                &result.print_parameters},

@@ -13,16 +13,6 @@
 
 namespace lamella
 {
-  const std::vector<std::string> &
-  phase_names()
-  {
-    static const std::vector<std::string> names{
-      "setup", "assembly", "factorisation", "solve", "contact", "output"};
-    return names;
-  }
-
-
-
   namespace
   {
     nlohmann::json

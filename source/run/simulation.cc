@@ -2,14 +2,12 @@
 
 #include <lamella/base/exceptions.h>
 #include <lamella/base/memory.h>
-#include <lamella/base/output_file.h>
 #include <lamella/base/processes.h>
 #include <lamella/base/text.h>
 #include <lamella/contact/assumptions.h>
 #include <lamella/report/console.h>
-#include <lamella/report/section_table.h>
+#include <lamella/report/results_writer.h>
 #include <lamella/report/validation.h>
-#include <lamella/report/vtu.h>
 #include <lamella/run/simulation.h>
 #include <lamella/scene/theory_notes.h>
 #include <lamella/solve/condensed_strategy.h>
@@ -35,6 +33,44 @@ namespace lamella
             << " cells; making its expansion, bodies and supports takes a while"
             << std::endl;
     }
+
+
+
+    ContactFacts
+    contact_facts(const ContactInterface &contact,
+                  const Enforcement       enforcement)
+    {
+      const auto [least, greatest] =
+        std::minmax_element(contact.rows.begin(),
+                            contact.rows.end(),
+                            [](const GapRow &a, const GapRow &b) {
+                              return a.initial_gap < b.initial_gap;
+                            });
+      return {contact.name,
+              contact.second_name,
+              contact.discretisation,
+              enforcement,
+              static_cast<unsigned int>(contact.rows.size()),
+              contact.unpaired,
+              contact.unpaired_second,
+              least->initial_gap,
+              greatest->initial_gap};
+    }
+
+
+
+    ReferenceLists
+    references_of(const Scene &scene)
+    {
+      ReferenceLists lists;
+      for (const Probe &probe : scene.probes)
+        lists.probes.push_back(probe.references);
+      for (const Support &support : scene.supports)
+        lists.supports.push_back(scene.support_references.at(support.name));
+      for (const ContactPair &contact : scene.contacts)
+        lists.contacts.push_back(scene.contact_references.at(contact.name));
+      return lists;
+    }
   } // namespace
 
 
@@ -46,79 +82,140 @@ namespace lamella
   {
     {
       TimerOutput::Scope scope(timer, "setup");
-      sections = build_section_meshes(scene);
-      tell_large_sections(sections, out);
-      std::vector<Stabilisation> stabilisations;
-      for (const BodyDescription &body : scene.bodies)
-        stabilisations.push_back(body.stabilisation);
-      structure = std::make_unique<Structure>(build_bodies(scene, sections),
-                                              scene.supports,
-                                              scene.loads,
-                                              stabilisations);
-      for (const auto &body : structure->bodies())
-        body->solver_kind(scene.solve.solver);
+      build_structure();
     }
     {
       TimerOutput::Scope scope(timer, "contact");
-      for (const ContactPair &contact : scene.contacts)
-        {
-          contacts.push_back(make_interface(contact, structure->bodies()));
-          gap_rows.insert(gap_rows.end(),
-                          contacts.back().rows.begin(),
-                          contacts.back().rows.end());
-        }
-      check_conflicts(contacts, structure->bodies());
-      for (const ContactPair &contact : scene.contacts)
-        search_checks.emplace_back(contact, structure->bodies());
+      build_contacts();
     }
     TimerOutput::Scope scope(timer, "setup");
-    for (const Support &support : scene.supports)
-      summary.support_names.push_back(support.name);
-    summary.title    = scene.title;
-    summary.warnings = scene.warnings;
-    for (const std::string &note : notes_on_theories(scene, sections))
-      summary.warnings.push_back(note);
-    for (const LoadResultant &load : structure->load_resultants())
-      summary.warnings.insert(summary.warnings.end(),
-                              load.notes.begin(),
-                              load.notes.end());
-    for (const ContactInterface &contact : contacts)
-      summary.warnings.insert(summary.warnings.end(),
-                              contact.notes.begin(),
-                              contact.notes.end());
-    summary.units     = scene.units;
-    summary.structure = structure.get();
-    summary.contacts  = &contacts;
-    summary.pairs     = &scene.contacts;
-    if (scene.write_vtu)
-      for (const ContactInterface &contact : contacts)
-        contact_surfaces.emplace_back(contact, *structure);
-    recorder = std::make_unique<Recorder>(*structure,
-                                          contacts,
-                                          summary.support_names,
-                                          scene.probes,
-                                          scene.lines,
-                                          scene.cuts);
+    sampler = std::make_unique<Sampler>(structure->bodies(),
+                                        scene.probes,
+                                        scene.lines,
+                                        scene.cuts);
+    describe();
+  }
+
+
+
+  Simulation::~Simulation() = default;
+
+
+
+  void
+  Simulation::build_structure()
+  {
+    sections = build_section_meshes(scene);
+    tell_large_sections(sections, out);
+    std::vector<Stabilisation> stabilisations;
+    for (const BodyDescription &body : scene.bodies)
+      stabilisations.push_back(body.stabilisation);
+    structure = std::make_unique<Structure>(build_bodies(scene, sections),
+                                            scene.supports,
+                                            scene.loads,
+                                            stabilisations);
+    for (const auto &body : structure->bodies())
+      body->solver_kind(scene.solve.solver);
   }
 
 
 
   void
-  Simulation::run(const std::string &directory)
+  Simulation::build_contacts()
+  {
+    for (const ContactPair &contact : scene.contacts)
+      {
+        contacts.push_back(make_interface(contact, structure->bodies()));
+        gap_rows.insert(gap_rows.end(),
+                        contacts.back().rows.begin(),
+                        contacts.back().rows.end());
+      }
+    check_conflicts(contacts, structure->bodies());
+    for (const ContactPair &contact : scene.contacts)
+      search_checks.emplace_back(contact, structure->bodies());
+  }
+
+
+
+  void
+  Simulation::describe()
+  {
+    found.title      = scene.title;
+    found.units      = scene.units;
+    found.load_steps = scene.solve.load_factors.size();
+    found.size       = structure->size();
+    found.loads      = structure->load_resultants();
+    for (const auto &body : structure->bodies())
+      found.bodies.push_back(
+        {body->name(), body->theory(), body->n_dofs(), {}});
+    for (unsigned int k = 0; k < contacts.size(); ++k)
+      found.contacts.push_back(
+        contact_facts(contacts[k], scene.contacts[k].enforcement));
+    for (const Support &support : scene.supports)
+      found.supports.push_back(support.name);
+    for (const Probe &probe : scene.probes)
+      found.probes.push_back(probe.name);
+    for (const Line &line : scene.lines)
+      found.lines.push_back(line.name);
+    for (const Cut &cut : scene.cuts)
+      found.cuts.push_back(cut.name);
+
+    const auto add = [this](const std::vector<std::string> &notes) {
+      found.notes.insert(found.notes.end(), notes.begin(), notes.end());
+    };
+    add(scene.warnings);
+    add(notes_on_theories(scene, sections));
+    for (const LoadResultant &load : structure->load_resultants())
+      add(load.notes);
+    for (const ContactInterface &contact : contacts)
+      add(contact.notes);
+  }
+
+
+
+  const Results &
+  Simulation::solve(const Observer &observer)
+  {
+    prepare();
+    const std::vector<double> &factors = scene.solve.load_factors;
+    while (found.steps.size() < factors.size())
+      {
+        const unsigned int step = found.steps.size() + 1;
+        out << "Load step " << step << " of " << factors.size()
+            << ", load factor " << factors[step - 1] << std::endl;
+        solve_step(step, factors[step - 1], observer);
+      }
+    found.endnotes  = strategy->warnings();
+    found.converged = true;
+    count_costs();
+    return found;
+  }
+
+
+
+  void
+  Simulation::prepare()
   {
     const MemoryBudget budget(scene.solve.memory_limit);
     const std::string  memory = budget.require_matrices(*structure);
-    folder                    = std::make_unique<ResultsFolder>(directory);
     print_bodies(out, *structure, contacts, scene.units);
     out << "Memory: " << memory << std::endl;
     {
       TimerOutput::Scope scope(timer, "assembly");
       structure->assemble(scene.solve.solver);
     }
-    {
-      TimerOutput::Scope scope(timer, "factorisation");
-      prepare_strategy(budget);
-    }
+    TimerOutput::Scope scope(timer, "factorisation");
+    if (scene.solve.strategy == Strategy::full)
+      strategy = std::make_unique<FullStrategy>(*structure, gap_rows);
+    else
+      {
+        structure->factorise([&](const Body &body, const FactorSize &size) {
+          out << "Memory: " << budget.require_factor(body, size) << std::endl;
+        });
+        strategy = std::make_unique<CondensedStrategy>(*structure, gap_rows);
+      }
+    if (!found.steps.empty())
+      strategy->recall(found.last().memory);
     newton           = std::make_unique<Newton>(*structure,
                                       gap_rows,
                                       *strategy,
@@ -129,39 +226,6 @@ namespace lamella
     newton->describe = [this](const unsigned int row) {
       return describe_row(row);
     };
-
-    try
-      {
-        for (unsigned int step = 1; step <= scene.solve.load_factors.size();
-             ++step)
-          solve_step(step, scene.solve.load_factors[step - 1]);
-        summary.converged = true;
-      }
-    catch (const NumericsError &error)
-      {
-        write_results();
-        if (folder->has_earlier_results())
-          throw NumericsError(std::string(error.what()) + " (The results in " +
-                              directory + " are of an earlier run.)");
-        throw;
-      }
-    write_results();
-  }
-
-
-
-  void
-  Simulation::prepare_strategy(const MemoryBudget &budget)
-  {
-    if (scene.solve.strategy == Strategy::full)
-      {
-        strategy = std::make_unique<FullStrategy>(*structure, gap_rows);
-        return;
-      }
-    structure->factorise([&](const Body &body, const FactorSize &size) {
-      out << "Memory: " << budget.require_factor(body, size) << std::endl;
-    });
-    strategy = std::make_unique<CondensedStrategy>(*structure, gap_rows);
   }
 
 
@@ -180,10 +244,10 @@ namespace lamella
 
 
   void
-  Simulation::solve_step(const unsigned int step, const double factor)
+  Simulation::solve_step(const unsigned int step,
+                         const double       factor,
+                         const Observer    &observer)
   {
-    out << "Load step " << step << " of " << scene.solve.load_factors.size()
-        << ", load factor " << factor << std::endl;
     const State previous = state;
     {
       TimerOutput::Scope scope(timer, "solve");
@@ -204,22 +268,53 @@ namespace lamella
       for (unsigned int k = 0; k < contacts.size(); ++k)
         search_checks[k].check(contacts[k], state.u, factor, active_rows(k));
     }
+    {
+      TimerOutput::Scope scope(timer, "output");
+      found.steps.push_back(take_results(step, factor, checks, previous));
+    }
+    if (!observer)
+      return;
+    count_costs();
     TimerOutput::Scope scope(timer, "output");
-    recorder->record(step, factor, state, checks);
-    summary.status_changes = recorder->status_changes();
-    if (scene.write_vtu)
-      write_vtu_files(step, factor);
-    for (const Recorder::InterfaceJump &jump : recorder->interface_jumps())
-      summary.interface_jumps[jump.line] = jump.relative;
-    summary.checks = checks;
-    summary.iterations.push_back(state.iterations);
-    summary.free_corrections    = state.free_corrections;
-    summary.contact_corrections = state.contact_corrections;
-    add_warnings(step, factor, checks);
-    if (step == scene.solve.load_factors.size())
-      for (const std::string &warning : strategy->warnings())
-        summary.warnings.push_back(warning);
-    summary.condition_estimate = strategy->condition_estimate();
+    observer(found);
+    if (step > 1)
+      found.steps[step - 2].drop_fields();
+  }
+
+
+
+  StepResults
+  Simulation::take_results(const unsigned int step,
+                           const double       factor,
+                           const Checks      &checks,
+                           const State       &previous) const
+  {
+    StepResults results;
+    results.step        = step;
+    results.load_factor = factor;
+    results.state       = state;
+    results.checks      = checks;
+    results.memory      = strategy->memory();
+    results.warnings    = warnings_of_step(factor, checks);
+    sampler->sample(state.u, results);
+    unsigned int row = 0;
+    for (const ContactInterface &contact : contacts)
+      {
+        auto &rows   = results.contacts.emplace_back();
+        auto &change = results.changes.emplace_back();
+        for (unsigned int k = 0; k < contact.rows.size(); ++k, ++row)
+          {
+            rows.push_back({contact.points[k],
+                            contact.rows[k].initial_gap,
+                            contact.rows[k].gap(state.u, factor),
+                            state.force[row]});
+            const bool touched =
+              !previous.force.empty() && previous.force[row] > 0.;
+            change.closed += rows.back().touches() && !touched;
+            change.opened += !rows.back().touches() && touched;
+          }
+      }
+    return results;
   }
 
 
@@ -239,96 +334,84 @@ namespace lamella
 
 
 
-  void
-  Simulation::add_warnings(const unsigned int step,
-                           const double       factor,
-                           const Checks      &checks)
+  std::vector<std::string>
+  Simulation::warnings_of_step(const double factor, const Checks &checks) const
   {
     std::vector<std::string> warnings = warnings_of(state, checks, contacts);
     for (unsigned int k = 0; k < contacts.size(); ++k)
       for (const std::string &warning : broken_assumptions(
              contacts[k], structure->bodies(), state.u, factor, active_rows(k)))
         warnings.push_back(warning);
-    for (const std::string &warning : warnings)
-      summary.warnings.push_back((scene.solve.load_factors.size() > 1 ?
-                                    "load step " + std::to_string(step) + ": " :
-                                    "") +
-                                 warning);
+    return warnings;
   }
 
 
 
   void
-  Simulation::write_vtu_files(const unsigned int step, const double factor)
+  Simulation::count_costs()
   {
-    folder->make_room();
-    vtu_files["solution"].emplace_back(
-      step, write_vtu(folder->path(), step, factor, *structure, state.u));
-    if (!is_speaker())
-      return;
-    unsigned int first_row = 0;
-    for (unsigned int k = 0; k < contacts.size(); ++k)
-      {
-        vtu_files["contact_" + contacts[k].name].emplace_back(
-          step,
-          contact_surfaces[k].write_vtu(
-            folder->path(), step, factor, state, first_row));
-        first_row += contacts[k].rows.size();
-      }
-  }
-
-
-
-  void
-  Simulation::write_results()
-  {
-    // Where nothing was solved nothing is left behind.
-    if (summary.iterations.empty())
-      return;
-    if (scene.solve.strategy == Strategy::condensed)
-      for (const auto &body : structure->bodies())
-        summary.solvers[body->name()] = body->solver().statistics();
-    summary.processes   = n_processes();
-    summary.peak_memory = Utilities::MPI::max(peak_memory(), communicator());
-    summary.peak_memory_of_all =
-      Utilities::MPI::sum(peak_memory(), communicator());
-    folder->make_room();
-    if (!is_speaker())
-      return;
-    const std::string &directory = folder->path();
-    {
-      TimerOutput::Scope scope(timer, "output");
-      recorder->write(directory);
-      for (const auto &[name, files] : vtu_files)
-        write_pvd(directory, name, files);
-      for (const auto &[name, section] : sections)
-        write_section(directory, name, *section);
-      write_file(directory + "/scene.prm", scene.resolved);
-    }
-    for (const char *phase :
-         {"setup", "assembly", "factorisation", "solve", "contact", "output"})
-      summary.seconds[phase] = 0.;
+    for (const std::string &phase : phase_names())
+      found.seconds[phase] = 0.;
     for (const auto &[phase, seconds] :
          timer.get_summary_data(TimerOutput::total_wall_time))
-      summary.seconds[phase] = seconds;
-    summary.seconds["total"] = wall.wall_time();
-    write_summary(summary, directory);
+      found.seconds[phase] = seconds;
+    found.seconds["total"]   = wall.wall_time();
+    found.condition_estimate = strategy->condition_estimate();
+    found.processes          = n_processes();
+    found.peak_memory = Utilities::MPI::max(peak_memory(), communicator());
+    found.peak_memory_of_all =
+      Utilities::MPI::sum(peak_memory(), communicator());
+    if (scene.solve.strategy == Strategy::condensed)
+      for (unsigned int b = 0; b < found.bodies.size(); ++b)
+        found.bodies[b].solver = structure->bodies()[b]->solver().statistics();
+  }
 
-    std::vector<ResultantReferences> resultants;
-    for (unsigned int s = 0; s < scene.supports.size(); ++s)
-      resultants.push_back(
-        {"support " + scene.supports[s].name,
-         summary.checks.reactions[s],
-         scene.support_references.at(scene.supports[s].name)});
-    for (unsigned int k = 0; k < contacts.size(); ++k)
-      resultants.push_back({"contact " + contacts[k].name,
-                            summary.checks.contacts[k].force,
-                            scene.contact_references.at(contacts[k].name)});
-    if (scene.solve.load_factors.size() > 1)
-      out << "\nOf load step " << summary.iterations.size() << ", load factor "
-          << scene.solve.load_factors[summary.iterations.size() - 1] << ":";
-    print_comparison(out, scene.probes, *recorder, resultants);
-    print_summary(out, summary);
+
+
+  void
+  Simulation::run(const std::string &directory, const bool resume)
+  {
+    ResultsWriter writer(
+      directory,
+      {*structure, contacts, sections, scene.resolved, scene.write_vtu});
+    if (resume)
+      {
+        found.steps = writer.resume();
+        state       = found.steps.back().state;
+        out << "Going on after load step " << found.steps.size() << " of "
+            << found.load_steps << std::endl;
+      }
+    try
+      {
+        solve([&](const Results &results) { writer.write_step(results); });
+      }
+    catch (const NumericsError &error)
+      {
+        if (!found.steps.empty())
+          {
+            count_costs();
+            writer.write_end(found);
+            print_results(directory);
+          }
+        if (writer.folder().has_earlier_results())
+          throw NumericsError(std::string(error.what()) + " (The results in " +
+                              directory + " are of an earlier run.)");
+        throw;
+      }
+    writer.write_end(found);
+    print_results(directory);
+  }
+
+
+
+  void
+  Simulation::print_results(const std::string &directory) const
+  {
+    if (found.load_steps > 1)
+      out << "\nOf load step " << found.steps.size() << ", load factor "
+          << found.last().load_factor << ":";
+    print_comparison(out, found, references_of(scene));
+    print_summary(out, found);
     out << "\nResults are in " << directory
         << " (summary.json, probes.csv, solution.pvd, ...)" << std::endl;
   }
@@ -351,7 +434,7 @@ namespace lamella
         print_section(
           out, name, name_of(shape), *sections.at(name), scene.units);
     print_bodies(out, *structure, contacts, scene.units);
-    for (const std::string &warning : summary.warnings)
+    for (const std::string &warning : found.notes)
       out << "Note: " << warning << ".\n";
     out << "The scene is valid; nothing was solved or written." << std::endl;
   }

@@ -2,7 +2,7 @@
 
 #include <lamella/base/exceptions.h>
 #include <lamella/base/text.h>
-#include <lamella/report/fields_table.h>
+#include <lamella/body/fields.h>
 #include <lamella/scene/trade_parameters.h>
 #include <lamella/section/theory.h>
 

@@ -50,6 +50,24 @@ namespace lamella
 
 
 
+    /// The middle of the box around the points that each of @p n supports
+    /// holds.
+    std::vector<Point<3>>
+    middles_of_supports(const std::vector<PrescribedRow> &rows,
+                        const unsigned int                n)
+    {
+      std::vector<std::vector<Point<3>>> points(n);
+      for (const PrescribedRow &row : rows)
+        points[row.support].push_back(row.position);
+      std::vector<Point<3>> middles(n);
+      for (unsigned int s = 0; s < n; ++s)
+        if (!points[s].empty())
+          middles[s] = BoundingBox<3>(points[s]).center();
+      return middles;
+    }
+
+
+
     /// Fills reactions and their work; adds them to the bodies' resultants.
     double
     add_reactions(const Structure         &structure,
@@ -77,7 +95,11 @@ namespace lamella
             }
           for (unsigned int s = 0; s < of_support.size(); ++s)
             {
-              checks.reactions[s] += of_support[s];
+              Resultant &reaction = checks.reactions[s];
+              reaction.force += of_support[s];
+              reaction.moment +=
+                moment[s] +
+                cross_product_3d(body.centre() - reaction.about, of_support[s]);
               on_body[b].add(of_support[s], moment[s].norm() / body.size());
             }
         }
@@ -351,7 +373,9 @@ namespace lamella
               const double                         factor)
   {
     Checks checks;
-    checks.reactions.resize(n_supports);
+    for (const Point<3> &middle :
+         middles_of_supports(structure.prescribed(), n_supports))
+      checks.reactions.push_back({{}, {}, middle});
     std::vector<Resultants> on_body(structure.bodies().size());
 
     std::vector<std::vector<Vector>> rigid;

@@ -27,6 +27,9 @@ namespace lamella
           entries.emplace_back(entries.size() + 1, 0.);
           fresh.push_back(r);
         }
+    if (fresh.empty())
+      return;
+    included.push_back(fresh);
 
     for (unsigned int b = 0; b < bodies.size(); ++b)
       {

@@ -241,6 +241,26 @@ namespace lamella
 
 
 
+  StrategyMemory
+  CondensedStrategy::memory() const
+  {
+    StrategyMemory memory = ContactStrategy::memory();
+    memory.rows           = compliance.batches();
+    return memory;
+  }
+
+
+
+  void
+  CondensedStrategy::recall(const StrategyMemory &memory)
+  {
+    ContactStrategy::recall(memory);
+    for (const std::vector<unsigned int> &batch : memory.rows)
+      compliance.include(batch);
+  }
+
+
+
   double
   CondensedStrategy::condition_estimate() const
   {

@@ -69,6 +69,18 @@ namespace lamella
 
 
 
+  double
+  Structure::size() const
+  {
+    dealii::BoundingBox<3> box = all_bodies.front()->bounding_box();
+    for (const auto &body : all_bodies)
+      box.merge_with(body->bounding_box());
+    const auto corners = box.get_boundary_points();
+    return corners.first.distance(corners.second);
+  }
+
+
+
   BlockVector
   Structure::zero() const
   {

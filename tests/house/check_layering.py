@@ -13,10 +13,10 @@ from pathlib import Path
 
 # Lowest first; a room includes itself and what is below it.
 ROOMS = ("base", "material", "section", "axis", "body", "conditions", "contact",
-         "solve", "adapt", "report", "scene", "run")
+         "solve", "recover", "adapt", "report", "scene", "run")
 
 # These see bodies through their interface alone.
-BLIND_TO_KINDS_OF_BODIES = ("contact", "solve", "report")
+BLIND_TO_KINDS_OF_BODIES = ("contact", "solve", "recover", "report")
 KINDS_OF_BODIES = re.compile(r"lamella/body/(beam|solid)\w*\.h")
 
 LICENSE = "// SPDX-License-Identifier: LGPL-2.1-or-later"

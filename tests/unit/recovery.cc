@@ -10,7 +10,7 @@
 #include "fixtures.h"
 
 #include <lamella/base/exceptions.h>
-#include <lamella/report/recovery.h>
+#include <lamella/recover/recovery.h>
 #include <lamella/section/shapes.h>
 
 #include <deal.II/base/quadrature_lib.h>

@@ -6,7 +6,7 @@
 
 #include "harmonic.h"
 
-#include <lamella/report/recovery.h>
+#include <lamella/recover/recovery.h>
 
 #include <boost/test/unit_test.hpp>
 

@@ -107,7 +107,7 @@ BOOST_AUTO_TEST_CASE(two_cubes_pressure_and_penetration)
   // On the lower cube downwards, the same from its floor, and the energies.
   const double force = p * side * side;
   BOOST_TEST(std::abs(checks.contacts[0].force[2] / -force - 1.) < 1e-10);
-  BOOST_TEST(std::abs(checks.reactions[1][2] / force - 1.) < 1e-10);
+  BOOST_TEST(std::abs(checks.reactions[1].force[2] / force - 1.) < 1e-10);
   // It acts in the middle of the face, and has a moment about the origin.
   const Point<3> middle(0.5 * side, 0.5 * side, side + gap);
   BOOST_TEST(checks.contacts[0].centre_of_pressure.distance(middle) <
@@ -117,7 +117,7 @@ BOOST_AUTO_TEST_CASE(two_cubes_pressure_and_penetration)
   BOOST_TEST((checks.contacts[0].moment - moment).norm() < 1e-10 * force);
   BOOST_TEST(checks.contacts[0].imbalance < 1e-12);
   BOOST_TEST(checks.contacts[0].violation < 1e-12);
-  BOOST_TEST(std::abs(checks.reactions[0][2] / -force - 1.) < 1e-10);
+  BOOST_TEST(std::abs(checks.reactions[0].force[2] / -force - 1.) < 1e-10);
   BOOST_TEST(std::abs(checks.energy / (p * p / E * side * side * side) - 1.) <
              1e-10);
   // Half the upper face's force times its displacement; the difference to the

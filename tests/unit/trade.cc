@@ -4,6 +4,7 @@
 #include <lamella/run/ladder.h>
 #include <lamella/run/trade_picture.h>
 #include <lamella/run/trade_table.h>
+#include <lamella/solve/results.h>
 
 #include <boost/test/unit_test.hpp>
 

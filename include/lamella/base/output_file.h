@@ -41,6 +41,11 @@ namespace lamella
   void
   write_file(const std::string &path, const std::string &text);
 
+  /// Adds @p text to the end of the file @p path, whole: throws InputError if
+  /// that fails, and leaves the file as it was.
+  void
+  append_to_file(const std::string &path, const std::string &text);
+
   /// InputError for a file that could not be written, with the system's reason.
   [[noreturn]] void
   fail_to_write(const std::string &path);

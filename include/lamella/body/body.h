@@ -230,9 +230,9 @@ namespace lamella
     position(const Location::Place &place) const = 0;
 
     /**
-     * How the recovery of strains sees an element (report/recovery.h): for each
-     * unit coordinate the degree of the displacements whose derivatives are
-     * best at that many Gauss points. Zero along a coordinate in which one
+     * How the recovery of strains sees an element (recover/recovery.h): for
+     * each unit coordinate the degree of the displacements whose derivatives
+     * are best at that many Gauss points. Zero along a coordinate in which one
      * expansion spans all elements, so that strains are smooth there and leave
      * nothing to recover: across the section of Taylor theories.
      */

@@ -34,6 +34,16 @@ namespace lamella
   /// The mean of the @p samples at the places of a location, with their jump.
   FieldSample
   mean_of(const std::vector<FieldSample> &samples);
+
+  /// ux ... uz, exx ... gyz, sxx ... syz, s11 ... s23, jump.
+  const std::vector<std::string> &
+  field_names();
+
+  /// The values of @p sample in the order of field_names(). Strains and
+  /// stresses are printed in the order of the CSV files, exx, eyy, ezz, gxy,
+  /// gxz, gyz, which is that of Eq. 4.
+  std::vector<double>
+  field_values(const FieldSample &sample);
 } // namespace lamella
 
 #endif

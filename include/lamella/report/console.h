@@ -3,8 +3,8 @@
 #ifndef lamella_report_console_h
 #define lamella_report_console_h
 
-#include <lamella/report/recorder.h>
-#include <lamella/report/summary.h>
+#include <lamella/recover/requests.h>
+#include <lamella/solve/results.h>
 
 #include <iosfwd>
 
@@ -18,26 +18,23 @@ namespace lamella
   void
   print_table(std::ostream &out, const TextTable &table);
 
-  /// References of a contact's or a support's resultant.
-  struct ResultantReferences
+  /// What a scene compares its results with.
+  struct ReferenceLists
   {
-    /// As in the scene: `Contact middle`.
-    std::string            what;
-    dealii::Tensor<1, 3>   force;
-    std::vector<Reference> references;
+    /// Of each probe, support and contact, in the order of Results.
+    std::vector<std::vector<Reference>> probes, supports, contacts;
   };
 
   /// Prints the results that have references, a row each: what, the result, the
   /// reference, the difference in percent, the source. Nothing without any.
   void
-  print_comparison(std::ostream                           &out,
-                   const std::vector<Probe>               &probes,
-                   const Recorder                         &recorder,
-                   const std::vector<ResultantReferences> &resultants);
+  print_comparison(std::ostream         &out,
+                   const Results        &results,
+                   const ReferenceLists &references);
 
-  /// Prints DoFs, checks, contact state, reactions, seconds and memory.
+  /// Prints checks, contact state, reactions, seconds and memory.
   void
-  print_summary(std::ostream &out, const Summary &summary);
+  print_summary(std::ostream &out, const Results &results);
 } // namespace lamella
 
 #endif

@@ -36,6 +36,13 @@ namespace lamella
     void
     make_room();
 
+    /// What an earlier run has left stays: this one goes on with it.
+    void
+    keep()
+    {
+      has_room = true;
+    }
+
     /// Whether an earlier run's summary is there.
     bool
     has_earlier_results() const;

@@ -26,11 +26,13 @@ namespace lamella
     /// Of CalculiX; empty if not given.
     std::string              element, contact_stiffness;
     std::vector<std::string> overrides;
-    unsigned int             threads          = 1;
-    bool                     validate         = false;
-    bool                     print_parameters = false;
-    bool                     version          = false;
-    bool                     help             = false;
+    unsigned int             threads = 1;
+    /// Go on with the run in `output`.
+    bool resume           = false;
+    bool validate         = false;
+    bool print_parameters = false;
+    bool version          = false;
+    bool help             = false;
 
     /// Throws InputError for words that it does not know.
     static CommandLine

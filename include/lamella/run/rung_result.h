@@ -31,10 +31,6 @@ namespace lamella
     bool   overridden = false;
   };
 
-  /// The phases of a run, in the order of its work.
-  const std::vector<std::string> &
-  phase_names();
-
   /// The file of a run that holds its results, read.
   class RunFiles
   {

@@ -4,17 +4,15 @@
 #define lamella_run_simulation_h
 
 #include <lamella/contact/search_check.h>
-#include <lamella/report/contact_surface.h>
-#include <lamella/report/recorder.h>
-#include <lamella/report/results_folder.h>
-#include <lamella/report/summary.h>
+#include <lamella/recover/sampler.h>
 #include <lamella/scene/scene.h>
-#include <lamella/solve/checks.h>
 #include <lamella/solve/memory_budget.h>
 #include <lamella/solve/newton.h>
+#include <lamella/solve/results.h>
 
 #include <deal.II/base/timer.h>
 
+#include <functional>
 #include <iosfwd>
 #include <memory>
 #include <string>
@@ -27,14 +25,36 @@ namespace lamella
   public:
     /// Builds everything that a scene can be wrong in: bodies, supports, loads,
     /// contacts, probes. Throws InputError; nothing is written. Progress goes
-    /// to
-    /// @p out. @p scene is referred to.
+    /// to @p out. @p scene is referred to.
     Simulation(const Scene &scene, std::ostream &out);
+    ~Simulation();
 
-    /// Solves all load steps and writes the results into @p directory. Throws
-    /// NumericsError; the load steps before the failing one are then written.
+    /// Is handed the results each time that a load step is added to them.
+    using Observer = std::function<void(const Results &)>;
+
+    /**
+     * Solves all load steps. Throws InputError if the memory does not suffice,
+     * NumericsError for a step that cannot be solved; results() then has those
+     * before it. With an @p observer the state and the tables of a step are
+     * dropped when the next one is there: what it has not taken is gone.
+     */
+    const Results &
+    solve(const Observer &observer = {});
+
+    /// What is solved so far.
+    const Results &
+    results() const
+    {
+      return found;
+    }
+
+    /**
+     * solve(), each step written into @p directory when it is done
+     * (ResultsWriter), and what a user wants to read of it to the output. With
+     * @p resume the run that is there goes on after the steps that it has.
+     */
     void
-    run(const std::string &directory);
+    run(const std::string &directory, const bool resume = false);
 
     /// Prints plies, laminate stiffnesses, bodies and contacts, without
     /// solving.
@@ -42,52 +62,62 @@ namespace lamella
     print_validation() const;
 
   private:
-    /// Factorises what the strategy needs, if it fits into @p budget.
+    // Building.
     void
-    prepare_strategy(const MemoryBudget &budget);
+    build_structure();
+    void
+    build_contacts();
+    void
+    describe();
+
+    // Solving.
+    void
+    prepare();
+    void
+    solve_step(const unsigned int step,
+               const double       factor,
+               const Observer    &observer);
+    StepResults
+    take_results(const unsigned int step,
+                 const double       factor,
+                 const Checks      &checks,
+                 const State       &previous) const;
+    /// Seconds, memory and solvers so far.
+    void
+    count_costs();
+
     /// Contact, body and position of the gap row @p row, for messages.
     std::string
     describe_row(unsigned int row) const;
-    void
-    solve_step(const unsigned int step, const double factor);
     /// Those of one contact, numbered from 0.
     std::vector<unsigned int>
     active_rows(const unsigned int contact) const;
     /// What the user should know of this load step.
+    std::vector<std::string>
+    warnings_of_step(const double factor, const Checks &checks) const;
     void
-    add_warnings(const unsigned int step,
-                 const double       factor,
-                 const Checks      &checks);
-    void
-    write_vtu_files(const unsigned int step, const double factor);
-    void
-    write_results();
+    print_results(const std::string &directory) const;
 
     // What is to be solved.
-    const Scene                  &scene;
-    std::ostream                 &out;
-    dealii::TimerOutput           timer;
-    dealii::Timer                 wall;
+    const Scene        &scene;
+    std::ostream       &out;
+    dealii::TimerOutput timer;
+    dealii::Timer       wall;
+    /// All sections of the scene, whether a body has them or not.
+    SectionMeshes                 sections;
     std::unique_ptr<Structure>    structure;
     std::vector<ContactInterface> contacts;
     std::vector<SearchCheck>      search_checks;
+    std::unique_ptr<Sampler>      sampler;
 
     // How it is solved.
     std::vector<GapRow>              gap_rows;
     std::unique_ptr<ContactStrategy> strategy;
     std::unique_ptr<Newton>          newton;
 
-    // Where it stands, and what is kept.
-    State                     state;
-    Summary                   summary;
-    std::unique_ptr<Recorder> recorder;
-    /// All sections of the scene, whether a body has them or not.
-    SectionMeshes                  sections;
-    std::unique_ptr<ResultsFolder> folder;
-    std::vector<ContactSurface>    contact_surfaces;
-    /// Name of a collection -> its load steps with their files.
-    std::map<std::string, std::vector<std::pair<double, std::string>>>
-      vtu_files;
+    // Where it stands, and what was found.
+    State   state;
+    Results found;
   };
 } // namespace lamella
 

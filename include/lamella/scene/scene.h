@@ -11,7 +11,7 @@
 #include <lamella/conditions/stabilisation.h>
 #include <lamella/conditions/support.h>
 #include <lamella/contact/parameters.h>
-#include <lamella/report/requests.h>
+#include <lamella/recover/requests.h>
 #include <lamella/scene/scene_text.h>
 #include <lamella/scene/trade_parameters.h>
 #include <lamella/section/shapes.h>

@@ -3,7 +3,7 @@
 #ifndef lamella_scene_trade_parameters_h
 #define lamella_scene_trade_parameters_h
 
-#include <lamella/report/requests.h>
+#include <lamella/recover/requests.h>
 
 #include <deal.II/base/parameter_handler.h>
 

@@ -44,12 +44,20 @@ namespace lamella
     double violation = 0.;
   };
 
+  /// A force and its moment about a point, scene components.
+  struct Resultant
+  {
+    dealii::Tensor<1, 3> force, moment;
+    dealii::Point<3>     about;
+  };
+
   /// What every load step is checked for.
   struct Checks
   {
-    /// Of each support, the force on the bodies, scene components.
-    std::vector<dealii::Tensor<1, 3>> reactions;
-    std::vector<KuhnTucker>           contacts;
+    /// Of each support, what it does to the bodies; the moment about the middle
+    /// of the box around the points that it holds.
+    std::vector<Resultant>  reactions;
+    std::vector<KuhnTucker> contacts;
     /// The largest sum of all forces on one body over the largest single force.
     double force_balance = 0.;
     /// |G^T (t f + B^T lambda - internal)| / |internal|, maximum norms.

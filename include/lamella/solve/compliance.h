@@ -27,6 +27,14 @@ namespace lamella
     void
     include(const std::vector<unsigned int> &wanted);
 
+    /// The known rows, as they were included together: included again in these
+    /// batches they have the same compliance to the last bit.
+    const std::vector<std::vector<unsigned int>> &
+    batches() const
+    {
+      return included;
+    }
+
     bool
     knows(const unsigned int row) const
     {
@@ -63,6 +71,8 @@ namespace lamella
     /// triangle by rows.
     std::vector<unsigned int>        place;
     std::vector<std::vector<double>> entries;
+
+    std::vector<std::vector<unsigned int>> included;
   };
 } // namespace lamella
 

@@ -42,6 +42,12 @@ namespace lamella
     ContactSolution
     settle(const ContactProblem &problem, const Monitor &monitor) override;
 
+    StrategyMemory
+    memory() const override;
+
+    void
+    recall(const StrategyMemory &memory) override;
+
     double
     condition_estimate() const override;
 

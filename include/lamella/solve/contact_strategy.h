@@ -50,6 +50,16 @@ namespace lamella
     double                    violation = 0.;
   };
 
+  /// What a strategy has learnt in the load steps so far. Another one of the
+  /// same scene that recalls it gives the same numbers to the last bit.
+  struct StrategyMemory
+  {
+    /// Of stiffen().
+    double stiffening = 1.;
+    /// The rows whose compliance is known, as they became known together.
+    std::vector<std::vector<unsigned int>> rows;
+  };
+
   /// Is told of each round; what it throws ends the search.
   using Monitor = std::function<void(const Round &)>;
 
@@ -95,6 +105,18 @@ namespace lamella
     /// 1000 times what it was.
     bool
     stiffen();
+
+    virtual StrategyMemory
+    memory() const
+    {
+      return {stiffening, {}};
+    }
+
+    virtual void
+    recall(const StrategyMemory &memory)
+    {
+      stiffening = memory.stiffening;
+    }
 
     /// The largest estimate of a condition number met so far, 0 if unknown.
     virtual double

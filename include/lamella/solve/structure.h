@@ -88,6 +88,11 @@ namespace lamella
     DofIndex
     n_dofs() const;
 
+    /// The diagonal of the box around all bodies: what lengths are compared
+    /// with.
+    double
+    size() const;
+
     /// A vector of zeros, a block per body.
     BlockVector
     zero() const;

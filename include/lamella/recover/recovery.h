@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#ifndef lamella_report_recovery_h
-#define lamella_report_recovery_h
+#ifndef lamella_recover_recovery_h
+#define lamella_recover_recovery_h
 
 #include <lamella/body/body.h>
-#include <lamella/report/patch_fit.h>
+#include <lamella/recover/patch_fit.h>
 
 #include <map>
 #include <memory>

@@ -2,7 +2,7 @@
 
 #include <lamella/base/exceptions.h>
 #include <lamella/base/text.h>
-#include <lamella/report/recovery.h>
+#include <lamella/recover/recovery.h>
 
 #include <deal.II/base/quadrature_lib.h>
 

@@ -2,9 +2,9 @@
 
 #include <lamella/base/exceptions.h>
 #include <lamella/base/text.h>
+#include <lamella/body/fields.h>
 #include <lamella/conditions/parameters.h>
-#include <lamella/report/fields_table.h>
-#include <lamella/report/requests.h>
+#include <lamella/recover/requests.h>
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include <lamella/report/patch_fit.h>
+#include <lamella/recover/patch_fit.h>
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#ifndef lamella_report_patch_fit_h
-#define lamella_report_patch_fit_h
+#ifndef lamella_recover_patch_fit_h
+#define lamella_recover_patch_fit_h
 
 #include <deal.II/base/point.h>
 

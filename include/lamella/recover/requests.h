@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#ifndef lamella_report_requests_h
-#define lamella_report_requests_h
+#ifndef lamella_recover_requests_h
+#define lamella_recover_requests_h
 
-#include <lamella/report/recovery.h>
+#include <lamella/recover/recovery.h>
 
 #include <deal.II/base/parameter_handler.h>
 #include <deal.II/base/point.h>

@@ -1,0 +1,252 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <lamella/base/exceptions.h>
+#include <lamella/base/text.h>
+#include <lamella/recover/sampler.h>
+
+#include <algorithm>
+#include <array>
+
+namespace lamella
+{
+  using namespace dealii;
+
+  Sampler::Sampler(const Bodies             &bodies,
+                   const std::vector<Probe> &probes,
+                   const std::vector<Line>  &lines,
+                   const std::vector<Cut>   &cuts)
+    : bodies(bodies)
+    , probes(probes)
+    , lines(lines)
+    , cuts(cuts)
+  {
+    for (const Probe &probe : probes)
+      probe_locations.push_back(locate_sides(*bodies[probe.body],
+                                             {probe.position},
+                                             "Probe " + probe.name)
+                                  .front());
+    for (const Line &line : lines)
+      line_places.push_back(places_of(line));
+    for (const Cut &cut : cuts)
+      check_cut(cut);
+  }
+
+
+
+  void
+  Sampler::check_cut(const Cut &cut) const
+  {
+    const Body &body = *bodies[cut.body];
+    if (body.cut(cut.position, 1, Vector(body.n_dofs())).empty())
+      throw InputError("Cut " + cut.name + "/At: the axis of body '" +
+                       body.name() + "' does not reach " +
+                       to_text(cut.position) +
+                       ". Give a distance from its start, up to its Length.");
+  }
+
+
+
+  std::vector<Sampler::LinePlace>
+  Sampler::places_of(const Line &line) const
+  {
+    const Body       &body  = *bodies[line.body];
+    const std::string what  = "Line " + line.name;
+    const auto        point = [&line](const double t) {
+      return line.from + t * (line.to - line.from);
+    };
+    locate_all(body, {line.from, line.to}, what);
+
+    // Pieces of one ply each: elements of the same ply are merged. A line in an
+    // interface has two sides, the lower ply first, then all of the upper one.
+    struct Piece
+    {
+      double       begin, end;
+      unsigned int ply;
+    };
+    std::array<std::vector<Piece>, 2> sides;
+    const std::vector<double> breaks = body.line_breaks(line.from, line.to);
+    std::vector<Point<3>>     middles;
+    for (unsigned int k = 0; k + 1 < breaks.size(); ++k)
+      middles.push_back(point(0.5 * (breaks[k] + breaks[k + 1])));
+    const auto found = locate_sides(body, middles, what);
+    for (unsigned int k = 0; k < middles.size(); ++k)
+      for (unsigned int side = 0;
+           side < std::min<std::size_t>(2, found[k].size());
+           ++side)
+        {
+          const unsigned int  ply    = found[k][side].ply;
+          std::vector<Piece> &pieces = sides[side];
+          if (!pieces.empty() && pieces.back().ply == ply &&
+              pieces.back().end == breaks[k])
+            pieces.back().end = breaks[k + 1];
+          else
+            pieces.push_back({breaks[k], breaks[k + 1], ply});
+        }
+
+    std::vector<LinePlace> places;
+    for (const std::vector<Piece> &pieces : sides)
+      for (const Piece &piece : pieces)
+        for (unsigned int i = 0; i < line.samples; ++i)
+          {
+            const double t =
+              piece.begin + (piece.end - piece.begin) * i / (line.samples - 1);
+            const auto both = body.locate({point(t)});
+            for (const Location &location : both.front())
+              if (location.ply == piece.ply)
+                places.push_back({t * line.from.distance(line.to), location});
+          }
+    return places;
+  }
+
+
+
+  class Sampler::Recoveries
+  {
+  public:
+    Recoveries(const Bodies &bodies, const BlockVector &u)
+      : bodies(bodies)
+      , u(u)
+    {}
+
+    StressRecovery &
+    operator()(const unsigned int body, const StressValues values)
+    {
+      std::unique_ptr<StressRecovery> &recovery = all[{body, values}];
+      if (recovery == nullptr)
+        recovery = std::make_unique<StressRecovery>(*bodies[body],
+                                                    u.block(body),
+                                                    values);
+      return *recovery;
+    }
+
+  private:
+    const Bodies      &bodies;
+    const BlockVector &u;
+    std::map<std::pair<unsigned int, StressValues>,
+             std::unique_ptr<StressRecovery>>
+      all;
+  };
+
+
+
+  void
+  Sampler::sample(const BlockVector &u, StepResults &results) const
+  {
+    Recoveries recoveries(bodies, u);
+    results.probes.resize(probes.size());
+    for (unsigned int p = 0; p < probes.size(); ++p)
+      for (const Location &location : probe_locations[p])
+        results.probes[p].push_back(
+          row_at(probes[p].body,
+                 location,
+                 recoveries(probes[p].body, probes[p].stress)));
+    for (unsigned int l = 0; l < lines.size(); ++l)
+      {
+        results.lines.push_back(line_rows(l, recoveries));
+        results.jumps.push_back(
+          interface_jump(results.lines.back(), lines[l].to - lines[l].from));
+      }
+    for (const Cut &cut : cuts)
+      results.cuts.push_back(cut_rows(cut, u, recoveries));
+  }
+
+
+
+  FieldRow
+  Sampler::row_at(const unsigned int body,
+                  const Location    &location,
+                  StressRecovery    &recovery) const
+  {
+    return {bodies[body]->name(),
+            location.ply,
+            location.position,
+            recovery.sample(location)};
+  }
+
+
+
+  std::vector<LineRow>
+  Sampler::line_rows(const unsigned int l, Recoveries &recoveries) const
+  {
+    StressRecovery      &recovery = recoveries(lines[l].body, lines[l].stress);
+    std::vector<LineRow> rows;
+    for (const auto &[s, location] : line_places[l])
+      rows.push_back({s, row_at(lines[l].body, location, recovery)});
+    return rows;
+  }
+
+
+
+  std::vector<CutRow>
+  Sampler::cut_rows(const Cut         &cut,
+                    const BlockVector &u,
+                    Recoveries        &recoveries) const
+  {
+    const Body         &body     = *bodies[cut.body];
+    StressRecovery     &recovery = recoveries(cut.body, cut.stress);
+    const unsigned int  n        = cut.samples + 1;
+    std::vector<CutRow> rows;
+    auto cells = body.cut(cut.position, cut.samples, u.block(cut.body));
+    for (unsigned int c = 0; c < cells.size(); ++c)
+      for (unsigned int k = 0; k < cells[c].samples.size(); ++k)
+        {
+          const Point<3> &x   = cells[c].positions[k];
+          CutRow          row = {c,
+                                 k % n,
+                                 k / n,
+                                 {body.name(), cells[c].ply, x, cells[c].samples[k]}};
+          if (cut.stress != StressValues::element)
+            {
+              const auto here = body.locate({x});
+              for (const Location &location : here.front())
+                if (location.ply == cells[c].ply)
+                  row.fields.sample = recovery.sample(location);
+            }
+          rows.push_back(row);
+        }
+    return rows;
+  }
+
+
+
+  namespace
+  {
+    /// sigma . d.
+    Tensor<1, 3>
+    traction_on(const Voigt &s, const Tensor<1, 3> &d)
+    {
+      return Point<3>(s[0] * d[0] + s[3] * d[1] + s[4] * d[2],
+                      s[3] * d[0] + s[1] * d[1] + s[5] * d[2],
+                      s[4] * d[0] + s[5] * d[1] + s[2] * d[2]);
+    }
+  } // namespace
+
+
+
+  InterfaceJump
+  interface_jump(const std::vector<LineRow> &rows, const Tensor<1, 3> &d)
+  {
+    InterfaceJump  jump;
+    double         largest = 0., largest_stress = 0.;
+    const LineRow *last = nullptr;
+    for (const LineRow &row : rows)
+      {
+        const Voigt &stress = row.fields.sample.stress;
+        largest             = std::max(largest, traction_on(stress, d).norm());
+        largest_stress = std::max(largest_stress, d.norm() * stress.norm());
+        if (last != nullptr && row.s == last->s &&
+            row.fields.ply != last->fields.ply)
+          {
+            ++jump.interfaces;
+            jump.relative = std::max(
+              jump.relative,
+              traction_on(stress - last->fields.sample.stress, d).norm());
+          }
+        last = &row;
+      }
+    // Tractions that are rounding of the other stresses jump by nothing.
+    jump.relative =
+      largest > 1e-9 * largest_stress ? jump.relative / largest : 0.;
+    return jump;
+  }
+} // namespace lamella

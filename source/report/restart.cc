@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <lamella/base/exceptions.h>
+#include <lamella/base/output_file.h>
+#include <lamella/report/restart.h>
+
+#include <boost/archive/binary_iarchive.hpp>
+#include <boost/archive/binary_oarchive.hpp>
+#include <boost/serialization/map.hpp>
+#include <boost/serialization/string.hpp>
+#include <boost/serialization/utility.hpp>
+#include <boost/serialization/vector.hpp>
+
+#include <fstream>
+#include <sstream>
+
+namespace boost
+{
+  namespace serialization
+  {
+    template <typename Archive>
+    void
+    serialize(Archive                &archive,
+              lamella::StatusChanges &changes,
+              const unsigned int)
+    {
+      archive &changes.closed &changes.opened;
+    }
+
+
+
+    template <typename Archive>
+    void
+    serialize(Archive &archive, lamella::State &state, const unsigned int)
+    {
+      std::vector<dealii::types::global_dof_index> sizes;
+      for (unsigned int b = 0; b < state.u.n_blocks(); ++b)
+        sizes.push_back(state.u.block(b).size());
+      archive &sizes;
+      if (Archive::is_loading::value)
+        state.u.reinit(sizes);
+      for (unsigned int b = 0; b < sizes.size(); ++b)
+        archive &state.u.block(b);
+      archive &state.force &state.active &state.rest &state.iterations &state
+        .free_corrections &state.contact_corrections;
+    }
+
+
+
+    template <typename Archive>
+    void
+    serialize(Archive                 &archive,
+              lamella::StrategyMemory &memory,
+              const unsigned int)
+    {
+      archive &memory.stiffening &memory.rows;
+    }
+
+
+
+    template <typename Archive>
+    void
+    serialize(Archive &archive, lamella::StepResults &step, const unsigned int)
+    {
+      archive &step.step &step.load_factor &step.state &step.memory &step
+        .changes &step.warnings;
+    }
+
+
+
+    template <typename Archive>
+    void
+    serialize(Archive &archive, lamella::Restart &restart, const unsigned int)
+    {
+      archive &restart.version &restart.scene &restart.finished &restart
+        .steps &restart.sizes &restart.vtu_files;
+    }
+  } // namespace serialization
+} // namespace boost
+
+
+
+namespace lamella
+{
+  namespace
+  {
+    const char *const name = "/restart";
+  }
+
+
+
+  void
+  write_restart(const Restart &restart, const std::string &directory)
+  {
+    std::ostringstream              text;
+    boost::archive::binary_oarchive archive(text);
+    archive << restart;
+    write_file(directory + name, text.str());
+  }
+
+
+
+  Restart
+  read_restart(const std::string &directory, const std::string &scene)
+  {
+    const std::string what = "--resume --output " + directory + ": ";
+    std::ifstream     file(directory + name, std::ios::binary);
+    if (!file)
+      throw InputError(what + "there is no run of Lamella to go on with. Leave "
+                              "out --resume, or name its folder.");
+    Restart restart;
+    try
+      {
+        boost::archive::binary_iarchive archive(file);
+        archive >> restart;
+      }
+    catch (const std::exception &)
+      {
+        throw InputError(what + "its file 'restart' is damaged, or of another "
+                                "program. Run the scene from the start, "
+                                "without --resume.");
+      }
+    if (restart.version != LAMELLA_VERSION)
+      throw InputError(what + "the run is of version " + restart.version +
+                       " of Lamella, this is " LAMELLA_VERSION
+                       ". Run the scene from the start, without --resume.");
+    if (restart.scene != scene)
+      throw InputError(
+        what + "the run is of another scene; what it is of stands in " +
+        directory + "/scene.prm. Give that scene, or leave out --resume.");
+    if (restart.finished)
+      throw InputError(what + "the run is finished; nothing is left to resume. "
+                              "Leave out --resume to run it anew.");
+    return restart;
+  }
+} // namespace lamella

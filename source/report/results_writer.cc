@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <lamella/base/exceptions.h>
+#include <lamella/base/output_file.h>
+#include <lamella/base/processes.h>
+#include <lamella/report/results_writer.h>
+#include <lamella/report/section_table.h>
+#include <lamella/report/summary.h>
+#include <lamella/report/vtu.h>
+
+#include <filesystem>
+
+namespace lamella
+{
+  ResultsWriter::ResultsWriter(const std::string &directory,
+                               const Scenery     &scenery)
+    : scenery(scenery)
+    , place(directory)
+  {
+    standing.version = LAMELLA_VERSION;
+    standing.scene   = scenery.resolved;
+    if (scenery.write_vtu)
+      for (const ContactInterface &contact : scenery.contacts)
+        surfaces.emplace_back(contact, scenery.structure);
+  }
+
+
+
+  std::vector<StepResults>
+  ResultsWriter::resume()
+  {
+    standing = read_restart(place.path(), scenery.resolved);
+    if (is_speaker())
+      for (const auto &[name, size] : standing.sizes)
+        {
+          // Rows of a step that did not come to its end.
+          std::error_code   error;
+          const std::string path = place.path() + "/" + name;
+          if (std::filesystem::file_size(path, error) < size || error)
+            throw InputError("--resume --output " + place.path() + ": " + name +
+                             " has become shorter since. Run the scene from "
+                             "the start, without --resume.");
+          std::filesystem::resize_file(path, size);
+        }
+    place.keep();
+    return std::move(standing.steps);
+  }
+
+
+
+  void
+  ResultsWriter::write_step(const Results &results)
+  {
+    place.make_room();
+    if (scenery.write_vtu)
+      write_vtu_files(results.last());
+    if (!is_speaker())
+      return;
+    if (results.steps.size() == 1)
+      {
+        write_file(place.path() + "/scene.prm", scenery.resolved);
+        for (const auto &[name, section] : scenery.sections)
+          write_section(place.path(), name, *section);
+      }
+    write_tables(results);
+    write_standing(results);
+  }
+
+
+
+  void
+  ResultsWriter::write_tables(const Results &results)
+  {
+    const bool first = results.steps.size() == 1;
+    FileTexts  texts = table_rows(results, results.last());
+    if (first)
+      for (auto &[name, header] : table_headers(results))
+        texts[name] = header + texts[name];
+    for (const auto &[name, text] : texts)
+      {
+        const std::string path = place.path() + "/" + name;
+        if (first)
+          write_file(path, text);
+        else
+          append_to_file(path, text);
+        standing.sizes[name] += text.size();
+      }
+  }
+
+
+
+  void
+  ResultsWriter::write_vtu_files(const StepResults &step)
+  {
+    standing.vtu_files["solution"].emplace_back(step.step,
+                                                write_vtu(place.path(),
+                                                          step.step,
+                                                          step.load_factor,
+                                                          scenery.structure,
+                                                          step.state.u));
+    if (!is_speaker())
+      return;
+    unsigned int first_row = 0;
+    for (unsigned int k = 0; k < surfaces.size(); ++k)
+      {
+        const ContactInterface &contact = scenery.contacts[k];
+        standing.vtu_files["contact_" + contact.name].emplace_back(
+          step.step,
+          surfaces[k].write_vtu(
+            place.path(), step.step, step.load_factor, step.state, first_row));
+        first_row += contact.rows.size();
+      }
+    for (const auto &[name, files] : standing.vtu_files)
+      write_pvd(place.path(), name, files);
+  }
+
+
+
+  void
+  ResultsWriter::write_standing(const Results &results)
+  {
+    Restart now = standing;
+    for (const StepResults &step : results.steps)
+      {
+        StepResults kept;
+        kept.step             = step.step;
+        kept.load_factor      = step.load_factor;
+        kept.state.iterations = step.state.iterations;
+        kept.changes          = step.changes;
+        kept.warnings         = step.warnings;
+        now.steps.push_back(kept);
+      }
+    now.steps.back().state  = results.last().state;
+    now.steps.back().memory = results.last().memory;
+    write_file(place.path() + "/summary.json", summary_text(results));
+    write_restart(now, place.path());
+  }
+
+
+
+  void
+  ResultsWriter::write_end(const Results &results)
+  {
+    if (results.steps.empty())
+      return;
+    place.make_room();
+    if (!is_speaker())
+      return;
+    write_file(place.path() + "/summary.json", summary_text(results));
+    if (results.converged)
+      {
+        // Nothing to go on with: a word that says so.
+        Restart end;
+        end.version  = standing.version;
+        end.scene    = standing.scene;
+        end.finished = true;
+        write_restart(end, place.path());
+      }
+  }
+} // namespace lamella

@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <lamella/report/fields_table.h>
+#include <lamella/report/tables.h>
+
+namespace lamella
+{
+  using namespace dealii;
+
+  namespace
+  {
+    std::string
+    history_header(const Results &results)
+    {
+      std::string header = "step,load_factor";
+      const auto  add    = [&header](const std::string              &kind,
+                                 const std::vector<std::string> &names,
+                                 const std::string              &letter) {
+        for (const std::string &name : names)
+          for (const char c : {'x', 'y', 'z'})
+            header += "," + kind + ":" + name + ":" + letter + c;
+      };
+      std::vector<std::string> contacts;
+      for (const ContactFacts &contact : results.contacts)
+        contacts.push_back(contact.name);
+      add("support", results.supports, "f");
+      add("contact", contacts, "f");
+      add("probe", results.probes, "u");
+      return header;
+    }
+
+
+
+    template <int n>
+    std::string
+    components(const Tensor<1, n> &v)
+    {
+      std::string text;
+      for (unsigned int c = 0; c < n; ++c)
+        text += "," + csv(v[c]);
+      return text;
+    }
+
+
+
+    std::string
+    history_row(const StepResults &step)
+    {
+      std::string line =
+        std::to_string(step.step) + "," + csv(step.load_factor);
+      for (const Resultant &reaction : step.checks.reactions)
+        line += components(reaction.force);
+      for (const KuhnTucker &contact : step.checks.contacts)
+        line += components(contact.force);
+      for (const std::vector<FieldRow> &plies : step.probes)
+        line += components(plies.front().sample.displacement);
+      return line + "\n";
+    }
+
+
+
+    std::string
+    contact_rows(const unsigned int step, const std::vector<ContactRow> &rows)
+    {
+      std::string text;
+      for (const ContactRow &row : rows)
+        {
+          const ContactInterface::Point &at = row.point;
+          text += std::to_string(step) + components(at.first) +
+                  components(at.second) + components(at.normal);
+          for (const double value : {at.area,
+                                     row.initial_gap,
+                                     row.gap,
+                                     row.force,
+                                     row.force / at.area})
+            text += "," + csv(value);
+          text += row.touches() ? ",1\n" : ",0\n";
+        }
+      return text;
+    }
+  } // namespace
+
+
+
+  FileTexts
+  table_headers(const Results &results)
+  {
+    FileTexts headers;
+    headers["probes.csv"]  = "step,probe," + fields_header() + "\n";
+    headers["history.csv"] = history_header(results) + "\n";
+    for (const std::string &line : results.lines)
+      headers["lines/" + line + ".csv"] =
+        "s,step,line," + fields_header() + "\n";
+    for (const std::string &cut : results.cuts)
+      headers["cuts/" + cut + ".csv"] =
+        "step,cut,cell,i,j," + fields_header() + "\n";
+    for (const ContactFacts &contact : results.contacts)
+      headers["contact_" + contact.name + ".csv"] =
+        "step,x,y,z,x2,y2,z2,nx,ny,nz,area,initial_gap,gap,force,pressure,"
+        "active\n";
+    return headers;
+  }
+
+
+
+  FileTexts
+  table_rows(const Results &results, const StepResults &step)
+  {
+    const std::string number = std::to_string(step.step);
+    FileTexts         rows;
+    for (unsigned int p = 0; p < step.probes.size(); ++p)
+      for (const FieldRow &row : step.probes[p])
+        rows["probes.csv"] +=
+          number + "," + results.probes[p] + "," + fields_line(row) + "\n";
+    for (unsigned int l = 0; l < step.lines.size(); ++l)
+      for (const LineRow &row : step.lines[l])
+        rows["lines/" + results.lines[l] + ".csv"] +=
+          csv(row.s) + "," + number + "," + results.lines[l] + "," +
+          fields_line(row.fields) + "\n";
+    for (unsigned int c = 0; c < step.cuts.size(); ++c)
+      for (const CutRow &row : step.cuts[c])
+        rows["cuts/" + results.cuts[c] + ".csv"] +=
+          number + "," + results.cuts[c] + "," + std::to_string(row.cell) +
+          "," + std::to_string(row.i) + "," + std::to_string(row.j) + "," +
+          fields_line(row.fields) + "\n";
+    for (unsigned int k = 0; k < step.contacts.size(); ++k)
+      rows["contact_" + results.contacts[k].name + ".csv"] =
+        contact_rows(step.step, step.contacts[k]);
+    rows["history.csv"] = history_row(step);
+    return rows;
+  }
+} // namespace lamella

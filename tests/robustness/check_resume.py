@@ -1,0 +1,186 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Runs that end before their time, and go on.
+
+Usage: check_resume.py LAMELLA SCENE.prm WORKDIR [KILLS] [SEED]
+
+SCENE is run in 20 load steps, once without interruption and then KILLS (4) times with
+kill -9 at a random moment. What a killed run leaves is whole: rows of as many load
+steps as its summary says, in every table, and their VTU files in the collection. Then
+it goes on with --resume, and every table is that of the uninterrupted run to 1e-12 of
+the largest number of its kind. --resume on what cannot go on is refused, and a file that
+reaches its limit at a later step leaves the steps before it.
+"""
+
+import csv
+import json
+import os
+import random
+import re
+import shutil
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+STEPS, TOLERANCE = 20, 1e-12
+faults = []
+
+
+def check(holds, what):
+    print(("ok    " if holds else "FAIL  ") + what)
+    if not holds:
+        faults.append(what)
+
+
+def command(program, scene, folder, *arguments):
+    factors = ", ".join(str((k + 1) / STEPS) for k in range(STEPS))
+    return [program, scene, "--output", str(folder), "--set", f"Load factors={factors}",
+            *arguments]
+
+
+def run(*arguments):
+    done = subprocess.run(command(*arguments), capture_output=True, text=True)
+    return done.returncode, done.stdout, done.stderr
+
+
+def tables(folder):
+    """The tables that have rows."""
+    found = {str(path.relative_to(folder)): list(csv.DictReader(path.open()))
+             for path in sorted(folder.rglob("*.csv")) if "sections" not in path.parts}
+    return {name: rows for name, rows in found.items() if rows}
+
+
+def whole_steps(folder):
+    """The load steps that all of what a run left agrees on; None if nothing is left."""
+    if not (folder / "summary.json").exists():
+        return None
+    steps = json.loads((folder / "summary.json").read_text())["load_steps"]
+    for name, rows in tables(folder).items():
+        found = {int(row["step"]) for row in rows if row["step"]}
+        if not set(range(1, steps + 1)) <= found:
+            return f"{name} has steps {sorted(found)} of {steps}"
+    listed = re.findall(r'file="([^"]*)"', (folder / "solution.pvd").read_text())
+    if len(listed) < steps or any(not (folder / name).exists() for name in listed):
+        return f"solution.pvd lists {len(listed)} of {steps} steps"
+    return steps
+
+
+def kind(column):
+    """What a column is measured with: components that are rounding have no size."""
+    name = column.rsplit(":", 1)[-1]
+    if "gap" in name or re.fullmatch("u[xyz]", name):
+        return "displacement"
+    if name in ("force", "fx", "fy", "fz"):
+        return "force"
+    if re.fullmatch("s[xyz123]{2}|pressure", name):
+        return "stress"
+    return "strain" if re.fullmatch("[eg][xyz]{2}", name) else column
+
+
+def difference(one, other):
+    """The largest over all tables and columns, of the largest number of its kind."""
+    if one.keys() != other.keys():
+        return float("inf")
+    largest, off = {}, {}
+    for name, rows in one.items():
+        if len(rows) != len(other[name]):
+            return float("inf")
+        for a, b in zip(rows, other[name]):
+            for column, text in a.items():
+                try:
+                    x, y = float(text), float(b[column])
+                except ValueError:
+                    if text != b[column]:
+                        return float("inf")
+                    continue
+                of = kind(column)
+                largest[of] = max(largest.get(of, 0.), abs(x))
+                off[of] = max(off.get(of, 0.), abs(x - y))
+    return max(off[of] / (largest[of] or 1.) for of in off)
+
+
+def check_kills(program, scene, work, kills, seed):
+    whole = work / "whole"
+    seconds = float("inf")
+    for _ in range(2):
+        start = time.monotonic()
+        check(run(program, scene, whole)[0] == 0, "the uninterrupted run")
+        seconds = min(seconds, time.monotonic() - start)
+    numbers = random.Random(seed)
+    for k in range(kills):
+        folder = work / f"killed{k}"
+        process = subprocess.Popen(command(program, scene, folder),
+                                   stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        time.sleep(seconds * numbers.uniform(0.2, 0.95))
+        process.kill()
+        process.wait()
+        steps = whole_steps(folder)
+        check(steps is None or isinstance(steps, int),
+              f"killed after step {steps}: what is there is whole")
+        status, _, err = run(program, scene, folder, *(["--resume"] if steps else []))
+        if steps == STEPS and "finished" in err:
+            print("      (it had ended before)")
+            continue
+        off = difference(tables(whole), tables(folder))
+        check(status == 0 and off <= TOLERANCE, f"  goes on, {off:.1e} off {err[:200]}")
+        summaries = [json.loads((path / "summary.json").read_text())
+                     for path in (whole, folder)]
+        check(all(summaries[0][key] == summaries[1][key]
+                  for key in ("iterations", "load_steps", "warnings", "converged")),
+              "  and says the same in its summary")
+
+
+def check_refused(program, scene, work):
+    def refused(what, words, *arguments):
+        status, _, err = run(program, scene, *arguments)
+        check(status == 1 and words in err, f"{what}: {status} {err[:120]}")
+    refused("a finished run", "is finished", work / "whole", "--resume")
+    refused("another scene", "of another scene", work / "whole", "--resume", "--set",
+            "Title=another")
+    refused("no folder", "no run of Lamella", work / "nowhere", "--resume")
+    check(not (work / "nowhere").exists(), "and none is made")
+    (work / "strange").mkdir()
+    (work / "strange/restart").write_text("of somebody else")
+    refused("a strange folder", "is damaged", work / "strange", "--resume")
+
+
+def check_full_disk(program, scene, work):
+    folder = work / "full"
+    # Rows of one step fit, those of all steps do not.
+    table = max((path for path in (work / "whole").glob("**/*.csv")),
+                key=lambda path: path.stat().st_size)
+    limit = table.stat().st_size // 3 // 1024
+    line = " ".join(f"'{word}'" for word in command(program, scene, folder,
+                                                    "--set", "Write VTU=false"))
+    done = subprocess.run(["bash", "-c", f"ulimit -f {limit}; exec {line}"],
+                          capture_output=True, text=True)
+    steps = json.loads((folder / "summary.json").read_text())["load_steps"]
+    found = [{int(row["step"]) for row in rows} for rows in tables(folder).values()]
+    check(done.returncode == 1 and "Cannot write" in done.stderr and 0 < steps < STEPS
+          and all(set(range(1, steps + 1)) <= numbers for numbers in found),
+          f"a full disk at step {steps + 1} of {STEPS}: {done.returncode} "
+          f"{done.stderr[:150]}")
+    status, _, err = run(program, scene, folder, "--set", "Write VTU=false", "--resume")
+    off = difference(tables(work / "whole"), tables(folder))
+    check(status == 0 and off <= TOLERANCE, f"goes on, {off:.1e} off {err[:200]}")
+
+
+def main():
+    program, scene = str(Path(sys.argv[1]).resolve()), str(Path(sys.argv[2]).resolve())
+    work = Path(sys.argv[3])
+    kills = int(sys.argv[4]) if len(sys.argv) > 4 else 4
+    seed = int(sys.argv[5]) if len(sys.argv) > 5 else 1
+    shutil.rmtree(work, ignore_errors=True)
+    work.mkdir(parents=True)
+    os.environ.update(OPENBLAS_NUM_THREADS="1", OMP_NUM_THREADS="1")
+    check_kills(program, scene, work, kills, seed)
+    check_refused(program, scene, work)
+    check_full_disk(program, scene, work)
+    sys.exit(1 if faults else 0)
+
+
+if __name__ == "__main__":
+    if len(sys.argv) < 4:
+        sys.exit("Usage: check_resume.py LAMELLA SCENE.prm WORKDIR [KILLS] [SEED]")
+    main()
