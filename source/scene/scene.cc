@@ -12,6 +12,7 @@
 #include <lamella/scene/scene.h>
 #include <lamella/scene/size_check.h>
 #include <lamella/section/parameters.h>
+#include <lamella/section/properties.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -511,7 +512,10 @@ namespace lamella
     {
       Names names = read_names(text);
       for (const auto &[list, kind] : kinds())
-        text.drop_unlisted(list, kind, names.at(list));
+        {
+          text.drop_unlisted(list, kind, names.at(list));
+          text.check_listed(list, kind, names.at(list));
+        }
       return {std::move(text), std::move(names)};
     }
   } // namespace
@@ -580,7 +584,11 @@ namespace lamella
   {
     SectionMeshes meshes;
     for (const auto &[name, shape] : scene.sections)
-      meshes[name] = make_section_mesh(shape, scene.materials);
+      {
+        const auto mesh = make_section_mesh(shape, scene.materials);
+        check_proportions(*mesh, "Section " + name);
+        meshes[name] = mesh;
+      }
     return meshes;
   }
 

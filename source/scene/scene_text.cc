@@ -45,13 +45,15 @@ namespace lamella
 
 
 
-    bool
-    contains(const std::vector<SceneText::Entry> &items,
-             const std::string                   &path)
+    /// That of @p items which has the path @p path, if there is one.
+    const SceneText::Entry *
+    find(const std::vector<SceneText::Entry> &items, const std::string &path)
     {
-      return std::any_of(items.begin(), items.end(), [&path](const auto &item) {
-        return item.path == path;
-      });
+      const auto item =
+        std::find_if(items.begin(), items.end(), [&path](const auto &i) {
+          return i.path == path;
+        });
+      return item == items.end() ? nullptr : &*item;
     }
 
 
@@ -192,7 +194,15 @@ namespace lamella
           std::string next;
           std::getline(lines, next);
           ++number;
-          line = line.substr(0, line.size() - 1) + trimmed(next);
+          next = trimmed(next);
+          if ((next.compare(0, 4, "set ") == 0 &&
+               next.find('=') != std::string::npos) ||
+              next.compare(0, 11, "subsection ") == 0)
+            throw InputError(place +
+                             "the line ends with a backslash, which makes "
+                             "the next, '" +
+                             next + "', a part of it. Remove the backslash.");
+          line = line.substr(0, line.size() - 1) + next;
         }
       const std::size_t comment = begin_of_comment(line);
       line = replaced(trimmed(line.substr(0, comment)), "\\#", "#");
@@ -324,6 +334,36 @@ namespace lamella
 
 
 
+  void
+  SceneText::check_listed(const std::string              &list,
+                          const std::string              &kind,
+                          const std::vector<std::string> &names) const
+  {
+    std::vector<std::string> bare, unlisted;
+    for (const std::string &name : names)
+      if (!has_subsection(kind + " " + name))
+        bare.push_back(name);
+    const std::string begin = kind + " ";
+    for (const Entry &item : subsections)
+      if (item.path.compare(0, begin.size(), begin) == 0 &&
+          parent(item.path).empty() &&
+          std::find(names.begin(),
+                    names.end(),
+                    item.path.substr(begin.size())) == names.end())
+        unlisted.push_back(item.path.substr(begin.size()));
+    const Entry *given = find(entries, list);
+    if (bare.empty() || unlisted.empty() || given == nullptr)
+      return;
+    const std::string other = begin + nearest_name(bare[0], unlisted);
+    throw InputError(place(*given) + list + " = " + given->value + ": '" +
+                     bare[0] + "' has no subsection, and the subsection '" +
+                     other + "' (line " +
+                     std::to_string(find(subsections, other)->line) +
+                     ") is not in the list. Write the same name in both.");
+  }
+
+
+
   std::string
   SceneText::folder() const
   {
@@ -335,9 +375,7 @@ namespace lamella
   bool
   SceneText::has_subsection(const std::string &path) const
   {
-    return std::any_of(subsections.begin(),
-                       subsections.end(),
-                       [&path](const Entry &s) { return s.path == path; });
+    return find(subsections, path) != nullptr;
   }
 
 
@@ -445,11 +483,11 @@ namespace lamella
     scan(printed(prm), "", declared, declared_subsections);
 
     for (const Entry &item : subsections)
-      if (!top_level_only && !contains(declared_subsections, item.path))
+      if (!top_level_only && find(declared_subsections, item.path) == nullptr)
         fail_on_subsection(item, declared_subsections);
     for (const Entry &item : entries)
       if ((!top_level_only || parent(item.path).empty()) &&
-          !contains(declared, item.path))
+          find(declared, item.path) == nullptr)
         {
           const std::string where =
             parent(item.path).empty() ? "" : " in " + parent(item.path);

@@ -202,4 +202,28 @@ namespace lamella
     check_vertices(section, what);
     check_connected(section, what);
   }
+
+
+
+  void
+  check_proportions(const SectionMesh &section, const std::string &what)
+  {
+    // prm/cantilever.prm 1e6 times as wide as thick is right in all digits;
+    // 1e7 times, a rigid rotation seems to cost no energy.
+    constexpr double most = 2e6, sensible = 1e6;
+
+    for (const auto &cell : section.mesh.active_cell_iterators())
+      {
+        const double length = cell->diameter(),
+                     ratio  = length * length / cell->measure();
+        if (ratio > most)
+          throw InputError(what + ": a cell at " + place(cell->center()) +
+                           " is " + to_text(ratio, 2) +
+                           " times as long as thick; doubles hold cells of up "
+                           "to " +
+                           to_text(sensible) +
+                           " times. Are the units right? If they are, use "
+                           "more cells along the longer side.");
+      }
+  }
 } // namespace lamella

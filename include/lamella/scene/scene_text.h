@@ -59,6 +59,14 @@ namespace lamella
                   const std::string              &kind,
                   const std::vector<std::string> &names);
 
+    /// Throws InputError, at the line of the list @p list, if one of its
+    /// @p names has no subsection `KIND NAME` while the name of a subsection of
+    /// this kind is not among them: one of the two is a slip.
+    void
+    check_listed(const std::string              &list,
+                 const std::string              &kind,
+                 const std::vector<std::string> &names) const;
+
     /// Where the file lies: what paths in the scene are relative to.
     std::string
     folder() const;

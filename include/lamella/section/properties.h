@@ -40,6 +40,14 @@ namespace lamella
    */
   void
   check_section_mesh(const SectionMesh &section, const std::string &what);
+
+  /**
+   * Throws InputError, beginning with @p what, for a cell that is more than
+   * 2e6 times as long as thick: its stiffness across and along differ by the
+   * square of that, so that doubles have nothing left for what bends it.
+   */
+  void
+  check_proportions(const SectionMesh &section, const std::string &what);
 } // namespace lamella
 
 #endif

@@ -43,7 +43,8 @@ namespace lamella
    * torque of a unit twist per length, with that warping which minimises the
    * energy (Saint-Venant's torsion, axial force and bending held at zero
    * strain). None for theories without torsion, and for sections of so many
-   * fields (some thousands) that it would take longer than a note is worth.
+   * fields (some thousands) that it would take longer than a note is worth, or
+   * with cells so thin that rounding leaves nothing of it.
    */
   std::optional<double>
   torsional_stiffness(const Section &section);
