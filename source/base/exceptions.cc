@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <lamella/base/exceptions.h>
+#include <lamella/base/text.h>
 
 #include <algorithm>
 #include <cctype>
@@ -17,14 +18,10 @@ namespace lamella
     std::string
     readable(const std::string &message)
     {
-      constexpr std::size_t longest = 400, kept = 50;
+      constexpr std::size_t longest = 400;
       std::string           result, word;
       const auto            end_word = [&] {
-        result += word.size() <= longest ?
-                               word :
-                               word.substr(0, kept) + " ... (" +
-                      std::to_string(word.size()) + " characters) ... " +
-                      word.substr(word.size() - kept / 2);
+        result += word.size() <= longest ? word : abridged(word);
         word.clear();
       };
       for (const char c : message)

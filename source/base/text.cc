@@ -30,6 +30,16 @@ namespace lamella
 
 
 
+  std::string
+  abridged(const std::string &text)
+  {
+    constexpr std::size_t kept = 50;
+    return text.substr(0, kept) + " ... (" + std::to_string(text.size()) +
+           " characters) ... " + text.substr(text.size() - kept / 2);
+  }
+
+
+
   std::vector<std::string>
   split(const std::string &text, const char separator)
   {

@@ -43,7 +43,7 @@ namespace lamella
           std::filesystem::resize_file(path, size);
         }
     place.keep();
-    return std::move(standing.steps);
+    return standing.steps;
   }
 
 
@@ -119,21 +119,19 @@ namespace lamella
   void
   ResultsWriter::write_standing(const Results &results)
   {
-    Restart now = standing;
-    for (const StepResults &step : results.steps)
-      {
-        StepResults kept;
-        kept.step             = step.step;
-        kept.load_factor      = step.load_factor;
-        kept.state.iterations = step.state.iterations;
-        kept.changes          = step.changes;
-        kept.warnings         = step.warnings;
-        now.steps.push_back(kept);
-      }
-    now.steps.back().state  = results.last().state;
-    now.steps.back().memory = results.last().memory;
+    const StepResults &last = results.last();
+    if (!standing.steps.empty())
+      standing.steps.back().drop_fields();
+    StepResults kept;
+    kept.step        = last.step;
+    kept.load_factor = last.load_factor;
+    kept.state       = last.state;
+    kept.memory      = last.memory;
+    kept.changes     = last.changes;
+    kept.warnings    = last.warnings;
+    standing.steps.push_back(std::move(kept));
     write_file(place.path() + "/summary.json", summary_text(results));
-    write_restart(now, place.path());
+    write_restart(standing, place.path());
   }
 
 

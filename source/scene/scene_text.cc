@@ -537,19 +537,10 @@ namespace lamella
   std::string
   SceneText::abbreviated(std::string message) const
   {
-    constexpr std::size_t longest = 120, kept = 50;
-    const auto            shorter = [](const std::string &text) {
-      return text.substr(0, kept) + " ... (" + std::to_string(text.size()) +
-             " characters) ... " + text.substr(text.size() - kept / 2);
-    };
+    constexpr std::size_t longest = 120;
     for (const Entry &entry : entries)
       if (entry.value.size() > longest)
-        message = replaced(message, entry.value, shorter(entry.value));
-    // What is a part of a value.
-    std::istringstream words(message);
-    for (std::string word; words >> word;)
-      if (word.size() > 2 * longest && word.find('/') == std::string::npos)
-        message = replaced(message, word, shorter(word));
+        message = replaced(message, entry.value, abridged(entry.value));
     return message;
   }
 

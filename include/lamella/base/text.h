@@ -17,6 +17,13 @@ namespace lamella
   trimmed(const std::string &text);
 
   /**
+   * The first 50 and the last 25 characters of the long @p text, and how many
+   * there are.
+   */
+  std::string
+  abridged(const std::string &text);
+
+  /**
    * @p text cut at each @p separator outside of parentheses, each piece
    * trimmed; none for a text of white space. (Parentheses: a muParser
    * expression such as `if(y>1, 2, 0)` stays whole.)

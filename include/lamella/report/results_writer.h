@@ -72,7 +72,7 @@ namespace lamella
     Scenery                     scenery;
     ResultsFolder               place;
     std::vector<ContactSurface> surfaces;
-    /// What is there so far, steps left out.
+    /// What is there so far.
     Restart standing;
   };
 } // namespace lamella
