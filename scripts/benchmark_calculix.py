@@ -6,7 +6,7 @@ from functools import partial
 
 from benchmark_scenes import HERTZ, LAMINATED, SANDWICH, beam
 from benchmark_tools import ROOT, number, table, wanted
-from measure import axis
+from measure_tools import axis
 
 # Ours and theirs, coarse to fine: name, overrides. Both model the whole scene.
 # A B4 is cubic, a C3D20R quadratic: theirs want more elements along the axis.

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 
 from benchmark_scenes import LAMINATED, SCENES
 from benchmark_tools import best, linear_seconds, run, seconds_of, show, table, wanted
-from measure import axis
+from measure_tools import axis
 
 BEAMS = "laminated_beams.prm"
 BLOCKS = "../tests/scenes/pressed_blocks.prm"

@@ -4,7 +4,7 @@ and the converged values that errors are taken against."""
 
 from dataclasses import dataclass
 
-from measure import axis
+from measure_tools import axis
 
 
 @dataclass

@@ -11,7 +11,7 @@ import textwrap
 from dataclasses import dataclass
 from pathlib import Path
 
-from measure import ENVIRONMENT, PROGRAM, ROOT, Run, drawing
+from measure_tools import ENVIRONMENT, PROGRAM, ROOT, Run, drawing
 
 
 class Failed(Exception):

@@ -8,7 +8,7 @@ import subprocess
 import tempfile
 from pathlib import Path
 
-from measure import ENVIRONMENT, PROGRAM, ROOT, Run, axis, drawing, table
+from measure_tools import ENVIRONMENT, PROGRAM, ROOT, Run, axis, drawing, table
 
 PLANE = "hertz_plane_strain.prm"
 BOTH = ("upper", "lower")
