@@ -11,8 +11,8 @@ once more, with other arguments), and rows
     KEY | VALUE | TOLERANCE | SOURCE
 
 SOURCE says where the expected number comes from and is never empty. TOLERANCE
-is `0.1%` (relative), `abs 1e-9`, `exact`, `below` (|result| <= VALUE) or `above`
-(result >= VALUE). KEY is one of
+is `0.1%` (relative), `abs 1e-9`, `exact`, `below` (|result| <= VALUE), `limit`
+(result <= VALUE) or `above` (result >= VALUE). KEY is one of
 
     summary:contacts.middle.force.2   an entry of summary.json; `#` as the last
                                       part counts the entries of a list
@@ -23,6 +23,12 @@ is `0.1%` (relative), `abs 1e-9`, `exact`, `below` (|result| <= VALUE) or `above
                                       one ply, as in an interface
     contact:NAME:COLUMN:sum           over all pairs at the last step; also max,
                                       min
+    kuhn_tucker:NAME                  how far the pairs of a contact are from
+                                      Eq. 18, pair by pair out of its table: a
+                                      force that pulls over the largest force,
+                                      a gap that is the wrong way (open under a
+                                      force, or closed without one) over the
+                                      largest way that gaps have changed by
     difference:ux,uy,uz               `run` against `again`: the largest
                                       difference in all probes and lines over
                                       the largest magnitude of these columns
@@ -183,6 +189,17 @@ def contact_value(run, name, column, how):
     return reduce_column(values, how, ("sum", "max", "min"))
 
 
+def kuhn_tucker(run, name):
+    rows = run.table(f"contact_{name}.csv")
+    forces, gaps = numbers(rows, "force"), numbers(rows, "gap")
+    largest = max(map(abs, forces))
+    way = max(abs(gap - first) for gap, first in zip(gaps, numbers(rows, "initial_gap")))
+    if not largest > 0. or not way > 0.:
+        raise Fault(f"nothing touches in contact_{name}.csv")
+    wrong = [gap / way if force else -gap / way for force, gap in zip(forces, gaps)]
+    return max(max(wrong), -min(forces) / largest)
+
+
 def reduce_column(values, how, known):
     if how not in known:
         raise Fault(f"unknown reduction {how}; known: {', '.join(known)}")
@@ -230,6 +247,8 @@ def evaluate(key, run, again):
         return line_value(run, *parts)
     if kind == "contact" and len(parts) == 3:
         return contact_value(run, *parts)
+    if kind == "kuhn_tucker" and rest:
+        return kuhn_tucker(run, rest)
     if kind == "difference" and rest:
         return difference(run, again, rest.split(","))
     raise Fault("unknown key")
@@ -263,6 +282,8 @@ def compare(result, text, tolerance):
     value, expected = as_number(result), as_number(text)
     if tolerance == "below":
         return abs(value) <= expected, ""
+    if tolerance == "limit":
+        return value <= expected, ""
     if tolerance == "above":
         return value >= expected, ""
     error = abs(value - expected)
