@@ -73,15 +73,27 @@ def check_one_folder(program, scene, folder):
           "the first run ends well")
 
 
+def inode(path):
+    """What tells a file from another of the same name; None if there is none."""
+    try:
+        return path.stat().st_ino
+    except FileNotFoundError:
+        return None
+
+
 def check_killed(program, scene, folder):
     check(end(start(program, scene, folder))[0] == 0, "a run that ends")
-    run = start(program, scene, folder, *many_steps(40))
-    # The first step of the second run replaces that of the first.
-    while run.poll() is None and (folder / "summary.json").exists():
+    earlier = (folder / "summary.json").stat().st_ino
+    run = start(program, scene, folder, *many_steps(1000))
+    # The first step of the second run replaces that of the first, and has a summary
+    # of its own soon after.
+    while run.poll() is None and inode(folder / "summary.json") == earlier:
         time.sleep(0.002)
     run.send_signal(signal.SIGKILL)
     run.communicate()
-    check(not (folder / "summary.json").exists(), "a killed run leaves no old summary")
+    summary = folder / "summary.json"
+    check(not summary.exists() or not json.loads(summary.read_text())["converged"],
+          "a killed run leaves no old summary")
     check(end(start(program, scene, folder))[0] == 0
           and json.loads((folder / "summary.json").read_text())["converged"]
           and not list(folder.rglob("*.new")),
