@@ -1,19 +1,15 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include <lamella/base/child_process.h>
 #include <lamella/base/exceptions.h>
 #include <lamella/base/mpi_session.h>
 #include <lamella/base/processes.h>
-#include <lamella/run/calculix_deck.h>
+#include <lamella/export/calculix_deck.h>
 #include <lamella/run/command_line.h>
 #include <lamella/run/simulation.h>
-#include <lamella/run/trade.h>
 #include <lamella/scene/scene.h>
-
-#include <dlfcn.h>
+#include <lamella/trade/trade.h>
 
 #include <chrono>
-#include <csignal>
 #include <iostream>
 #include <memory>
 #include <thread>
@@ -21,19 +17,6 @@
 namespace
 {
   using namespace lamella;
-
-  /// One thread unless told otherwise; the BLAS starts with one a core.
-  void
-  limit_threads(const unsigned int n)
-  {
-    dealii::MultithreadInfo::set_thread_limit(n);
-    using SetThreads = void (*)(int);
-    if (const auto set_threads = reinterpret_cast<SetThreads>(
-          dlsym(RTLD_DEFAULT, "openblas_set_num_threads")))
-      set_threads(n);
-  }
-
-
 
   /// Where messages go: nowhere, but for the process that speaks for all.
   std::ostream &
@@ -45,23 +28,6 @@ namespace
 
 
 
-  /// Faults that show when bodies are built get the line of the text, too.
-  std::unique_ptr<Simulation>
-  build(const Scene &scene, const SceneText &text)
-  {
-    try
-      {
-        return std::make_unique<Simulation>(scene, output());
-      }
-    catch (const InputError &error)
-      {
-        const std::string message = text.abbreviated(error.what());
-        throw InputError(text.place_of(message) + message);
-      }
-  }
-
-
-
   void
   write_deck(const Scene       &scene,
              const SceneText   &text,
@@ -69,7 +35,11 @@ namespace
   {
     try
       {
-        export_calculix(scene, command, output());
+        export_calculix(scene,
+                        {command.output,
+                         command.element,
+                         command.contact_stiffness},
+                        output());
       }
     catch (const InputError &error)
       {
@@ -106,7 +76,6 @@ namespace
       return Trade(command.scene,
                    command.overrides,
                    scene,
-                   own_program(),
                    command.threads,
                    output())
         .run(command.output);
@@ -120,7 +89,7 @@ namespace
         output() << scene.resolved;
         return;
       }
-    const auto simulation = build(scene, text);
+    const auto simulation = make_simulation(scene, text, output());
     if (command.validate)
       simulation->print_validation();
     else
@@ -155,18 +124,22 @@ namespace
 int
 main(int argc, char **argv)
 {
+  const auto all = [&] { run(CommandLine::parse({argv + 1, argv + argc})); };
+  if (argc > 1 && std::string(argv[1]) == "trade" && n_launched() == 1)
+    {
+      // Each rung starts an MPI of its own, in its own process.
+      survive_failed_writes();
+      const auto [status, message] = outcome_of(all);
+      if (status != 0)
+        std::cerr << "lamella: " << message << std::endl;
+      return status;
+    }
+
   MpiSession mpi(argc, argv);
-  // After what MPI brings with it, which has handlers of its own. A file that
-  // has reached its limit, or a reader of the output that is gone
-  // (`| head -1`), is an error of that writing and not the end of the run.
-  std::signal(SIGXFSZ, SIG_IGN);
-  std::signal(SIGPIPE, SIG_IGN);
-  MPI_Comm arrivals;
+  MPI_Comm   arrivals;
   MPI_Comm_dup(communicator(), &arrivals);
 
-  const auto [status, message] = outcome_of([&] {
-    run(CommandLine::parse({argv + 1, argv + argc}));
-  });
+  const auto [status, message] = outcome_of(all);
   if (status != 0)
     {
       // As a rule all processes meet the same fault and one of them tells it.

@@ -7,12 +7,18 @@
 #include <boost/process.hpp>
 #include <boost/process/extend.hpp>
 
+#include <fcntl.h>
 #include <sys/resource.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
+#include <array>
+#include <cerrno>
 #include <chrono>
 #include <cmath>
 #include <csignal>
+#include <cstdlib>
+#include <iostream>
 #ifdef __linux__
 #  include <sys/prctl.h>
 #endif
@@ -56,6 +62,22 @@ namespace lamella
           setrlimit(RLIMIT_CPU, &limit);
         }
     }
+
+
+
+    /// What the system says of a child that has ended.
+    void
+    set_end(const int status, ProcessEnd &end)
+    {
+      if (WIFSIGNALED(status))
+        {
+          end.status      = -1;
+          end.signal      = WTERMSIG(status);
+          end.out_of_time = end.signal == SIGXCPU;
+        }
+      else
+        end.status = WEXITSTATUS(status);
+    }
   } // namespace
 
 
@@ -89,20 +111,122 @@ namespace lamella
           bp::extend::on_exec_setup =
             [&](auto &) { limit_child(processor_seconds); });
         child.wait();
-        const int native = child.native_exit_code();
-        if (WIFSIGNALED(native))
-          {
-            end.status      = -1;
-            end.signal      = WTERMSIG(native);
-            end.out_of_time = end.signal == SIGXCPU;
-          }
-        else
-          end.status = WEXITSTATUS(native);
+        set_end(child.native_exit_code(), end);
       }
     catch (const bp::process_error &error)
       {
         throw InputError("cannot run " + program + ": " + error.what());
       }
+    end.seconds = std::chrono::duration<double>(Clock::now() - begin).count();
+    return end;
+  }
+
+
+
+  namespace
+  {
+    /// Opens @p path, to be the descriptor @p descriptor.
+    void
+    redirect(const int descriptor, const std::string &path, const int flags)
+    {
+      const int file = open(path.c_str(), flags, 0666);
+      if (file >= 0)
+        dup2(file, descriptor);
+    }
+
+
+
+    void
+    write_all(const int descriptor, const std::string &text)
+    {
+      for (std::size_t done = 0; done < text.size();)
+        {
+          const ssize_t n =
+            write(descriptor, text.data() + done, text.size() - done);
+          if (n <= 0)
+            return;
+          done += n;
+        }
+    }
+
+
+
+    std::string
+    read_all(const int descriptor)
+    {
+      std::string            text;
+      std::array<char, 4096> piece;
+      for (;;)
+        {
+          const ssize_t n = read(descriptor, piece.data(), piece.size());
+          if (n == 0 || (n < 0 && errno != EINTR))
+            return text;
+          if (n > 0)
+            text.append(piece.data(), n);
+        }
+    }
+
+
+
+    /// What the copy of this process does, to its end.
+    [[noreturn]] void
+    be_the_child(const std::function<std::string()> &work,
+                 const std::string                  &output,
+                 const std::string                  &errors,
+                 const double                        processor_seconds,
+                 const int                           answer_to)
+    {
+      limit_child(processor_seconds);
+      redirect(STDIN_FILENO, "/dev/null", O_RDONLY);
+      constexpr int anew = O_WRONLY | O_CREAT | O_TRUNC;
+      redirect(STDOUT_FILENO, output, anew);
+      redirect(STDERR_FILENO, errors, anew);
+      static std::vector<std::string> variables = environment_without_mpi();
+      clearenv();
+      for (std::string &variable : variables)
+        putenv(variable.data());
+      std::string   answer;
+      const Outcome outcome = outcome_of([&] { answer = work(); });
+      if (outcome.status != 0)
+        std::cerr << outcome.message << std::endl;
+      std::cout.flush();
+      write_all(answer_to, answer);
+      // What this process would do at its end (files, MPI) is its parent's.
+      _exit(outcome.status);
+    }
+  } // namespace
+
+
+
+  ProcessEnd
+  run_forked(const std::function<std::string()> &work,
+             const std::string                  &output,
+             const std::string                  &errors,
+             const double                        processor_seconds)
+  {
+    using Clock              = std::chrono::steady_clock;
+    const auto         begin = Clock::now();
+    std::array<int, 2> ends;
+    std::cout.flush();
+    if (pipe(ends.data()) != 0)
+      throw InputError("cannot start a process: too many files are open.");
+    const pid_t child = fork();
+    if (child < 0)
+      throw InputError("cannot start a process: the system has no room for "
+                       "one more. Close other programs.");
+    if (child == 0)
+      {
+        close(ends[0]);
+        be_the_child(work, output, errors, processor_seconds, ends[1]);
+      }
+    close(ends[1]);
+    ProcessEnd end;
+    end.answer = read_all(ends[0]);
+    close(ends[0]);
+    int status = 0;
+    while (waitpid(child, &status, 0) < 0 && errno == EINTR)
+      ;
+    set_end(status, end);
     end.seconds = std::chrono::duration<double>(Clock::now() - begin).count();
     return end;
   }

@@ -2,6 +2,12 @@
 
 #include <lamella/base/mpi_session.h>
 
+#include <deal.II/base/multithread_info.h>
+
+#include <dlfcn.h>
+
+#include <algorithm>
+#include <csignal>
 #include <cstdlib>
 
 namespace lamella
@@ -39,5 +45,40 @@ namespace lamella
 
   MpiSession::MpiSession(int &argc, char **&argv)
     : session(stay_alone_unless_launched(argc), argv, 1)
-  {}
+  {
+    // After what MPI brings with it, which has handlers of its own.
+    survive_failed_writes();
+  }
+
+
+
+  void
+  survive_failed_writes()
+  {
+    std::signal(SIGXFSZ, SIG_IGN);
+    std::signal(SIGPIPE, SIG_IGN);
+  }
+
+
+
+  unsigned int
+  n_launched()
+  {
+    for (const char *variable : {"OMPI_COMM_WORLD_SIZE", "PMI_SIZE"})
+      if (const char *n = std::getenv(variable))
+        return std::max(1, std::atoi(n));
+    return 1;
+  }
+
+
+
+  void
+  limit_threads(const unsigned int n)
+  {
+    dealii::MultithreadInfo::set_thread_limit(n);
+    using SetThreads = void (*)(int);
+    if (const auto set_threads = reinterpret_cast<SetThreads>(
+          dlsym(RTLD_DEFAULT, "openblas_set_num_threads")))
+      set_threads(n);
+  }
 } // namespace lamella

@@ -17,8 +17,17 @@ namespace lamella
 
 
   void
+  Row::add_constant(const double value)
+  {
+    constant_part += value;
+  }
+
+
+
+  void
   Row::add(const Row &other, const double factor)
   {
+    constant_part += factor * other.constant_part;
     for (const auto &[dof, weight] : other.row)
       add(dof, factor * weight);
   }
@@ -62,7 +71,7 @@ namespace lamella
   double
   Row::operator()(const Vector &u) const
   {
-    double sum = 0.;
+    double sum = constant_part;
     for (const auto &[dof, weight] : row)
       sum += weight * u[dof];
     return sum;
@@ -83,6 +92,7 @@ namespace lamella
   Row::reduced(const Constraints &constraints) const
   {
     Row result;
+    result.add_constant(constant_part);
     for (const auto &[dof, weight] : row)
       if (!constraints.is_constrained(dof))
         result.add(dof, weight);

@@ -516,8 +516,7 @@ namespace lamella
                                state.derivative[alpha] * point.along[a][c];
               }
             const Voigt stress =
-              section_weights[s] *
-              (beam_section->elasticity(point.cell) * strain);
+              section_weights[s] * beam_section->law(point.cell).stress(strain);
             for (unsigned int a = 0; a < point.fields->size(); ++a)
               {
                 const unsigned int alpha = (*point.fields)[a];
@@ -559,10 +558,9 @@ namespace lamella
             const PointState    at    = point_state(point, state);
             if (!beam_section->spans_the_section())
               result.energy +=
-                0.5 * beam_axis->integration_weights()[k] *
+                beam_axis->integration_weights()[k] *
                 beam_section->integration_weights()[s] *
-                (at.strain *
-                 (beam_section->elasticity(point.cell) * at.strain));
+                beam_section->law(point.cell).energy_density(at.strain);
             // curl u / 2 with d u_y / dz = gamma_yz - d u_z / dy and so on.
             const Point<3> rotation(at.slope[2] - 0.5 * at.strain[5],
                                     at.twist,

@@ -16,7 +16,7 @@ namespace lamella
                      state.strain,
                      placement,
                      beam_section->plies()[beam_section->cell_ply(cell)].axes(),
-                     beam_section->elasticity(cell));
+                     beam_section->law(cell));
   }
 
 

@@ -103,14 +103,17 @@ namespace lamella
     std::vector<std::vector<Row>> result;
     for (const Location &where : locations)
       {
-        const ElasticTensor to_frame =
+        const FromStrain to_frame =
           from_strain(quantity,
                       frame,
                       placement,
                       beam_section->plies()[where.ply].axes(),
-                      beam_section->elasticity(where.places[0].cell %
-                                               beam_section->n_cells()));
+                      beam_section->law(where.places[0].cell %
+                                        beam_section->n_cells()));
         std::vector<Row> rows(n);
+        if (quantity != Quantity::displacement)
+          for (unsigned int c = 0; c < n; ++c)
+            rows[c].add_constant(to_frame.constant[c]);
         for (const Location::Place &place : where.places)
           {
             const AxisPoint axis_point =
@@ -143,7 +146,7 @@ namespace lamella
                           (is_transverse_shear(c) ? axis_point.N_shear :
                                                     axis_point.N)[i] *
                           point.in_plane[a][c];
-                      const Voigt v = to_frame * strain;
+                      const Voigt v = to_frame.matrix * strain;
                       for (unsigned int c = 0; c < 6; ++c)
                         rows[c].add(dof, share * v[c]);
                     }
@@ -194,7 +197,7 @@ namespace lamella
     nn[0]                = n[0] * n[0];
     nn[2]                = n[2] * n[2];
     nn[4]                = 2. * n[0] * n[2];
-    point.normal_modulus = nn * (beam_section->elasticity(edge.cell) * nn);
+    point.normal_modulus = nn * (beam_section->law(edge.cell).stiffness() * nn);
     return point;
   }
 
@@ -218,7 +221,7 @@ namespace lamella
                               at_start ? 0. : 1.,
                               in_section.cell,
                               in_section.unit);
-    point.normal_modulus = beam_section->elasticity(in_section.cell)[1][1];
+    point.normal_modulus = beam_section->law(in_section.cell).stiffness()[1][1];
     return point;
   }
 

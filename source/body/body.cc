@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <lamella/base/exceptions.h>
-#include <lamella/base/factorisation.h>
 #include <lamella/base/processes.h>
 #include <lamella/base/text.h>
 #include <lamella/body/body.h>
+#include <lamella/linear/factorisation.h>
 
 #include <deal.II/base/quadrature_lib.h>
 
@@ -82,39 +82,49 @@ namespace lamella
 
 
 
-  void
-  Body::assemble(const Constraints             &constraints,
-                 const std::vector<SpringTerm> &springs,
-                 const SolverKind               asked)
+  StiffnessTerms
+  Body::stiffness_terms(const std::vector<SpringTerm> &springs) const
   {
-    linear_solver.reset();
-    matrix.reset();
-    const StiffnessTerms terms{n_dofs(),
-                               owned_dofs(),
-                               [this](const bool with_values, const auto &use) {
-                                 for_each_stiffness_block(with_values, use);
-                               },
-                               springs};
-    const SolverKind     kind = solver_kind(asked);
-    if (kind == SolverKind::cholmod)
-      matrix = assemble_serial(terms, constraints);
-    else
-      matrix =
-        assemble_distributed(terms,
-                             constraints,
-                             kind,
-                             kind == SolverKind::cg ? rigid_motions() :
-                                                      std::vector<Vector>());
+    return {n_dofs(),
+            owned_dofs(),
+            [this](const bool with_values, const auto &use) {
+              for_each_stiffness_block(with_values, use);
+            },
+            springs};
   }
 
 
 
-  void
-  Body::factorise(const FactorMonitor &monitor)
+  std::unique_ptr<StiffnessMatrix>
+  Body::assembled_stiffness(const Constraints             &constraints,
+                            const std::vector<SpringTerm> &springs,
+                            const SolverKind               asked) const
   {
+    const StiffnessTerms terms = stiffness_terms(springs);
+    const SolverKind     kind  = solver_kind(asked);
+    if (kind == SolverKind::cholmod)
+      return assemble_serial(terms, constraints);
+    return assemble_distributed(terms,
+                                constraints,
+                                kind,
+                                kind == SolverKind::cg ? rigid_motions() :
+                                                         std::vector<Vector>());
+  }
+
+
+
+  std::unique_ptr<LinearSolver>
+  Body::make_solver(const Constraints             &constraints,
+                    const std::vector<SpringTerm> &springs,
+                    const SolverKind               asked,
+                    const SolverMonitor           &monitor) const
+  {
+    const auto matrix = assembled_stiffness(constraints, springs, asked);
+    if (monitor.assembled)
+      monitor.assembled();
     try
       {
-        linear_solver = stiffness().factorise("body '" + name() + "'", monitor);
+        return matrix->factorise("body '" + name() + "'", monitor.sized);
       }
     catch (const NotPositiveDefinite &error)
       {
@@ -124,23 +134,5 @@ namespace lamella
                             ": look for elements that are very short or thin "
                             "beside their neighbours there.");
       }
-  }
-
-
-
-  const StiffnessMatrix &
-  Body::stiffness() const
-  {
-    Assert(matrix != nullptr, ExcMessage("Call assemble() first."));
-    return *matrix;
-  }
-
-
-
-  const LinearSolver &
-  Body::solver() const
-  {
-    Assert(linear_solver != nullptr, ExcMessage("Call factorise() first."));
-    return *linear_solver;
   }
 } // namespace lamella

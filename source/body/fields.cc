@@ -6,31 +6,32 @@ namespace lamella
 {
   using namespace dealii;
 
-  ElasticTensor
-  from_strain(const Quantity       quantity,
-              const Frame          frame,
-              const Placement     &placement,
-              const Triad         &ply,
-              const ElasticTensor &C)
+  FromStrain
+  from_strain(const Quantity    quantity,
+              const Frame       frame,
+              const Placement  &placement,
+              const Triad      &ply,
+              const ElasticLaw &law)
   {
     const Triad to_axes =
       frame == Frame::scene ? transpose(placement.axes) : ply;
     if (quantity == Quantity::strain)
-      return strain_rotation(to_axes);
+      return {strain_rotation(to_axes), Voigt()};
     // sigma' = T^-T sigma, and T^-1 is the strain rotation of the way back.
-    return transpose(strain_rotation(transpose(to_axes))) * C;
+    const ElasticTensor back = transpose(strain_rotation(transpose(to_axes)));
+    return {back * law.stiffness(), back * law.stress(Voigt())};
   }
 
 
 
   FieldSample
-  sample_of(const Tensor<1, 3>  &displacement,
-            const Voigt         &strain,
-            const Placement     &placement,
-            const Triad         &ply,
-            const ElasticTensor &C)
+  sample_of(const Tensor<1, 3> &displacement,
+            const Voigt        &strain,
+            const Placement    &placement,
+            const Triad        &ply,
+            const ElasticLaw   &law)
   {
-    const Voigt stress = C * strain;
+    const Voigt stress = law.stress(strain);
     FieldSample sample;
     sample.displacement = placement.vector_to_scene(displacement);
     sample.strain       = placement.strain_to_scene() * strain;

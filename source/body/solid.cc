@@ -2,7 +2,7 @@
 
 #include <lamella/base/processes.h>
 #include <lamella/body/solid.h>
-#include <lamella/section/section_geometry.h>
+#include <lamella/shape/section_geometry.h>
 
 #include <boost/container_hash/hash.hpp>
 
@@ -27,7 +27,7 @@ namespace lamella
     , box(mesh.nodes())
   {
     for (const Ply &ply : section->plies)
-      elasticities.push_back(ply.stiffness());
+      laws.emplace_back(ply.stiffness());
     make_constraints();
     find_kinds();
     make_boxes();
@@ -71,7 +71,9 @@ namespace lamella
         const auto [place, is_new] = numbers.emplace(key, kinds.size());
         if (is_new)
           kinds.push_back(
-            {cell, element.incompatible_modes(nodes, elasticity(cell)), {}});
+            {cell,
+             element.incompatible_modes(nodes, law(cell).stiffness()),
+             {}});
         kind_of_cell.push_back(place->second);
         if (cell >= mesh.owned_cells().first &&
             cell < mesh.owned_cells().second)
@@ -220,7 +222,7 @@ namespace lamella
           {
             const FullMatrix<double> K =
               element.stiffness(nodes_of(kind.cell),
-                                elasticity(kind.cell),
+                                law(kind.cell).stiffness(),
                                 kind.modes);
             for (unsigned int i = 0; i < K.m(); ++i)
               for (unsigned int j = 0; j < K.n(); ++j)
@@ -278,7 +280,7 @@ namespace lamella
                 Voigt strain;
                 for (unsigned int d = 0; d < v.size(); ++d)
                   strain += v[d] * B[q][d];
-                const Voigt stress = weights[q] * (elasticity(cell) * strain);
+                const Voigt stress = weights[q] * law(cell).stress(strain);
                 for (unsigned int d = 0; d < v.size(); ++d)
                   share[dofs[d]] += B[q][d] * stress;
               }
@@ -319,8 +321,7 @@ namespace lamella
                                            Point<3>(v[3 * i],
                                                     v[3 * i + 1],
                                                     v[3 * i + 2]));
-                result.energy +=
-                  0.5 * weight * (strain * (elasticity(cell) * strain));
+                result.energy += weight * law(cell).energy_density(strain);
                 result.max_rotation =
                   std::max(result.max_rotation, 0.5 * curl.norm());
               }

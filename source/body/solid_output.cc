@@ -36,7 +36,7 @@ namespace lamella
                      strain,
                      placement,
                      mesh.section().plies[mesh.cells()[place.cell].ply].axes(),
-                     elasticity(place.cell));
+                     law(place.cell));
   }
 
 

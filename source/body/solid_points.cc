@@ -3,6 +3,7 @@
 // The points of a solid: where they are, which rows they give, and those that
 // make up its surfaces.
 
+#include <lamella/base/inverse_map.h>
 #include <lamella/body/fields.h>
 #include <lamella/body/line_crossings.h>
 #include <lamella/body/solid.h>
@@ -75,23 +76,13 @@ namespace lamella
   std::pair<Point<3>, double>
   Solid::nearest_in_cell(const unsigned int cell, const Point<3> &x) const
   {
-    // Newton's method on the element's own map, from the middle of the cell.
-    const Hexahedron::Nodes nodes = nodes_of(cell);
-    const double            size  = nodes.front().distance(nodes.back());
-    Point<3>                unit(0.5, 0.5, 0.5);
-    for (unsigned int iteration = 0; iteration < 20; ++iteration)
-      {
-        const HexahedronPoint at = element.evaluate(nodes, unit);
-        if (x.distance(at.position) < 1e-15 * size)
-          break;
-        const Tensor<1, 3> step = invert(at.jacobian) * (x - at.position);
-        unit += step;
-        // Beyond its cell a curved map may fold; stay near.
-        for (unsigned int d = 0; d < 3; ++d)
-          unit[d] = std::min(1.5, std::max(-0.5, unit[d]));
-        if (step.norm() < 1e-14)
-          break;
-      }
+    const Hexahedron::Nodes nodes   = nodes_of(cell);
+    const auto              missing = [&](const Point<3> &unit) {
+      const HexahedronPoint at = element.evaluate(nodes, unit);
+      return std::make_pair(x - at.position, at.jacobian);
+    };
+    const Point<3> unit =
+      inverse_image(Point<3>(0.5, 0.5, 0.5), false, missing, stay_near<3>).unit;
     const Point<3> inside = GeometryInfo<3>::project_to_unit_cell(unit);
     return {inside, x.distance(element.evaluate(nodes, inside).position)};
   }
@@ -175,14 +166,17 @@ namespace lamella
     std::vector<std::vector<Row>> result;
     for (const Location &where : locations)
       {
-        const ElasticTensor to_frame =
+        const FromStrain to_frame =
           from_strain(quantity,
                       frame,
                       placement,
                       mesh.section().plies[where.ply].axes(),
-                      elasticities[where.ply]);
+                      laws[where.ply]);
         std::vector<Row> rows(n);
-        const double     share = 1. / where.places.size();
+        if (quantity != Quantity::displacement)
+          for (unsigned int c = 0; c < n; ++c)
+            rows[c].add_constant(to_frame.constant[c]);
+        const double share = 1. / where.places.size();
         for (const Location::Place &place : where.places)
           {
             const Hexahedron::Nodes nodes = nodes_of(place.cell);
@@ -203,7 +197,7 @@ namespace lamella
                               kinds[kind_of_cell[place.cell]].modes);
             for (unsigned int d = 0; d < dofs.size(); ++d)
               {
-                const Voigt v = share * (to_frame * B[d]);
+                const Voigt v = share * (to_frame.matrix * B[d]);
                 for (unsigned int c = 0; c < 6; ++c)
                   rows[c].add(dofs[d], v[c]);
               }
@@ -284,7 +278,7 @@ namespace lamella
         nn[d]     = n[d] * n[d];
         nn[3 + d] = 2. * n[planes[d][0]] * n[planes[d][1]];
       }
-    point.normal_modulus = nn * (elasticity(cell) * nn);
+    point.normal_modulus = nn * (law(cell).stiffness() * nn);
     return point;
   }
 

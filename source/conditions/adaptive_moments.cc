@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <lamella/base/gauss_lobatto_basis.h>
 #include <lamella/conditions/adaptive_moments.h>
 
 #include <deal.II/base/polynomial.h>
@@ -29,22 +30,6 @@ namespace lamella
     // Values this share of their range beyond it are new: between Gauss points
     // and the edges of their cell a polynomial goes on.
     constexpr double new_value = 0.25, rounding = 1e-10;
-
-
-
-    /// Lagrange polynomials of one degree at Gauss-Lobatto points.
-    using Basis = std::vector<Polynomials::Polynomial<double>>;
-
-    const Basis &
-    basis_of(const unsigned int degree)
-    {
-      static std::map<unsigned int, Basis> known;
-      Basis                               &basis = known[degree];
-      if (basis.empty())
-        basis = Polynomials::generate_complete_Lagrange_basis(
-          QGaussLobatto<1>(degree + 1).get_points());
-      return basis;
-    }
 
 
 
@@ -328,8 +313,10 @@ namespace lamella
               const double h = box.high[d] - box.low[d];
               x[d].push_back(box.low[d] + gauss.point(q)[0] * h);
               w[d].push_back(gauss.weight(q) * h);
-              for (const auto &function : basis_of(cell.degree[d]))
-                phi[d].push_back(function.value(x[d].back()));
+              const std::size_t known = phi[d].size();
+              phi[d].resize(known + cell.degree[d] + 1);
+              GaussLobattoBasis::of_degree(cell.degree[d])
+                .evaluate(x[d].back(), phi[d].data() + known, nullptr);
             }
           n_points *= x[d].size();
           n_functions *= cell.degree[d] + 1;

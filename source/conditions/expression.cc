@@ -13,6 +13,17 @@
 
 namespace lamella
 {
+  std::string
+  Formula::with_all_digits(const double value)
+  {
+    std::ostringstream text;
+    text.precision(std::numeric_limits<double>::max_digits10);
+    text << value;
+    return text.str();
+  }
+
+
+
   using namespace dealii;
 
   namespace

@@ -50,10 +50,10 @@ namespace lamella
         , is_pressure(!load.pressure.empty())
       {
         if (is_pressure)
-          expressions.emplace_back(load.pressure, what + "/Pressure");
+          expressions.emplace_back(load.pressure.text(), what + "/Pressure");
         else
-          for (const std::string &component : load.force)
-            expressions.emplace_back(component, what + "/Force");
+          for (const Formula &component : load.force)
+            expressions.emplace_back(component.text(), what + "/Force");
         is_constant =
           std::all_of(expressions.begin(),
                       expressions.end(),

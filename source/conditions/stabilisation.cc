@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <lamella/base/orthogonal.h>
 #include <lamella/conditions/stabilisation.h>
 
 namespace lamella
@@ -97,23 +98,19 @@ namespace lamella
 
 
 
-    /// Gram and Schmidt, twice.
-    void
-    orthonormalise(std::vector<PointMotion> &motions)
+    std::vector<PointMotion>
+    orthonormal(const std::vector<PointMotion> &motions)
     {
-      for (unsigned int k = 0; k < motions.size(); ++k)
-        for (unsigned int pass = 0; pass < 2; ++pass)
-          {
-            for (unsigned int j = 0; j < k; ++j)
-              {
-                const double along = product(motions[k], motions[j]);
-                for (unsigned int p = 0; p < motions[k].size(); ++p)
-                  motions[k][p] -= along * motions[j][p];
-              }
-            const double norm = std::sqrt(product(motions[k], motions[k]));
-            for (Tensor<1, 3> &v : motions[k])
-              v /= norm;
-          }
+      std::vector<PointMotion> result;
+      for (PointMotion motion : motions)
+        {
+          make_orthogonal(motion, result, product);
+          const double norm = std::sqrt(product(motion, motion));
+          for (Tensor<1, 3> &v : motion)
+            v /= norm;
+          result.push_back(std::move(motion));
+        }
+      return result;
     }
   } // namespace
 
@@ -146,7 +143,7 @@ namespace lamella
         for (const Point<3> &x : points)
           motions.back().push_back(one.at(x, body));
       }
-    orthonormalise(motions);
+    motions = orthonormal(motions);
 
     const double        stiffness = stabilisation.share * axial_stiffness(body);
     const auto          u = body.rows(locations, Quantity::displacement);

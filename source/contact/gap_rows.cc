@@ -63,24 +63,42 @@ namespace lamella
 
 
 
-    /// Of each of @p gaps the row factor sum_k w_k . u(X_k) of the body
-    /// @p index, X_k in @p locations.
-    std::vector<BodyRow>
-    body_rows(const unsigned int              index,
-              const Body                     &body,
-              const std::vector<Location>    &locations,
-              const std::vector<WeightedGap> &gaps,
-              WeightedGap::Weights WeightedGap::*weights,
-              const double                       factor)
+    /// One side of @p gaps, with @p sign, the sign of u there in the gap.
+    RowGeometry
+    geometry(const std::vector<Location>    &places,
+             const std::vector<WeightedGap> &gaps,
+             RowGeometry::Weights WeightedGap::*weights,
+             const double                       sign)
     {
-      const auto           at = body.rows(locations, Quantity::displacement);
-      RowSum               sum(body.n_dofs());
-      std::vector<BodyRow> rows;
+      RowGeometry result;
+      result.places = places;
       for (const WeightedGap &gap : gaps)
         {
-          for (const auto &[k, w] : gap.*weights)
+          result.weights.push_back(gap.*weights);
+          for (auto &[place, weight] : result.weights.back())
+            weight *= sign;
+        }
+      return result;
+    }
+
+
+
+    /// The rows of @p side on the body @p index; @p places as those of the
+    /// side, in this body's elements.
+    std::vector<BodyRow>
+    body_rows(const unsigned int           index,
+              const Body                  &body,
+              const std::vector<Location> &places,
+              const RowGeometry           &side)
+    {
+      const auto           at = body.rows(places, Quantity::displacement);
+      RowSum               sum(body.n_dofs());
+      std::vector<BodyRow> rows;
+      for (const RowGeometry::Weights &weights : side.weights)
+        {
+          for (const auto &[k, w] : weights)
             for (unsigned int c = 0; c < 3; ++c)
-              sum.add(at[k][c], factor * w[c]);
+              sum.add(at[k][c], w[c]);
           rows.push_back({index, sum.take()});
         }
       return rows;
@@ -412,31 +430,33 @@ namespace lamella
              const Gaps        &gaps,
              ContactInterface  &interface)
     {
-      const bool    on_second = interface.points_on_second;
-      const Region &carrying  = on_second ? contact.second : contact.first;
-      const Region &opposing  = on_second ? contact.first : contact.second;
-      const auto    own       = body_rows(carrying.body,
-                                 *bodies[carrying.body],
-                                 gaps.carrying,
-                                 gaps.gaps,
-                                 &WeightedGap::carrying_weights,
-                                 -1.);
-      std::vector<BodyRow> other;
+      const bool   on_second = interface.points_on_second;
+      RowGeometry &carrying  = on_second ? interface.second : interface.first,
+                  &opposing  = on_second ? interface.first : interface.second;
+      carrying =
+        geometry(gaps.carrying, gaps.gaps, &WeightedGap::carrying_weights, -1.);
       if (contact.obstacle == nullptr)
-        other = body_rows(opposing.body,
-                          *bodies[opposing.body],
-                          gaps.opposing,
-                          gaps.gaps,
-                          &WeightedGap::opposing_weights,
-                          1.);
+        opposing = geometry(gaps.opposing,
+                            gaps.gaps,
+                            &WeightedGap::opposing_weights,
+                            1.);
+      const auto           first = body_rows(contact.first.body,
+                                   *bodies[contact.first.body],
+                                   interface.first.places,
+                                   interface.first);
+      std::vector<BodyRow> second;
+      if (contact.obstacle == nullptr)
+        second = body_rows(contact.second.body,
+                           *bodies[contact.second.body],
+                           interface.second.places,
+                           interface.second);
       for (unsigned int k = 0; k < gaps.gaps.size(); ++k)
         {
           const WeightedGap &gap = gaps.gaps[k];
           GapRow             row;
-          row.parts = {own[k]};
+          row.parts = {first[k]};
           if (contact.obstacle == nullptr)
-            row.parts.insert(on_second ? row.parts.begin() : row.parts.end(),
-                             other[k]);
+            row.parts.push_back(second[k]);
           else
             row.gap_rate = gap.normal * contact.obstacle->displacement;
           // Bodies that touch have a gap of rounding only.
@@ -489,6 +509,114 @@ namespace lamella
         row.initial_gap = std::max(0., row.initial_gap);
     }
   } // namespace
+
+
+
+  GapRows::GapRows(const std::vector<ContactInterface> &contacts)
+  {
+    firsts.push_back(0);
+    for (const ContactInterface &contact : contacts)
+      {
+        for (const GapRow &row : contact.rows)
+          rows.push_back(&row);
+        firsts.push_back(rows.size());
+      }
+  }
+
+
+
+  GapRows::GapRows(const std::vector<GapRow> &all)
+    : firsts{0, static_cast<unsigned int>(all.size())}
+  {
+    for (const GapRow &row : all)
+      rows.push_back(&row);
+  }
+
+
+
+  std::pair<unsigned int, unsigned int>
+  GapRows::in_contact(const unsigned int row) const
+  {
+    AssertIndexRange(row, size());
+    const auto next = std::upper_bound(firsts.begin(), firsts.end(), row);
+    return {next - firsts.begin() - 1, row - *(next - 1)};
+  }
+
+
+
+  ArrayView<const double>
+  GapRows::of_contact(const unsigned int         contact,
+                      const std::vector<double> &values) const
+  {
+    AssertDimension(values.size(), size());
+    return {values.data() + firsts[contact],
+            firsts[contact + 1] - firsts[contact]};
+  }
+
+
+
+  std::vector<unsigned int>
+  GapRows::of_contact(const unsigned int               contact,
+                      const std::vector<unsigned int> &some) const
+  {
+    std::vector<unsigned int> result;
+    for (const unsigned int row : some)
+      if (row >= firsts[contact] && row < firsts[contact + 1])
+        result.push_back(row - firsts[contact]);
+    return result;
+  }
+
+
+
+  namespace
+  {
+    /// Where @p side lies in @p body; the ply of each place as it was.
+    std::vector<Location>
+    places_in(const Body &body, const RowGeometry &side)
+    {
+      std::vector<Point<3>> positions;
+      for (const Location &place : side.places)
+        positions.push_back(place.position);
+      const auto            found = body.locate(positions);
+      std::vector<Location> places;
+      for (unsigned int k = 0; k < found.size(); ++k)
+        {
+          if (found[k].empty())
+            throw InputError("body '" + body.name() + "' has no point at " +
+                             to_text(positions[k]) +
+                             ", where a contact loads it. Give both "
+                             "discretisations the same geometry.");
+          const auto same =
+            std::find_if(found[k].begin(),
+                         found[k].end(),
+                         [&](const Location &location) {
+                           return location.ply == side.places[k].ply;
+                         });
+          places.push_back(same == found[k].end() ? found[k][0] : *same);
+        }
+      return places;
+    }
+  } // namespace
+
+
+
+  std::vector<GapRow>
+  rows_on(const ContactInterface &contact, const Bodies &bodies)
+  {
+    std::vector<GapRow> rows = contact.rows;
+    for (GapRow &row : rows)
+      row.parts.clear();
+    const auto add = [&](const unsigned int index, const RowGeometry &side) {
+      const auto parts =
+        body_rows(index, *bodies[index], places_in(*bodies[index], side), side);
+      for (unsigned int k = 0; k < rows.size(); ++k)
+        rows[k].parts.push_back(parts[k]);
+    };
+    add(contact.first_body, contact.first);
+    if (contact.second_body)
+      add(*contact.second_body, contact.second);
+    return rows;
+  }
 
 
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <lamella/base/inverse_map.h>
 #include <lamella/contact/mesh_surface.h>
 
 #include <deal.II/base/quadrature_lib.h>
@@ -21,7 +22,7 @@ namespace lamella
     constexpr double sharp = 0.7;
 
     // More functions than any basis has.
-    constexpr unsigned int max_size = 64;
+    constexpr unsigned int max_size = GaussLobattoBasis::max_size;
 
 
 
@@ -124,46 +125,6 @@ namespace lamella
 
 
 
-  GaussLobattoBasis::GaussLobattoBasis(const unsigned int degree)
-  {
-    const QGaussLobatto<1> nodes(degree + 1);
-    AssertThrow(nodes.size() <= max_size, ExcNotImplemented());
-    for (const Point<1> &node : nodes.get_points())
-      points.push_back(node[0]);
-    for (unsigned int i = 0; i < size(); ++i)
-      {
-        double product = 1.;
-        for (unsigned int j = 0; j < size(); ++j)
-          if (j != i)
-            product *= points[i] - points[j];
-        scales.push_back(1. / product);
-      }
-  }
-
-
-
-  void
-  GaussLobattoBasis::evaluate(const double x,
-                              double      *values,
-                              double      *derivatives) const
-  {
-    for (unsigned int i = 0; i < size(); ++i)
-      {
-        double value = scales[i], derivative = 0.;
-        for (unsigned int j = 0; j < size(); ++j)
-          if (j != i)
-            {
-              derivative = derivative * (x - points[j]) + value;
-              value *= x - points[j];
-            }
-        values[i] = value;
-        if (derivatives != nullptr)
-          derivatives[i] = derivative;
-      }
-  }
-
-
-
   MeshSurface::MeshSurface(const Body &body, const std::string &surface)
     : surface_body(body)
   {
@@ -173,10 +134,10 @@ namespace lamella
         all_facets.emplace_back();
         Facet &facet  = all_facets.back();
         facet.side    = side;
-        facet.grid_s  = basis(side.degree_s);
-        facet.grid_t  = basis(side.degree_t);
-        facet.trace_s = basis(side.trace_degree_s);
-        facet.trace_t = basis(side.trace_degree_t);
+        facet.grid_s  = &GaussLobattoBasis::of_degree(side.degree_s);
+        facet.grid_t  = &GaussLobattoBasis::of_degree(side.degree_t);
+        facet.trace_s = &GaussLobattoBasis::of_degree(side.trace_degree_s);
+        facet.trace_t = &GaussLobattoBasis::of_degree(side.trace_degree_t);
         make_map(facet);
 
         const SurfacePoint middle =
@@ -327,18 +288,6 @@ namespace lamella
 
 
 
-  const GaussLobattoBasis *
-  MeshSurface::basis(const unsigned int degree)
-  {
-    for (const auto &known : bases)
-      if (known->size() == degree + 1)
-        return known.get();
-    bases.push_back(std::make_unique<GaussLobattoBasis>(degree));
-    return bases.back().get();
-  }
-
-
-
   void
   MeshSurface::make_map(Facet &facet)
   {
@@ -376,8 +325,8 @@ namespace lamella
         if ((!linear_s || i == 0 || i == last_s) &&
             (!linear_t || j == 0 || j == last_t))
           facet.map_nodes.push_back(at(i, j));
-    facet.map_s = linear_s ? basis(1) : facet.trace_s;
-    facet.map_t = linear_t ? basis(1) : facet.trace_t;
+    facet.map_s = linear_s ? &GaussLobattoBasis::of_degree(1) : facet.trace_s;
+    facet.map_t = linear_t ? &GaussLobattoBasis::of_degree(1) : facet.trace_t;
 
     facet.origin.position = at(0, 0);
     facet.origin.d_s      = at(last_s, 0) - at(0, 0);
@@ -522,8 +471,7 @@ namespace lamella
                           const Point<3>     &x,
                           const Tensor<1, 3> &d) const
   {
-    constexpr unsigned int max_iterations = 20;
-    constexpr double       small = 1e-14, accepted = 1e-12, lost = 10.;
+    constexpr double accepted = 1e-12, lost = 10.;
 
     const Facet       &facet     = all_facets[number];
     const Tensor<1, 3> to_centre = facet.centre - x;
@@ -540,27 +488,21 @@ namespace lamella
     a                    = a / a.norm();
     const Tensor<1, 3> b = cross_product_3d(d, a);
 
-    Point<2> st(0.5, 0.5);
-    double   change = 1.;
-    for (unsigned int k = 0; k < max_iterations && change > small; ++k)
-      {
-        const Place        place = map(facet, st);
-        const Tensor<1, 3> r     = place.position - x;
-        const double       s_a = a * place.d_s, t_a = a * place.d_t,
-                     s_b = b * place.d_s, t_b = b * place.d_t,
-                     determinant = s_a * t_b - t_a * s_b;
-        if (determinant == 0.)
-          return {};
-        const Point<2> step((t_a * (b * r) - t_b * (a * r)) / determinant,
-                            (s_b * (a * r) - s_a * (b * r)) / determinant);
-        st += step;
-        change = step.norm();
-        if (!(st.norm() < lost))
-          return {};
-        if (facet.is_affine)
-          change = 0.;
-      }
-    if (change > accepted)
+    const auto missing = [&](const Point<2> &st) {
+      const Place  place = map(facet, st);
+      const auto   r     = x - place.position;
+      Tensor<2, 2> across;
+      across[0][0] = a * place.d_s;
+      across[0][1] = a * place.d_t;
+      across[1][0] = b * place.d_s;
+      across[1][1] = b * place.d_t;
+      return std::make_pair(Tensor<1, 2>({a * r, b * r}), across);
+    };
+    // Written so that what is not a number is lost.
+    const auto is_near = [](const Point<2> &st) { return st.norm() < lost; };
+    const auto [st, change] =
+      inverse_image(Point<2>(0.5, 0.5), facet.is_affine, missing, is_near);
+    if (!is_near(st) || change > accepted)
       return {};
     for (unsigned int c = 0; c < 2; ++c)
       if (st[c] < -outside || st[c] > 1. + outside)

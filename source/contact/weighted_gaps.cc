@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <lamella/base/inverse_map.h>
 #include <lamella/contact/segments.h>
 #include <lamella/contact/weighted_gaps.h>
 
@@ -33,7 +34,7 @@ namespace lamella
 
     /// Sums the weights of each number, in ascending order.
     void
-    merge(WeightedGap::Weights &weights)
+    merge(RowGeometry::Weights &weights)
     {
       std::sort(weights.begin(),
                 weights.end(),
@@ -52,7 +53,7 @@ namespace lamella
     /// Numbers the locations that the weights of all rows refer to from 0 on.
     std::vector<Location>
     renumber(std::vector<WeightedGap> &gaps,
-             WeightedGap::Weights WeightedGap::*weights,
+             RowGeometry::Weights WeightedGap::*weights,
              const MeshSurface                 &surface)
     {
       const unsigned int        none = numbers::invalid_unsigned_int;
@@ -377,24 +378,21 @@ namespace lamella
                             const ChordPlane &plane,
                             const Point<2>   &p) const
     {
-      constexpr unsigned int max_iterations = 20;
-      constexpr double       small          = 1e-14;
-
-      Point<2> st = cell.low + 0.5 * (cell.high - cell.low);
-      for (unsigned int k = 0; k < max_iterations; ++k)
-        {
-          const auto         place = carrying.map(*cell.facet, st);
-          const Tensor<1, 2> r =
-            p - plane.project(place.position, plane.normal);
-          const double s1 = place.d_s * plane.e1, s2 = place.d_s * plane.e2,
-                       t1 = place.d_t * plane.e1, t2 = place.d_t * plane.e2,
-                       determinant = s1 * t2 - t1 * s2;
-          const Point<2> step((t2 * r[0] - t1 * r[1]) / determinant,
-                              (s1 * r[1] - s2 * r[0]) / determinant);
-          st += step;
-          if (cell.facet->is_affine || step.norm() < small)
-            break;
-        }
+      const auto missing = [&](const Point<2> &st) {
+        const auto   place = carrying.map(*cell.facet, st);
+        Tensor<2, 2> in_plane;
+        in_plane[0][0] = place.d_s * plane.e1;
+        in_plane[0][1] = place.d_t * plane.e1;
+        in_plane[1][0] = place.d_s * plane.e2;
+        in_plane[1][1] = place.d_t * plane.e2;
+        return std::make_pair(p - plane.project(place.position, plane.normal),
+                              in_plane);
+      };
+      const Point<2> st = inverse_image(cell.low + 0.5 * (cell.high - cell.low),
+                                        cell.facet->is_affine,
+                                        missing,
+                                        [](const Point<2> &) { return true; })
+                            .unit;
       return evaluate(cell, st);
     }
 

@@ -46,7 +46,7 @@ namespace lamella
 
 
 
-  EngineeringConstants
+  Material
   library_material(const std::string &name, const Units &units)
   {
     const auto found =

@@ -44,9 +44,9 @@ namespace lamella
 
 
 
-  EngineeringConstants
-  MaterialParameters::constants(const Units       &units,
-                                const std::string &what) const
+  Material
+  MaterialParameters::material(const Units       &units,
+                               const std::string &what) const
   {
     const int given =
       !library.empty() + !engineering_constants.empty() + !isotropic.empty();
@@ -56,13 +56,13 @@ namespace lamella
                        "constants and Isotropic; " +
                        (given == 0 ? "none is" : "several are") + " set.");
 
-    EngineeringConstants constants;
-    std::string          entry;
+    Material    material;
+    std::string entry;
     if (!library.empty())
       {
         try
           {
-            constants = library_material(library, units);
+            material = library_material(library, units);
             if (units.stress.empty() && library != "hertz-200")
               throw InputError("Library = " + library +
                                ": its constants have units, but Units is none. "
@@ -82,7 +82,8 @@ namespace lamella
         if (!(numbers[1] > -1. && numbers[1] < 0.5))
           throw InputError(entry + ": nu must lie between -1 and 0.5, or the "
                                    "material is not positive definite.");
-        constants = EngineeringConstants::isotropic(numbers[0], numbers[1]);
+        material.elastic =
+          EngineeringConstants::isotropic(numbers[0], numbers[1]);
       }
     else
       {
@@ -94,12 +95,13 @@ namespace lamella
                            ": must be nine numbers, E1, E2, E3, G12, "
                            "G13, G23, nu12, nu13, nu23; there are " +
                            std::to_string(n.size()) + ".");
-        constants = {n[0], n[1], n[2], n[3], n[4], n[5], n[6], n[7], n[8]};
+        material.elastic = {
+          n[0], n[1], n[2], n[3], n[4], n[5], n[6], n[7], n[8]};
       }
-    const std::string violated = constants.violated_condition();
+    const std::string violated = material.elastic.violated_condition();
     if (!violated.empty())
       throw InputError(
         entry + ": the material is not positive definite: " + violated + ".");
-    return constants;
+    return material;
   }
 } // namespace lamella

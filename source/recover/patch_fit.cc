@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <lamella/base/orthogonal.h>
 #include <lamella/recover/patch_fit.h>
 
 #include <algorithm>
@@ -39,17 +40,6 @@ namespace lamella
       for (unsigned int i = 0; i < a.size(); ++i)
         sum += a[i] * b[i];
       return sum;
-    }
-
-
-
-    void
-    subtract(std::vector<double>       &a,
-             const double               factor,
-             const std::vector<double> &b)
-    {
-      for (unsigned int i = 0; i < a.size(); ++i)
-        a[i] -= factor * b[i];
     }
   } // namespace
 
@@ -141,8 +131,8 @@ namespace lamella
   unsigned int
   PatchFit::Polynomial::fit(const std::vector<PatchPoint> &points)
   {
-    // Gram and Schmidt's orthogonalisation of the terms' values at the points,
-    // twice for the sake of rounding; each vector with its coefficients.
+    // The terms' values at the points, made orthonormal; each vector with its
+    // coefficients.
     std::vector<std::vector<double>> of_points, vectors, expansions;
     std::vector<FieldValues>         rest;
     for (const PatchPoint &point : points)
@@ -155,15 +145,13 @@ namespace lamella
         std::vector<double> vector, expansion(terms.size(), 0.);
         for (const std::vector<double> &values : of_points)
           vector.push_back(values[k]);
-        expansion[k]      = 1.;
-        const double size = std::sqrt(product(vector, vector));
-        for (unsigned int pass = 0; pass < 2; ++pass)
-          for (unsigned int j = 0; j < vectors.size(); ++j)
-            {
-              const double factor = product(vectors[j], vector);
-              subtract(vector, factor, vectors[j]);
-              subtract(expansion, factor, expansions[j]);
-            }
+        expansion[k]                   = 1.;
+        const double              size = std::sqrt(product(vector, vector));
+        const std::vector<double> parts =
+          make_orthogonal(vector, vectors, product);
+        for (unsigned int j = 0; j < vectors.size(); ++j)
+          for (unsigned int i = 0; i < terms.size(); ++i)
+            expansion[i] -= parts[j] * expansions[j][i];
         const double left = std::sqrt(product(vector, vector));
         if (!(left > seen * size))
           continue;

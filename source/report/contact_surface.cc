@@ -239,23 +239,20 @@ namespace lamella
 
 
   std::string
-  ContactSurface::write_vtu(const std::string &directory,
-                            const unsigned int step,
-                            const double       factor,
-                            const State       &state,
-                            const unsigned int first_row) const
+  ContactSurface::write_vtu(const std::string             &directory,
+                            const unsigned int             step,
+                            const BlockVector             &u,
+                            const std::vector<ContactRow> &rows) const
   {
     const Bodies             &bodies = structure.bodies();
     std::vector<Tensor<1, 3>> positions, displacements, normals, separations;
     std::map<std::string, std::vector<double>> scalars;
-    for (unsigned int k = 0; k < contact.points.size(); ++k)
+    for (unsigned int k = 0; k < rows.size(); ++k)
       {
-        const ContactInterface::Point &point = contact.points[k];
-        const double gap       = contact.rows[k].gap(state.u, factor);
-        const double force     = state.force[first_row + k];
-        const auto   displaced = [&](const unsigned int b,
+        const ContactInterface::Point &point     = rows[k].point;
+        const auto                     displaced = [&](const unsigned int b,
                                    const Location    &where) {
-          return bodies[b]->sample(where, state.u.block(b)).displacement;
+          return bodies[b]->sample(where, u.block(b)).displacement;
         };
         displacements.push_back(displaced(contact.first_body, first_places[k]));
         positions.push_back(point.first + displacements.back());
@@ -264,13 +261,13 @@ namespace lamella
           contact.second_body ?
             point.second + displaced(*contact.second_body, second_places[k]) -
               Point<3>(positions.back()) :
-            gap * point.normal);
+            rows[k].gap * point.normal);
         scalars["area"].push_back(point.area);
-        scalars["initial_gap"].push_back(contact.rows[k].initial_gap);
-        scalars["gap"].push_back(gap);
-        scalars["force"].push_back(force);
-        scalars["pressure"].push_back(force / point.area);
-        scalars["status"].push_back(force > 0. ? 1. : 0.);
+        scalars["initial_gap"].push_back(rows[k].initial_gap);
+        scalars["gap"].push_back(rows[k].gap);
+        scalars["force"].push_back(rows[k].force);
+        scalars["pressure"].push_back(rows[k].force / point.area);
+        scalars["status"].push_back(rows[k].touches() ? 1. : 0.);
       }
 
     const std::string name = "contact_" + contact.name + "_" +

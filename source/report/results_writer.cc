@@ -100,15 +100,13 @@ namespace lamella
                                                           step.state.u));
     if (!is_speaker())
       return;
-    unsigned int first_row = 0;
     for (unsigned int k = 0; k < surfaces.size(); ++k)
       {
-        const ContactInterface &contact = scenery.contacts[k];
-        standing.vtu_files["contact_" + contact.name].emplace_back(
+        const std::string name = "contact_" + scenery.contacts[k].name;
+        standing.vtu_files[name].emplace_back(
           step.step,
           surfaces[k].write_vtu(
-            place.path(), step.step, step.load_factor, step.state, first_row));
-        first_row += contact.rows.size();
+            place.path(), step.step, step.state.u, step.contacts[k]));
       }
     for (const auto &[name, files] : standing.vtu_files)
       write_pvd(place.path(), name, files);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <lamella/base/memory.h>
 #include <lamella/report/summary.h>
 
 #include <nlohmann/json.hpp>
@@ -107,8 +108,7 @@ namespace lamella
     Json
     run_json(const Results &results)
     {
-      constexpr double megabyte = 1024. * 1024.;
-      Json             json;
+      Json json;
       json["version"] = LAMELLA_VERSION;
       json["title"]   = results.title;
       json["units"]   = {{"length", results.units.length},

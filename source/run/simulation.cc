@@ -10,8 +10,8 @@
 #include <lamella/report/validation.h>
 #include <lamella/run/simulation.h>
 #include <lamella/scene/theory_notes.h>
-#include <lamella/solve/condensed_strategy.h>
-#include <lamella/solve/full_strategy.h>
+#include <lamella/solve/multiplier_loop.h>
+#include <lamella/solve/penalty_newton.h>
 
 #include <ostream>
 
@@ -75,8 +75,8 @@ namespace lamella
 
 
 
-  Simulation::Simulation(const Scene &scene, std::ostream &out)
-    : scene(scene)
+  Simulation::Simulation(const Scene &given, std::ostream &out)
+    : scene(given)
     , out(out)
     , timer(out, TimerOutput::never, TimerOutput::wall_times)
   {
@@ -124,12 +124,8 @@ namespace lamella
   Simulation::build_contacts()
   {
     for (const ContactPair &contact : scene.contacts)
-      {
-        contacts.push_back(make_interface(contact, structure->bodies()));
-        gap_rows.insert(gap_rows.end(),
-                        contacts.back().rows.begin(),
-                        contacts.back().rows.end());
-      }
+      contacts.push_back(make_interface(contact, structure->bodies()));
+    gap_rows = GapRows(contacts);
     check_conflicts(contacts, structure->bodies());
     for (const ContactPair &contact : scene.contacts)
       search_checks.emplace_back(contact, structure->bodies());
@@ -185,7 +181,7 @@ namespace lamella
             << ", load factor " << factors[step - 1] << std::endl;
         solve_step(step, factors[step - 1], observer);
       }
-    found.endnotes  = strategy->warnings();
+    found.endnotes  = solver->warnings();
     found.converged = true;
     count_costs();
     return found;
@@ -200,45 +196,62 @@ namespace lamella
     const std::string  memory = budget.require_matrices(*structure);
     print_bodies(out, *structure, contacts, scene.units);
     out << "Memory: " << memory << std::endl;
-    {
-      TimerOutput::Scope scope(timer, "assembly");
-      structure->assemble(scene.solve.solver);
-    }
-    TimerOutput::Scope scope(timer, "factorisation");
     if (scene.solve.strategy == Strategy::full)
-      strategy = std::make_unique<FullStrategy>(*structure, gap_rows);
+      {
+        TimerOutput::Scope scope(timer, "assembly");
+        solver = std::make_unique<PenaltyNewton>(*structure,
+                                                 gap_rows,
+                                                 scene.solve.loop);
+      }
     else
       {
-        structure->factorise([&](const Body &body, const FactorSize &size) {
-          out << "Memory: " << budget.require_factor(body, size) << std::endl;
-        });
-        strategy = std::make_unique<CondensedStrategy>(*structure, gap_rows);
+        make_solvers(budget);
+        solver = std::make_unique<MultiplierLoop>(*structure,
+                                                  gap_rows,
+                                                  scene.solve.loop);
       }
     if (!found.steps.empty())
-      strategy->recall(found.last().memory);
-    newton           = std::make_unique<Newton>(*structure,
-                                      gap_rows,
-                                      *strategy,
-                                      scene.solve.newton);
-    newton->progress = [this](const std::string &line) {
+      solver->recall(found.last().memory);
+    solver->progress = [this](const std::string &line) {
       out << "  " << line << std::endl;
     };
-    newton->describe = [this](const unsigned int row) {
+    solver->describe = [this](const unsigned int row) {
       return describe_row(row);
     };
   }
 
 
 
-  std::string
-  Simulation::describe_row(unsigned int row) const
+  void
+  Simulation::make_solvers(const MemoryBudget &budget)
   {
-    auto contact = contacts.begin();
-    for (; row >= contact->rows.size(); ++contact)
-      row -= contact->rows.size();
-    return "contact " + contact->name + ", body '" +
-           structure->bodies()[contact->first_body]->name() + "' at " +
-           to_text(contact->points[row].first);
+    Structure::BodyMonitor monitor;
+    monitor.begins = [this](const Body &) {
+      timer.enter_subsection("assembly");
+    };
+    monitor.assembled = [this](const Body &) {
+      timer.leave_subsection("assembly");
+      timer.enter_subsection("factorisation");
+    };
+    monitor.sized = [&](const Body &body, const FactorSize &size) {
+      out << "Memory: " << budget.require_factor(body, size) << std::endl;
+    };
+    monitor.ends = [this](const Body &) {
+      timer.leave_subsection("factorisation");
+    };
+    structure->make_solvers(scene.solve.solver, monitor);
+  }
+
+
+
+  std::string
+  Simulation::describe_row(const unsigned int row) const
+  {
+    const auto [c, k]               = gap_rows.in_contact(row);
+    const ContactInterface &contact = contacts[c];
+    return "contact " + contact.name + ", body '" +
+           structure->bodies()[contact.first_body]->name() + "' at " +
+           to_text(contact.points[k].first);
   }
 
 
@@ -251,13 +264,13 @@ namespace lamella
     const State previous = state;
     {
       TimerOutput::Scope scope(timer, "solve");
-      state = newton->solve_free(factor);
+      state = solver->solve_free(factor);
     }
     if (!gap_rows.empty())
       {
         TimerOutput::Scope scope(timer, "contact");
-        state = newton->release_springs(
-          newton->solve_contact(state, factor, previous), factor);
+        state = solver->release_springs(
+          solver->solve_contact(state, factor, previous), factor);
       }
     Checks checks;
     {
@@ -266,7 +279,10 @@ namespace lamella
         check_state(*structure, contacts, scene.supports.size(), state, factor);
       require_sound(state, checks, scene.solve.rotation_limit);
       for (unsigned int k = 0; k < contacts.size(); ++k)
-        search_checks[k].check(contacts[k], state.u, factor, active_rows(k));
+        search_checks[k].check(contacts[k],
+                               state.u,
+                               factor,
+                               gap_rows.of_contact(k, state.active));
     }
     {
       TimerOutput::Scope scope(timer, "output");
@@ -294,22 +310,23 @@ namespace lamella
     results.load_factor = factor;
     results.state       = state;
     results.checks      = checks;
-    results.memory      = strategy->memory();
+    results.memory      = solver->memory();
     results.warnings    = warnings_of_step(factor, checks);
     sampler->sample(state.u, results);
-    unsigned int row = 0;
-    for (const ContactInterface &contact : contacts)
+    for (unsigned int c = 0; c < contacts.size(); ++c)
       {
-        auto &rows   = results.contacts.emplace_back();
-        auto &change = results.changes.emplace_back();
-        for (unsigned int k = 0; k < contact.rows.size(); ++k, ++row)
+        const ContactInterface &contact = contacts[c];
+        const auto              force   = gap_rows.of_contact(c, state.force);
+        auto                   &rows    = results.contacts.emplace_back();
+        auto                   &change  = results.changes.emplace_back();
+        for (unsigned int k = 0; k < contact.rows.size(); ++k)
           {
             rows.push_back({contact.points[k],
                             contact.rows[k].initial_gap,
                             contact.rows[k].gap(state.u, factor),
-                            state.force[row]});
-            const bool touched =
-              !previous.force.empty() && previous.force[row] > 0.;
+                            force[k]});
+            const bool touched = !previous.force.empty() &&
+                                 gap_rows.of_contact(c, previous.force)[k] > 0.;
             change.closed += rows.back().touches() && !touched;
             change.opened += !rows.back().touches() && touched;
           }
@@ -319,28 +336,17 @@ namespace lamella
 
 
 
-  std::vector<unsigned int>
-  Simulation::active_rows(const unsigned int contact) const
-  {
-    unsigned int first = 0;
-    for (unsigned int k = 0; k < contact; ++k)
-      first += contacts[k].rows.size();
-    std::vector<unsigned int> active;
-    for (const unsigned int row : state.active)
-      if (row >= first && row < first + contacts[contact].rows.size())
-        active.push_back(row - first);
-    return active;
-  }
-
-
-
   std::vector<std::string>
   Simulation::warnings_of_step(const double factor, const Checks &checks) const
   {
     std::vector<std::string> warnings = warnings_of(state, checks, contacts);
     for (unsigned int k = 0; k < contacts.size(); ++k)
-      for (const std::string &warning : broken_assumptions(
-             contacts[k], structure->bodies(), state.u, factor, active_rows(k)))
+      for (const std::string &warning :
+           broken_assumptions(contacts[k],
+                              structure->bodies(),
+                              state.u,
+                              factor,
+                              gap_rows.of_contact(k, state.active)))
         warnings.push_back(warning);
     return warnings;
   }
@@ -356,14 +362,14 @@ namespace lamella
          timer.get_summary_data(TimerOutput::total_wall_time))
       found.seconds[phase] = seconds;
     found.seconds["total"]   = wall.wall_time();
-    found.condition_estimate = strategy->condition_estimate();
+    found.condition_estimate = solver->condition_estimate();
     found.processes          = n_processes();
     found.peak_memory = Utilities::MPI::max(peak_memory(), communicator());
     found.peak_memory_of_all =
       Utilities::MPI::sum(peak_memory(), communicator());
     if (scene.solve.strategy == Strategy::condensed)
       for (unsigned int b = 0; b < found.bodies.size(); ++b)
-        found.bodies[b].solver = structure->bodies()[b]->solver().statistics();
+        found.bodies[b].solver = structure->solver(b).statistics();
   }
 
 
@@ -437,5 +443,21 @@ namespace lamella
     for (const std::string &warning : found.notes)
       out << "Note: " << warning << ".\n";
     out << "The scene is valid; nothing was solved or written." << std::endl;
+  }
+
+
+
+  std::unique_ptr<Simulation>
+  make_simulation(const Scene &scene, const SceneText &text, std::ostream &out)
+  {
+    try
+      {
+        return std::make_unique<Simulation>(scene, out);
+      }
+    catch (const InputError &error)
+      {
+        const std::string message = text.abbreviated(error.what());
+        throw InputError(text.place_of(message) + message);
+      }
   }
 } // namespace lamella

@@ -11,8 +11,8 @@
 #include <lamella/material/parameters.h>
 #include <lamella/scene/scene.h>
 #include <lamella/scene/size_check.h>
-#include <lamella/section/parameters.h>
-#include <lamella/section/properties.h>
+#include <lamella/shape/parameters.h>
+#include <lamella/shape/properties.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -457,7 +457,7 @@ namespace lamella
       for (const std::string &name : names.at("Materials"))
         in("Material " + name, [&](const std::string &what) {
           scene.materials[name] =
-            MaterialParameters::parse(prm).constants(scene.units, what);
+            MaterialParameters::parse(prm).material(scene.units, what);
         });
       for (const std::string &name : names.at("Sections"))
         in("Section " + name, [&](const std::string &what) {

@@ -2,8 +2,8 @@
 
 #include <lamella/base/text.h>
 #include <lamella/scene/theory_notes.h>
-#include <lamella/section/properties.h>
 #include <lamella/section/theory_limits.h>
+#include <lamella/shape/properties.h>
 
 #include <algorithm>
 #include <array>

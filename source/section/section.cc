@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <lamella/base/exceptions.h>
+#include <lamella/base/inverse_map.h>
 #include <lamella/base/text.h>
 #include <lamella/section/lagrange_element.h>
 #include <lamella/section/section.h>
@@ -51,7 +52,7 @@ namespace lamella
     const double k =
       theory.kind == Theory::Kind::TBT ? theory.shear_factor : 1.;
     for (const Ply &ply : plies())
-      elasticities.push_back(with_shear_factor(ply.stiffness(), k));
+      laws.emplace_back(with_shear_factor(ply.stiffness(), k));
     for (const auto &cell :
          expansion->section_mesh().mesh.active_cell_iterators())
       ply_of_cell.push_back(cell->material_id());
@@ -229,13 +230,13 @@ namespace lamella
     if (!section_theory.poisson_correction)
       return;
     if (section_theory.is_classical())
-      completion = std::make_unique<FreeContraction>(elasticities, ply_of_cell);
+      completion = std::make_unique<FreeContraction>(laws, ply_of_cell);
     else if (section_theory.kind == Theory::Kind::TE &&
              section_theory.order == 1)
       completion = std::make_unique<ContractionModes>(expansion->shared_mesh(),
                                                       points,
                                                       weights,
-                                                      elasticities,
+                                                      laws,
                                                       ply_of_cell,
                                                       n_fields());
     if (completion != nullptr)
@@ -248,19 +249,12 @@ namespace lamella
   std::pair<Point<2>, double>
   Section::nearest_in_cell(const unsigned int cell, const Point<2> &x) const
   {
-    // Newton's method on the element's own map, from the middle of the cell.
-    Point<2> unit(0.5, 0.5);
-    for (unsigned int iteration = 0; iteration < 20; ++iteration)
-      {
-        const auto [position, jacobian] = expansion->map(cell, unit);
-        const double size = std::sqrt(std::abs(determinant(jacobian)));
-        if (x.distance(position) < 1e-14 * size)
-          break;
-        unit += invert(jacobian) * (x - position);
-        // Beyond its cell a curved map may fold; stay near.
-        for (unsigned int d = 0; d < 2; ++d)
-          unit[d] = std::min(1.5, std::max(-0.5, unit[d]));
-      }
+    const auto missing = [&](const Point<2> &unit) {
+      const auto [position, jacobian] = expansion->map(cell, unit);
+      return std::make_pair(x - position, Tensor<2, 2>(jacobian));
+    };
+    const Point<2> unit =
+      inverse_image(Point<2>(0.5, 0.5), false, missing, stay_near<2>).unit;
     const Point<2> inside = GeometryInfo<2>::project_to_unit_cell(unit);
     return {inside, x.distance(expansion->map(cell, inside).position)};
   }

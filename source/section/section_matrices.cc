@@ -69,7 +69,8 @@ namespace lamella
                 e[2] = point.along[a];
                 for (unsigned int p = 0; p < 3; ++p)
                   {
-                    const Voigt s = weights[number] * (elasticity(cell) * e[p]);
+                    const Voigt s =
+                      weights[number] * (law(cell).stiffness() * e[p]);
                     for (unsigned int c = 0; c < 6; ++c)
                       {
                         strain[p](6 * k + c, a) = e[p][c];
@@ -263,7 +264,7 @@ namespace lamella
   Section::make_moments()
   {
     const FunctionMoments functions =
-      function_moments(*expansion, ply_of_cell, elasticities.size());
+      function_moments(*expansion, ply_of_cell, laws.size());
     std::vector<StrainParts> parts;
     for (const SectionField &field : fields)
       parts.push_back(strains_of(field, expansion->reference_length()));
@@ -278,12 +279,12 @@ namespace lamella
             for (unsigned int a = 0; a < n; ++a)
               {
                 double sum = 0.;
-                for (unsigned int ply = 0; ply < elasticities.size(); ++ply)
+                for (unsigned int ply = 0; ply < laws.size(); ++ply)
                   for (const StrainPart &i : parts[a][p])
                     for (const StrainPart &j : parts[b][q])
                       sum +=
                         i.factor * j.factor *
-                        elasticities[ply][i.strain][j.strain] *
+                        laws[ply].stiffness()[i.strain][j.strain] *
                         functions[ply][i.derivative][j.derivative](i.function,
                                                                    j.function);
                 moment(a, b) = sum;

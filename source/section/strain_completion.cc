@@ -39,13 +39,12 @@ namespace lamella
 
 
 
-  FreeContraction::FreeContraction(
-    const std::vector<ElasticTensor> &elasticities,
-    const std::vector<unsigned int>  &ply_of_cell)
+  FreeContraction::FreeContraction(const std::vector<ElasticLaw>   &laws,
+                                   const std::vector<unsigned int> &ply_of_cell)
     : ply_of_cell(ply_of_cell)
   {
-    for (const ElasticTensor &C : elasticities)
-      completion.push_back(free_contraction(C));
+    for (const ElasticLaw &law : laws)
+      completion.push_back(free_contraction(law.stiffness()));
   }
 
 
@@ -66,7 +65,7 @@ namespace lamella
     std::shared_ptr<const SectionMesh> mesh,
     const std::vector<SectionPoint>   &points,
     const std::vector<double>         &weights,
-    const std::vector<ElasticTensor>  &elasticities,
+    const std::vector<ElasticLaw>     &laws,
     const std::vector<unsigned int>   &ply_of_cell,
     const unsigned int                 n_fields)
     : modes(std::move(mesh), mode_degree)
@@ -90,8 +89,8 @@ namespace lamella
       loads_along(n, n_fields);
     for (unsigned int k = 0; k < points.size(); ++k)
       {
-        const SectionPoint      &point  = points[k];
-        const ElasticTensor     &C      = elasticities[ply_of_cell[point.cell]];
+        const SectionPoint      &point = points[k];
+        const ElasticTensor     &C = laws[ply_of_cell[point.cell]].stiffness();
         const std::vector<Voigt> strain = mode_strains(point.cell, point.unit);
         for (unsigned int m = 0; m < n; ++m)
           {

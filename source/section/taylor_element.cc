@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <lamella/base/gauss_lobatto_basis.h>
+#include <lamella/base/orthogonal.h>
 #include <lamella/section/taylor_element.h>
 
 #include <deal.II/base/polynomial.h>
@@ -110,17 +112,9 @@ namespace lamella
     step.degree    = recurrence[parent].degree + 1;
     while (recurrence[step.first].degree + 2 < step.degree)
       ++step.first;
-    step.parts.assign(values.size() - step.first, 0.);
     const double before = std::sqrt(product(fresh, fresh));
-    for (unsigned int pass = 0; pass < 2; ++pass)
-      for (unsigned int j = step.first; j < values.size(); ++j)
-        {
-          const double part = product(fresh, values[j]);
-          step.parts[j - step.first] += part;
-          for (unsigned int q = 0; q < n; ++q)
-            fresh[q] -= part * values[j][q];
-        }
-    step.norm = std::sqrt(product(fresh, fresh));
+    step.parts          = make_orthogonal(fresh, values, product, step.first);
+    step.norm           = std::sqrt(product(fresh, fresh));
     if (!(step.norm > dependent * before))
       return;
     for (double &value : fresh)
@@ -212,24 +206,23 @@ namespace lamella
   std::vector<EdgePoint>
   TaylorElement::edge_points(const std::string &boundary) const
   {
-    const std::vector<Point<1>> along =
-      QGaussLobatto<1>(order + 1).get_points();
-    const auto basis = Polynomials::generate_complete_Lagrange_basis(along);
-    const QGauss<1> quadrature(order + 3);
+    const GaussLobattoBasis &basis = GaussLobattoBasis::of_degree(order);
+    std::vector<double>      shares(basis.size());
+    const QGauss<1>          quadrature(order + 3);
     // Two sides share the point between them; others have no vertex.
     std::vector<EdgePoint>               points;
     std::map<unsigned int, unsigned int> at_vertex;
     for (const auto &[c, f] : boundary_faces(boundary))
-      for (unsigned int i = 0; i < along.size(); ++i)
+      for (unsigned int i = 0; i < basis.size(); ++i)
         {
           const auto   cell   = std::next(mesh->mesh.begin_active(), c);
           unsigned int number = points.size();
-          if (i == 0 || i + 1 == along.size())
+          if (i == 0 || i + 1 == basis.size())
             number = at_vertex
                        .emplace(cell->face(f)->vertex_index(i == 0 ? 0 : 1),
                                 points.size())
                        .first->second;
-          const Point<2> unit      = face_point(f, along[i][0]);
+          const Point<2> unit      = face_point(f, basis.point(i));
           const auto [position, J] = geometry.map(c, unit);
           if (number == points.size())
             {
@@ -247,7 +240,8 @@ namespace lamella
               const Tensor<1, 2> n =
                 scaled_face_normal(f,
                                    geometry.map(c, face_point(f, t)).jacobian);
-              const double share = basis[i].value(t) * quadrature.weight(q);
+              basis.evaluate(t, shares.data(), nullptr);
+              const double share = shares[i] * quadrature.weight(q);
               normal += share * n;
               weight += share * n.norm();
             }

@@ -198,19 +198,18 @@ namespace lamella
 
     /// What the rows say of gaps and forces, each for itself.
     void
-    check_rows(const ContactInterface    &contact,
-               const std::vector<double> &force,
-               const unsigned int         first_row,
-               const BlockVector         &u,
-               const double               factor,
-               const double               displacement,
-               KuhnTucker                &kkt)
+    check_rows(const ContactInterface        &contact,
+               const ArrayView<const double> &force,
+               const BlockVector             &u,
+               const double                   factor,
+               const double                   displacement,
+               KuhnTucker                    &kkt)
     {
       double smallest = std::numeric_limits<double>::max(), largest = 0.;
       for (unsigned int k = 0; k < contact.rows.size(); ++k)
         {
           const GapRow &row    = contact.rows[k];
-          const double  lambda = force[first_row + k];
+          const double  lambda = force[k];
           const double  g      = row.gap(u, factor);
           kkt.max_penetration  = std::max(kkt.max_penetration, -g);
           kkt.law_error =
@@ -246,7 +245,7 @@ namespace lamella
     add_contact_forces(const Structure                        &structure,
                        const std::vector<std::vector<Vector>> &rigid,
                        const ContactInterface                 &contact,
-                       const double *const                     lambda,
+                       const ArrayView<const double>          &lambda,
                        KuhnTucker                             &kkt,
                        std::vector<Resultants>                &on_body)
     {
@@ -294,12 +293,11 @@ namespace lamella
     /// bending is larger by decades in the slenderest body that doubles can
     /// hold: it falls with (h / L)^3 only.)
     double
-    rounding_energy(const Body &body, const Vector &u)
+    rounding_energy(const double largest_stiffness, const Vector &u)
     {
       constexpr double digits   = 1e3 * std::numeric_limits<double>::epsilon();
       const double     rounding = digits * u.linfty_norm();
-      return 0.5 * body.stiffness().diagonal().linfty_norm() * rounding *
-             rounding;
+      return 0.5 * largest_stiffness * rounding * rounding;
     }
 
 
@@ -349,7 +347,8 @@ namespace lamella
           checks.energy += deformation.energy;
           checks.max_rotation =
             std::max(checks.max_rotation, deformation.max_rotation);
-          const double noise = rounding_energy(body, u);
+          const double noise =
+            rounding_energy(structure.largest_stiffness(b), u);
           rounding += noise;
           // What is not a number must not be lost in a maximum.
           const double unbalanced = on_body[b].sum.norm();
@@ -388,28 +387,19 @@ namespace lamella
         checks.max_displacement =
           std::max(checks.max_displacement,
                    std::abs(factor) * contact.obstacle->displacement.norm());
-    BlockVector  contact_load = structure.zero();
-    unsigned int first_row    = 0;
-    for (const ContactInterface &contact : contacts)
+    BlockVector   contact_load = structure.zero();
+    const GapRows rows(contacts);
+    for (unsigned int c = 0; c < contacts.size(); ++c)
       {
-        KuhnTucker kkt;
-        check_rows(contact,
-                   state.force,
-                   first_row,
-                   state.u,
-                   factor,
-                   checks.max_displacement,
-                   kkt);
-        add_contact_forces(structure,
-                           rigid,
-                           contact,
-                           state.force.data() + first_row,
-                           kkt,
-                           on_body);
+        const ContactInterface &contact = contacts[c];
+        const auto              force   = rows.of_contact(c, state.force);
+        KuhnTucker              kkt;
+        check_rows(
+          contact, force, state.u, factor, checks.max_displacement, kkt);
+        add_contact_forces(structure, rigid, contact, force, kkt, on_body);
         checks.contacts.push_back(kkt);
         for (unsigned int k = 0; k < contact.rows.size(); ++k)
-          contact.rows[k].add_to(contact_load, state.force[first_row + k]);
-        first_row += contact.rows.size();
+          contact.rows[k].add_to(contact_load, force[k]);
       }
 
     BlockVector r = structure.residual(state.u, factor, state.rest);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include <lamella/base/dense_cholesky.h>
+#include <lamella/linear/dense_cholesky.h>
 #include <lamella/solve/complementarity.h>
 
 #include <algorithm>

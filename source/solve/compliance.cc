@@ -4,14 +4,13 @@
 
 namespace lamella
 {
-  Compliance::Compliance(const Structure           &structure,
-                         const std::vector<GapRow> &rows)
+  Compliance::Compliance(const Structure &structure, const GapRows &rows)
     : structure(structure)
     , rows(rows)
     , place(rows.size(), dealii::numbers::invalid_unsigned_int)
   {
-    for (const auto &body : structure.bodies())
-      bodies.push_back({body->solver().solved_rows(), {}});
+    for (unsigned int b = 0; b < structure.bodies().size(); ++b)
+      bodies.push_back({structure.solver(b).solved_rows(), {}});
   }
 
 

@@ -22,9 +22,10 @@ namespace lamella
 
 
 
-  CondensedStrategy::CondensedStrategy(const Structure           &structure,
-                                       const std::vector<GapRow> &rows)
-    : ContactStrategy(structure, rows)
+  CondensedStrategy::CondensedStrategy(const Structure &structure,
+                                       const GapRows   &rows)
+    : structure(structure)
+    , rows(rows)
     , compliance(structure, rows)
   {}
 
@@ -48,7 +49,7 @@ namespace lamella
     structure.condense(r);
     for (unsigned int b = 0; b < structure.bodies().size(); ++b)
       {
-        structure.bodies()[b]->solver().solve(r.block(b));
+        structure.solver(b).solve(r.block(b));
         structure.reduction(b).constraints().distribute(r.block(b));
       }
     return r;
@@ -58,12 +59,12 @@ namespace lamella
 
   void
   CondensedStrategy::solve(const std::vector<unsigned int> &active,
-                           const BlockVector               *r_u,
+                           const BlockVector               &r_u,
                            const Vector                    &r_lambda,
                            BlockVector                     &du,
                            Vector                          &dlambda)
   {
-    du = r_u == nullptr ? structure.zero() : apply_inverse(*r_u);
+    du = apply_inverse(r_u);
     dlambda.reinit(active.size());
     if (active.empty())
       return;
@@ -244,9 +245,7 @@ namespace lamella
   StrategyMemory
   CondensedStrategy::memory() const
   {
-    StrategyMemory memory = ContactStrategy::memory();
-    memory.rows           = compliance.batches();
-    return memory;
+    return {numerical_softness.stiffening, compliance.batches()};
   }
 
 
@@ -254,7 +253,7 @@ namespace lamella
   void
   CondensedStrategy::recall(const StrategyMemory &memory)
   {
-    ContactStrategy::recall(memory);
+    numerical_softness.stiffening = memory.stiffening;
     for (const std::vector<unsigned int> &batch : memory.rows)
       compliance.include(batch);
   }
@@ -265,8 +264,8 @@ namespace lamella
   CondensedStrategy::condition_estimate() const
   {
     double largest = 0.;
-    for (const auto &body : structure.bodies())
-      largest = std::max(largest, body->solver().condition_estimate());
+    for (unsigned int b = 0; b < structure.bodies().size(); ++b)
+      largest = std::max(largest, structure.solver(b).condition_estimate());
     return largest;
   }
 } // namespace lamella

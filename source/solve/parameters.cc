@@ -100,7 +100,7 @@ namespace lamella
     if (!(n >= 1. && n <= 1e6 && n == std::floor(n)))
       throw InputError("Maximum iterations = " + prm.get("Maximum iterations") +
                        ": must be a whole number from 1.");
-    parameters.newton.max_iterations = static_cast<unsigned int>(n);
+    parameters.loop.max_iterations = static_cast<unsigned int>(n);
 
     parameters.rotation_limit =
       to_number(prm.get("Rotation limit"), "Rotation limit");

@@ -104,27 +104,64 @@ namespace lamella
 
 
   void
-  Structure::assemble(const SolverKind asked)
+  Structure::make_solvers(const SolverKind asked, const BodyMonitor &monitor)
   {
+    solvers.clear();
     for (unsigned int b = 0; b < all_bodies.size(); ++b)
       {
-        std::vector<SpringTerm> terms;
-        for (const Spring &spring : all_springs[b])
-          terms.emplace_back(spring.row, spring.stiffness);
-        all_bodies[b]->assemble(reductions[b]->constraints(), terms, asked);
+        const Body   &body = *all_bodies[b];
+        SolverMonitor of_body;
+        if (monitor.begins)
+          monitor.begins(body);
+        if (monitor.assembled)
+          of_body.assembled = [&] { monitor.assembled(body); };
+        if (monitor.sized)
+          of_body.sized = [&](const FactorSize &size) {
+            monitor.sized(body, size);
+          };
+        solvers.push_back(body.make_solver(
+          reductions[b]->constraints(), spring_terms(b), asked, of_body));
+        if (monitor.ends)
+          monitor.ends(body);
       }
   }
 
 
 
-  void
-  Structure::factorise(const BodyMonitor &monitor)
+  const LinearSolver &
+  Structure::solver(const unsigned int body) const
   {
-    for (const auto &body : all_bodies)
-      body->factorise([&](const FactorSize &size) {
-        if (monitor)
-          monitor(*body, size);
-      });
+    Assert(body < solvers.size(), dealii::ExcMessage("Call make_solvers()."));
+    return *solvers[body];
+  }
+
+
+
+  double
+  Structure::largest_stiffness(const unsigned int body) const
+  {
+    if (body < solvers.size())
+      return solvers[body]->largest_diagonal();
+    // Nobody solves body by body.
+    stiffest.resize(all_bodies.size(), 0.);
+    if (stiffest[body] == 0.)
+      stiffest[body] = all_bodies[body]
+                         ->assembled_stiffness(reductions[body]->constraints(),
+                                               spring_terms(body))
+                         ->diagonal()
+                         .linfty_norm();
+    return stiffest[body];
+  }
+
+
+
+  std::vector<SpringTerm>
+  Structure::spring_terms(const unsigned int body) const
+  {
+    std::vector<SpringTerm> terms;
+    for (const Spring &spring : all_springs[body])
+      terms.emplace_back(spring.row, spring.stiffness);
+    return terms;
   }
 
 

@@ -60,7 +60,7 @@ namespace
   };
 
   using Values      = Three<std::optional<double>>;
-  using Expressions = Three<std::string>;
+  using Expressions = Three<Formula>;
 
   const std::nullopt_t free_ = std::nullopt;
 
@@ -138,9 +138,8 @@ namespace
   Vector
   solve_loaded(Body &body, const RowReduction &reduction, const Vector &load)
   {
-    body.assemble(reduction.constraints());
-    body.factorise();
-    Vector u = reduction.particular();
+    const auto solver = body.make_solver(reduction.constraints());
+    Vector     u      = reduction.particular();
     for (unsigned int k = 0; k < 4; ++k)
       {
         Vector r(body.n_dofs());
@@ -148,7 +147,7 @@ namespace
         r.sadd(-1., 1., load);
         reduction.constraints().condense(r);
         reduction.constraints().set_zero(r);
-        body.solver().solve(r);
+        solver->solve(r);
         reduction.constraints().distribute(r);
         u += r;
       }

@@ -6,7 +6,7 @@
 #include "fixtures.h"
 
 #include <lamella/contact/gap_rows.h>
-#include <lamella/section/shapes.h>
+#include <lamella/shape/shapes.h>
 
 #include <random>
 #include <string>
@@ -34,13 +34,13 @@ namespace lamella
   }
 
   inline std::unique_ptr<Body>
-  make_beam(const std::string          &name,
-            const SectionShape         &shape,
-            const Theory               &theory,
-            const double                length,
-            const unsigned int          elements,
-            const Placement            &placement = Placement(),
-            const EngineeringConstants &material  = soft)
+  make_beam(const std::string  &name,
+            const SectionShape &shape,
+            const Theory       &theory,
+            const double        length,
+            const unsigned int  elements,
+            const Placement    &placement = Placement(),
+            const Material     &material  = soft)
   {
     return std::make_unique<Beam>(
       name,

@@ -53,11 +53,9 @@ namespace
     result.contacts = {make_interface(contact, bodies)};
     result.structure =
       std::make_unique<Structure>(std::move(bodies), supports, loads);
-    result.structure->assemble();
-    result.structure->factorise();
-    const auto       &rows = result.contacts[0].rows;
-    CondensedStrategy strategy(*result.structure, rows);
-    const Newton      newton(*result.structure, rows, strategy);
+    result.structure->make_solvers();
+    const auto    &rows = result.contacts[0].rows;
+    MultiplierLoop newton(*result.structure, rows);
     result.state  = newton.solve_contact(newton.solve_free(1.), 1.);
     result.checks = check_state(
       *result.structure, result.contacts, supports.size(), result.state, 1.);

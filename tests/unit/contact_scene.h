@@ -5,8 +5,9 @@
 
 #include "fixtures.h"
 
-#include <lamella/solve/full_strategy.h>
+#include <lamella/solve/multiplier_loop.h>
 #include <lamella/solve/parameters.h>
+#include <lamella/solve/penalty_newton.h>
 
 #include <algorithm>
 
@@ -32,31 +33,38 @@ namespace lamella
     return row;
   }
 
+  /// What solves for @p rows in the way @p which, ready.
+  inline std::unique_ptr<ContactSolver>
+  contact_solver(const Strategy          which,
+                 Structure              &structure,
+                 const GapRows          &rows,
+                 const SolverParameters &parameters = SolverParameters())
+  {
+    if (which == Strategy::full)
+      return std::make_unique<PenaltyNewton>(structure, rows, parameters);
+    structure.make_solvers();
+    return std::make_unique<MultiplierLoop>(structure, rows, parameters);
+  }
+
   /// A structure with gap rows and what solves for them.
   struct ContactScene
   {
-    std::unique_ptr<Structure>       structure;
-    std::vector<GapRow>              rows;
-    std::unique_ptr<ContactStrategy> strategy;
+    std::unique_ptr<Structure>     structure;
+    std::vector<GapRow>            rows;
+    std::unique_ptr<ContactSolver> solver;
 
     void
     prepare(const Strategy which)
     {
-      structure->assemble();
-      if (which == Strategy::full)
-        strategy = std::make_unique<FullStrategy>(*structure, rows);
-      else
-        {
-          structure->factorise();
-          strategy = std::make_unique<CondensedStrategy>(*structure, rows);
-        }
+      solver = contact_solver(which, *structure, rows);
     }
 
     State
     solve(const double factor = 1., const State &previous = State()) const
     {
-      const Newton newton(*structure, rows, *strategy);
-      return newton.solve_contact(newton.solve_free(factor), factor, previous);
+      return solver->solve_contact(solver->solve_free(factor),
+                                   factor,
+                                   previous);
     }
 
     /// How far g >= 0, lambda >= 0, g lambda = 0 are missed: the largest of -g

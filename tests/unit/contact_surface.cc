@@ -142,16 +142,19 @@ BOOST_AUTO_TEST_CASE(an_obstacle_that_moves)
   const auto structure = block();
   const auto contact =
     against_a_plane(*structure, "top", [](const auto &) { return true; });
-  State state;
-  state.u = structure->zero();
-  // A motion by 0.01 along x, and one force, of the second contact's row 3.
-  const auto rigid = structure->bodies()[0]->rigid_motions();
-  state.u.block(0).add(0.01, rigid[0]);
-  state.force.assign(40 + contact.rows.size(), 0.);
-  state.force[40 + 3] = 6.;
-  const auto folder   = std::filesystem::temp_directory_path();
-  const auto name     = ContactSurface(contact, *structure)
-                      .write_vtu(folder.string(), 7, 0.8, state, 40);
+  // A motion by 0.01 along x, and one force, of row 3.
+  BlockVector u     = structure->zero();
+  const auto  rigid = structure->bodies()[0]->rigid_motions();
+  u.block(0).add(0.01, rigid[0]);
+  std::vector<ContactRow> rows;
+  for (unsigned int k = 0; k < contact.rows.size(); ++k)
+    rows.push_back({contact.points[k],
+                    contact.rows[k].initial_gap,
+                    contact.rows[k].gap(u, 0.8),
+                    k == 3 ? 6. : 0.});
+  const auto folder = std::filesystem::temp_directory_path();
+  const auto name =
+    ContactSurface(contact, *structure).write_vtu(folder.string(), 7, u, rows);
   BOOST_TEST(name == "contact_floor_0007.vtu");
   const auto path = folder / name;
   const auto gap = array_of(path, "gap"), force = array_of(path, "force"),

@@ -5,7 +5,7 @@
 
 #include <lamella/base/exceptions.h>
 #include <lamella/base/memory.h>
-#include <lamella/base/stiffness_matrix.h>
+#include <lamella/linear/stiffness_matrix.h>
 
 #include "fixtures.h"
 
@@ -257,8 +257,8 @@ BOOST_AUTO_TEST_CASE(entries_of_a_beam)
   double      count = 0.;
   Constraints none;
   none.close();
-  beam.assemble(none);
-  beam.stiffness().for_each_entry([&count](auto, auto, auto) { ++count; });
+  beam.assembled_stiffness(none)->for_each_entry(
+    [&count](auto, auto, auto) { ++count; });
   BOOST_TEST(beam.stiffness_entries() == count);
 }
 

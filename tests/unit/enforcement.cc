@@ -288,9 +288,9 @@ BOOST_AUTO_TEST_CASE(what_does_not_settle_is_named)
 {
   const ContactScene scene =
     stacked_beams({Enforcement::penalty, Strategy::condensed}, 0., 1.);
-  NewtonParameters parameters;
+  SolverParameters parameters;
   parameters.max_iterations = 1;
-  Newton newton(*scene.structure, scene.rows, *scene.strategy, parameters);
+  MultiplierLoop newton(*scene.structure, scene.rows, parameters);
   newton.describe = [](const unsigned int row) {
     return "point " + std::to_string(row);
   };

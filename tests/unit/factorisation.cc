@@ -4,7 +4,7 @@
 // formula.
 
 #include <lamella/base/exceptions.h>
-#include <lamella/base/factorisation.h>
+#include <lamella/linear/factorisation.h>
 
 #include <deal.II/lac/dynamic_sparsity_pattern.h>
 

@@ -6,9 +6,8 @@
 #include <lamella/body/beam.h>
 #include <lamella/conditions/row_reduction.h>
 #include <lamella/section/lagrange_element.h>
-#include <lamella/section/laminate.h>
-#include <lamella/solve/condensed_strategy.h>
-#include <lamella/solve/newton.h>
+#include <lamella/shape/laminate.h>
+#include <lamella/solve/multiplier_loop.h>
 
 #include <functional>
 #include <iomanip>
@@ -54,9 +53,9 @@ namespace lamella
   }
 
   inline std::shared_ptr<const Section>
-  make_section(const Laminate             &laminate,
-               const EngineeringConstants &material,
-               const unsigned int          degree)
+  make_section(const Laminate    &laminate,
+               const Material    &material,
+               const unsigned int degree)
   {
     return make_section(make_section_mesh(laminate, {{"material", material}}),
                         degree);
@@ -107,6 +106,7 @@ namespace lamella
   /// @p refinements times against the strain-first residual.
   inline Vector
   solve_factorised(const Body         &body,
+                   const LinearSolver &solver,
                    const RowReduction &reduction,
                    const unsigned int  refinements = 2)
   {
@@ -118,7 +118,7 @@ namespace lamella
         r *= -1.;
         reduction.constraints().condense(r);
         reduction.constraints().set_zero(r);
-        body.solver().solve(r);
+        solver.solve(r);
         reduction.constraints().distribute(r);
         u += r;
       }
@@ -132,9 +132,10 @@ namespace lamella
                    const unsigned int                refinements = 2)
   {
     const RowReduction reduction(body, 0, rows, {"surface"});
-    body.assemble(reduction.constraints());
-    body.factorise();
-    return solve_factorised(body, reduction, refinements);
+    return solve_factorised(body,
+                            *body.make_solver(reduction.constraints()),
+                            reduction,
+                            refinements);
   }
 
   /// A body held and loaded, and its displacements at load factor 1.
@@ -171,15 +172,13 @@ namespace lamella
     Solved solved;
     solved.structure =
       std::make_unique<Structure>(std::move(bodies), supports, loads);
-    solved.structure->assemble();
-    solved.structure->factorise();
+    solved.structure->make_solvers();
     const std::vector<GapRow> none;
-    CondensedStrategy         strategy(*solved.structure, none);
-    NewtonParameters          parameters;
+    SolverParameters          parameters;
     parameters.max_refinements = refinements;
-    solved.state =
-      Newton(*solved.structure, none, strategy, parameters).solve_free(1.);
-    solved.condition = strategy.condition_estimate();
+    MultiplierLoop solver(*solved.structure, none, parameters);
+    solved.state     = solver.solve_free(1.);
+    solved.condition = solver.condition_estimate();
     return solved;
   }
 

@@ -4,8 +4,8 @@
 // whatever stands in a file, a section or one message.
 
 #include <lamella/base/exceptions.h>
-#include <lamella/section/gmsh_file.h>
-#include <lamella/section/shapes.h>
+#include <lamella/shape/gmsh_file.h>
+#include <lamella/shape/shapes.h>
 
 #include <boost/test/unit_test.hpp>
 
@@ -393,7 +393,7 @@ BOOST_AUTO_TEST_CASE(a_damaged_file_is_read_or_refused)
 {
   // As many as a second allows; each with the seed that its message names.
   // Those that are read have cells as they are asked of any section.
-  const std::map<std::string, EngineeringConstants> constants{
+  const Materials constants{
     {"carbon", EngineeringConstants::isotropic(10., 0.25)}};
   std::ifstream in(
     std::filesystem::path(__FILE__).parent_path().parent_path().parent_path() /

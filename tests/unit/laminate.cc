@@ -6,7 +6,7 @@
 #include "fixtures.h"
 
 #include <lamella/base/exceptions.h>
-#include <lamella/section/parameters.h>
+#include <lamella/shape/parameters.h>
 
 #include <boost/test/unit_test.hpp>
 
@@ -32,8 +32,8 @@ namespace
 
 
   LaminateStiffness
-  stiffness_of(const std::vector<double>  &angles,
-               const EngineeringConstants &material = orthotropic)
+  stiffness_of(const std::vector<double> &angles,
+               const Material            &material = orthotropic)
   {
     const Laminate laminate = rectangle(width, t * angles.size(), angles);
     return laminate_stiffness(laminate.plies({{"material", material}}), width);
@@ -142,7 +142,8 @@ BOOST_AUTO_TEST_CASE(two_bars_glued_together)
   // strip under tension bends freely, so EA = b (A - B^2/D) = b 13/4 t, and
   // under a moment stretches freely: EI = b (D - B^2/A) = b 13/12 t^3.
   const LaminateStiffness s =
-    stiffness_of({0., 90.}, {3., 1., 1., 1., 1., 1., 0., 0., 0.});
+    stiffness_of({0., 90.},
+                 EngineeringConstants{3., 1., 1., 1., 1., 1., 0., 0., 0.});
   BOOST_TEST(relative(s.EA, width * 13. / 4. * t) < 1e-13);
   BOOST_TEST(relative(s.EI, width * 13. / 12. * t * t * t) < 1e-13);
 }
@@ -248,7 +249,7 @@ BOOST_AUTO_TEST_CASE(mesh_of_plies_of_unequal_thickness)
       BOOST_TEST(std::abs(ply.top - tops[i]) < 1e-15);
       BOOST_TEST(ply.angle == laminate.angles[i]);
       BOOST_TEST(ply.material == laminate.materials[i]);
-      BOOST_TEST(ply.constants.E1 == (i % 2 == 0 ? 165. : 10.));
+      BOOST_TEST(ply.properties.elastic.E1 == (i % 2 == 0 ? 165. : 10.));
     }
 
   // Each cell lies in its ply, is 0.2 wide and half a ply thick.

@@ -379,7 +379,8 @@ BOOST_AUTO_TEST_CASE(built_in_materials_convert)
                                      std::make_pair(mm, 1e3),
                                      std::make_pair(none, 1e9)})
     {
-      const EngineeringConstants c = library_material("IM7-8552", units);
+      const EngineeringConstants c =
+        library_material("IM7-8552", units).elastic;
       BOOST_TEST(std::abs(c.E1 / scale - 165.) < 1e-10);
       BOOST_TEST(std::abs(c.E2 / scale - 9.) < 1e-11);
       BOOST_TEST(std::abs(c.E3 / scale - 9.) < 1e-11);
@@ -392,22 +393,23 @@ BOOST_AUTO_TEST_CASE(built_in_materials_convert)
     }
 
   // Table 7, and the core: 35 MPa with nu = 0.4, so G = 35 / 2.8 = 12.5 MPa.
-  const EngineeringConstants skin = library_material("glass-polyester", mm);
+  const EngineeringConstants skin =
+    library_material("glass-polyester", mm).elastic;
   BOOST_TEST(std::abs(skin.E1 - 25800.) < 1e-8);
   BOOST_TEST(std::abs(skin.E2 - 8700.) < 1e-8);
   BOOST_TEST(std::abs(skin.G12 - 3500.) < 1e-8);
   BOOST_TEST(std::abs(skin.G23 - 2400.) < 1e-8);
   BOOST_TEST(skin.nu23 == 0.47);
-  const EngineeringConstants core = library_material("foam-35", mm);
+  const EngineeringConstants core = library_material("foam-35", mm).elastic;
   BOOST_TEST(std::abs(core.E2 - 35.) < 1e-12);
   BOOST_TEST(std::abs(core.G13 - 12.5) < 1e-12);
 
   // A modulus without a unit stays.
-  BOOST_TEST(library_material("hertz-200", mm).E1 == 200.);
-  BOOST_TEST(library_material("hertz-200", m).E1 == 200.);
+  BOOST_TEST(library_material("hertz-200", mm).elastic.E1 == 200.);
+  BOOST_TEST(library_material("hertz-200", m).elastic.E1 == 200.);
 
   for (const std::string &name : library_materials())
-    BOOST_TEST(library_material(name, m).violated_condition() == "");
+    BOOST_TEST(library_material(name, m).elastic.violated_condition() == "");
   check_refused([&] { library_material("im7/8552", m); },
                 {"im7/8552", "nearest is 'IM7-8552'"});
   check_refused([] { Units::parse("cm, N"); }, {"Units = cm, N", "mm, N"});
@@ -419,34 +421,35 @@ BOOST_AUTO_TEST_CASE(material_entries)
 {
   const Units m = Units::parse("m, N");
   using P       = MaterialParameters;
-  BOOST_TEST((P{"", "", "10, 0.25"}.constants(m, "Material a").G12 == 4.));
   BOOST_TEST(
-    (P{"", "1,2,3,4,5,6, 0.1,0.2,0.3", ""}.constants(m, "Material a").G13 ==
-     5.));
+    (P{"", "", "10, 0.25"}.material(m, "Material a").elastic.G12 == 4.));
+  BOOST_TEST((P{"", "1,2,3,4,5,6, 0.1,0.2,0.3", ""}
+                .material(m, "Material a")
+                .elastic.G13 == 5.));
   check_refused(
     [&] {
-      (P{"", "", ""}.constants(m, "Material a"));
+      (P{"", "", ""}.material(m, "Material a"));
     },
     {"Material a", "exactly one", "none is"});
   check_refused(
     [&] {
-      (P{"foam-35", "", "1, 0"}.constants(m, "Material a"));
+      (P{"foam-35", "", "1, 0"}.material(m, "Material a"));
     },
     {"Material a", "exactly one", "several are"});
   check_refused(
     [&] {
-      (P{"", "1,2,3", ""}.constants(m, "Material a"));
+      (P{"", "1,2,3", ""}.material(m, "Material a"));
     },
     {"nine numbers", "there are 3"});
   for (const std::string numbers : {"10, 0.5", "10, -1", "10, 0.7"})
     check_refused(
       [&] {
-        (P{"", "", numbers}.constants(m, "Material a"));
+        (P{"", "", numbers}.material(m, "Material a"));
       },
       {"nu must lie between -1 and 0.5", numbers});
   check_refused(
     [&] {
-      (P{"", "", "0, 0.3"}.constants(m, "Material a"));
+      (P{"", "", "0, 0.3"}.material(m, "Material a"));
     },
     {"E1 = 0 must be positive"});
 }

@@ -10,8 +10,7 @@
 #include "fixtures.h"
 
 #include <lamella/solve/checks.h>
-#include <lamella/solve/condensed_strategy.h>
-#include <lamella/solve/newton.h>
+#include <lamella/solve/multiplier_loop.h>
 
 #include <boost/test/unit_test.hpp>
 
@@ -253,11 +252,9 @@ namespace
   Vector
   solution(Structure &structure)
   {
-    structure.assemble();
-    structure.factorise();
+    structure.make_solvers();
     const std::vector<GapRow> no_rows;
-    CondensedStrategy         strategy(structure, no_rows);
-    const State state = Newton(structure, no_rows, strategy).solve_free(1.);
+    const State state = MultiplierLoop(structure, no_rows).solve_free(1.);
     require_sound(state, check_state(structure, {}, 3, state, 1.), 1e9);
     return state.u.block(0);
   }

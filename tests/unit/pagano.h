@@ -4,7 +4,7 @@
 #define lamella_tests_unit_pagano_h
 
 #include <lamella/material/elasticity.h>
-#include <lamella/section/section_mesh.h>
+#include <lamella/shape/section_mesh.h>
 
 #include <deal.II/base/exceptions.h>
 #include <deal.II/base/tensor.h>

@@ -8,7 +8,7 @@
 
 #include "patch_states.h"
 
-#include <lamella/section/shapes.h>
+#include <lamella/shape/shapes.h>
 
 #include <deal.II/grid/grid_tools.h>
 
@@ -58,7 +58,7 @@ BOOST_AUTO_TEST_CASE(all_orders_one_and_three_plies)
                       section,
                       make_axis(1.3, 2, axis_degree),
                       Placement());
-            check_patch(beam, section->elasticity(0));
+            check_patch(beam, section->law(0).stiffness());
           }
       }
 }
@@ -71,7 +71,7 @@ BOOST_AUTO_TEST_CASE(distorted_section)
     {
       const auto section = make_section(distorted_mesh(20.), degree);
       Beam       beam("beam", section, make_axis(1.3, 2, 2), Placement());
-      check_patch(beam, section->elasticity(0));
+      check_patch(beam, section->law(0).stiffness());
     }
 }
 
@@ -81,9 +81,8 @@ BOOST_AUTO_TEST_CASE(other_shapes_of_sections)
 {
   // Curved cells, walls around a hole, a mesh by Gmsh (that in degrees 1 and 2:
   // quadrilaterals of degree 3 are in distorted_section, at less cost).
-  const Fabric                                      fabric{"carbon", 20.};
-  const std::map<std::string, EngineeringConstants> constants{
-    {"carbon", orthotropic}};
+  const Fabric                    fabric{"carbon", 20.};
+  const Materials                 constants{{"carbon", orthotropic}};
   const std::vector<SectionShape> shapes{
     HalfDisc{0.5, 75., 0.2, 4, fabric},
     ThinWalled{"box", 0.7, 0.5, {0.1, 0.1}, {0.1, 0.2}, 1, 1, fabric},
@@ -101,7 +100,7 @@ BOOST_AUTO_TEST_CASE(other_shapes_of_sections)
           const auto section =
             make_section(make_section_mesh(shape, constants), degree);
           Beam beam("beam", section, make_axis(1.3, 2, 1), Placement());
-          check_patch(beam, section->elasticity(0));
+          check_patch(beam, section->law(0).stiffness());
         }
       }
 }
@@ -114,9 +113,8 @@ BOOST_AUTO_TEST_CASE(taylor_expansions)
   // contraction modes to relax. (TE-3 on a half disc has the
   // polynomial that vanishes on the whole boundary, but on the arc of the mesh,
   // which is interpolated, only in the points that are prescribed.)
-  const Fabric                                      fabric{"carbon", 20.};
-  const std::map<std::string, EngineeringConstants> constants{
-    {"carbon", orthotropic}};
+  const Fabric                    fabric{"carbon", 20.};
+  const Materials                 constants{{"carbon", orthotropic}};
   const std::vector<SectionShape> shapes{
     Laminate{0.7, {20.}, {0.5}, {"carbon"}, {2}, {2}},
     HalfDisc{0.5, 75., 0.2, 4, fabric},
@@ -132,7 +130,7 @@ BOOST_AUTO_TEST_CASE(taylor_expansions)
           const auto section = make_section(make_section_mesh(shape, constants),
                                             Theory::parse(theory, "Theory"));
           Beam       beam("beam", section, make_axis(1.3, 2, 1), Placement());
-          check_patch(beam, section->elasticity(0));
+          check_patch(beam, section->law(0).stiffness());
         }
       }
 }
@@ -152,7 +150,7 @@ BOOST_AUTO_TEST_CASE(assumed_shear)
                   section,
                   make_axis(1.3, 2, axis_degree, true),
                   Placement());
-        check_patch(beam, section->elasticity(0));
+        check_patch(beam, section->law(0).stiffness());
         const double unit = 0.5 * 8. * 0.7 * 0.5 * 1.3;
         for (const Vector &motion : beam.rigid_motions())
           {
@@ -178,7 +176,7 @@ BOOST_AUTO_TEST_CASE(tilted_body)
   Beam       beam("beam", section, make_axis(1.3, 2, 2), placement);
   check_patch(beam,
               transpose(strain_rotation(placement.axes)) *
-                section->elasticity(0) * strain_rotation(placement.axes));
+                section->law(0).stiffness() * strain_rotation(placement.axes));
 }
 
 
@@ -290,12 +288,11 @@ BOOST_AUTO_TEST_CASE(strain_first_forces_equal_the_assembled_stiffness)
             Placement());
   Constraints none;
   none.close();
-  beam.assemble(none);
   Vector u(beam.n_dofs()), forces(beam.n_dofs()), product(beam.n_dofs());
   for (unsigned int i = 0; i < u.size(); ++i)
     u[i] = std::sin(1. + i);
   beam.add_internal_forces(u, forces);
-  beam.stiffness().for_each_entry(
+  beam.assembled_stiffness(none)->for_each_entry(
     [&](const DofIndex row, const DofIndex column, const double value) {
       product[row] += value * u[column];
     });
@@ -321,10 +318,8 @@ BOOST_AUTO_TEST_CASE(fewer_fields_at_a_node_are_a_submatrix)
 
   Constraints none;
   none.close();
-  full.assemble(none);
-  mixed.assemble(none);
   std::map<std::pair<DofIndex, DofIndex>, double> entries;
-  full.stiffness().for_each_entry(
+  full.assembled_stiffness(none)->for_each_entry(
     [&](const DofIndex row, const DofIndex column, const double value) {
       entries[{row, column}] = value;
     });
@@ -335,7 +330,7 @@ BOOST_AUTO_TEST_CASE(fewer_fields_at_a_node_are_a_submatrix)
     return full.dofs().first(node) + mixed.dofs().field_of(dof);
   };
   double worst = 0.;
-  mixed.stiffness().for_each_entry(
+  mixed.assembled_stiffness(none)->for_each_entry(
     [&](const DofIndex row, const DofIndex column, const double value) {
       worst =
         std::max(worst,

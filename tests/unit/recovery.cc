@@ -11,7 +11,7 @@
 
 #include <lamella/base/exceptions.h>
 #include <lamella/recover/recovery.h>
-#include <lamella/section/shapes.h>
+#include <lamella/shape/shapes.h>
 
 #include <deal.II/base/quadrature_lib.h>
 

@@ -8,8 +8,8 @@
 
 #include <lamella/base/exceptions.h>
 #include <lamella/report/section_table.h>
-#include <lamella/section/parameters.h>
-#include <lamella/section/properties.h>
+#include <lamella/shape/parameters.h>
+#include <lamella/shape/properties.h>
 
 #include <boost/test/unit_test.hpp>
 
@@ -22,7 +22,7 @@ using dealii::numbers::PI;
 
 namespace
 {
-  const std::map<std::string, EngineeringConstants> constants{
+  const Materials constants{
     {"carbon", EngineeringConstants::isotropic(10., 0.25)},
     {"foam", EngineeringConstants::isotropic(1., 0.25)}};
 

@@ -11,8 +11,7 @@
 
 #include <lamella/material/library.h>
 #include <lamella/solve/checks.h>
-#include <lamella/solve/condensed_strategy.h>
-#include <lamella/solve/newton.h>
+#include <lamella/solve/multiplier_loop.h>
 
 #include <boost/test/unit_test.hpp>
 
@@ -54,13 +53,11 @@ namespace
                     {{"0", "0", "-100"}},
                     ""};
     Structure  structure(std::move(bodies), {clamp}, {load});
-    structure.assemble();
-    structure.factorise();
+    structure.make_solvers();
     const std::vector<GapRow> none;
-    CondensedStrategy         strategy(structure, none);
-    NewtonParameters          parameters;
+    SolverParameters          parameters;
     parameters.max_refinements = refine ? 6 : 0;
-    const Newton newton(structure, none, strategy, parameters);
+    MultiplierLoop newton(structure, none, parameters);
 
     Result result;
     State  state;
@@ -75,7 +72,7 @@ namespace
       {
         const Vector dummy;
         Vector       nothing;
-        strategy.solve({}, &structure.load(), dummy, state.u, nothing);
+        newton.solve_linear({}, structure.load(), dummy, state.u, nothing);
       }
     const Body    &body = *structure.bodies()[0];
     const Point<3> middle(0.5 * width, 0.5 * length, 0.5 * height);

@@ -8,7 +8,7 @@
 #include "solid_fixtures.h"
 
 #include <lamella/base/exceptions.h>
-#include <lamella/section/shapes.h>
+#include <lamella/shape/shapes.h>
 
 #include <boost/test/unit_test.hpp>
 
@@ -101,9 +101,8 @@ BOOST_AUTO_TEST_CASE(same_space_as_a_beam)
   // A section of Q2 cells times B3 on the same mesh is the space of Q2
   // hexahedra: the same displacements, stresses and energy, from a block to
   // L/h = 100, on plies, on a distorted section and on curved cells.
-  const std::map<std::string, EngineeringConstants> constants{
-    {"material", orthotropic}};
-  const auto plies =
+  const Materials constants{{"material", orthotropic}};
+  const auto      plies =
     make_section_mesh(rectangle(0.7, 0.5, {0., 90., 30.}, 2, 1), constants);
   const auto curved =
     make_section_mesh(HalfDisc{0.5, 75., 0.2, 4, Fabric{"material", 20.}},

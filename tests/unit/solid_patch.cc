@@ -5,7 +5,7 @@
 #include "patch_states.h"
 #include "solid_fixtures.h"
 
-#include <lamella/section/shapes.h>
+#include <lamella/shape/shapes.h>
 
 using namespace lamella;
 

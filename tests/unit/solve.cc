@@ -2,13 +2,11 @@
 
 // Newton loop, strategies and checks on scenes with a closed form.
 
-#include "fixtures.h"
+#include "contact_scene.h"
 
 #include <lamella/base/exceptions.h>
 #include <lamella/contact/gap_rows.h>
 #include <lamella/solve/checks.h>
-#include <lamella/solve/condensed_strategy.h>
-#include <lamella/solve/full_strategy.h>
 #include <lamella/solve/parameters.h>
 
 #include <boost/test/unit_test.hpp>
@@ -58,23 +56,14 @@ namespace
         std::make_unique<Structure>(std::move(bodies),
                                     std::vector<Support>{moves, stands},
                                     std::vector<Load>());
-      structure->assemble();
     }
 
     State
     solve(const Strategy strategy)
     {
-      std::unique_ptr<ContactStrategy> solver;
-      if (strategy == Strategy::full)
-        solver = std::make_unique<FullStrategy>(*structure, contacts[0].rows);
-      else
-        {
-          structure->factorise();
-          solver =
-            std::make_unique<CondensedStrategy>(*structure, contacts[0].rows);
-        }
-      const Newton newton(*structure, contacts[0].rows, *solver);
-      return newton.solve_contact(newton.solve_free(1.), 1.);
+      const auto solver =
+        contact_solver(strategy, *structure, contacts[0].rows);
+      return solver->solve_contact(solver->solve_free(1.), 1.);
     }
 
     std::vector<ContactInterface> contacts;
@@ -158,11 +147,12 @@ BOOST_AUTO_TEST_CASE(a_penalty_beyond_rounding_is_told)
       TwoCubes scene(press);
       for (GapRow &row : scene.contacts[0].rows)
         row.penalty *= factor;
-      FullStrategy strategy(*scene.structure, scene.contacts[0].rows);
-      BlockVector  u;
-      Vector       lambda;
-      strategy.solve({0, 1, 2}, nullptr, Vector(3), u, lambda);
-      BOOST_TEST(strategy.warnings().size() == (factor == 1. ? 0u : 1u));
+      PenaltyNewton solver(*scene.structure, scene.contacts[0].rows);
+      BlockVector   u;
+      Vector        lambda;
+      solver.solve_linear(
+        {0, 1, 2}, scene.structure->zero(), Vector(3), u, lambda);
+      BOOST_TEST(solver.warnings().size() == (factor == 1. ? 0u : 1u));
     }
 }
 
@@ -264,9 +254,10 @@ BOOST_AUTO_TEST_CASE(a_line_is_prescribed_exactly)
       Bodies bodies;
       bodies.push_back(std::make_unique<Beam>(
         "bar",
-        make_section(rectangle(0.4, 0.3, {20., -50.}, 2),
-                     {165., 9., 8., 5.6, 5.2, 2.8, .34, .3, .45},
-                     2),
+        make_section(
+          rectangle(0.4, 0.3, {20., -50.}, 2),
+          EngineeringConstants{165., 9., 8., 5.6, 5.2, 2.8, .34, .3, .45},
+          2),
         make_axis(3., 3),
         Placement()));
       const Support clamp{"clamp",
@@ -276,11 +267,9 @@ BOOST_AUTO_TEST_CASE(a_line_is_prescribed_exactly)
               {{0, Region::Kind::line, "", {a, b}}},
               {{std::nullopt, std::nullopt, -1.}}};
       Structure structure(std::move(bodies), {clamp, press}, {});
-      structure.assemble();
-      structure.factorise();
+      structure.make_solvers();
       const std::vector<GapRow> none;
-      CondensedStrategy         strategy(structure, none);
-      const State state = Newton(structure, none, strategy).solve_free(1.);
+      const State state = MultiplierLoop(structure, none).solve_free(1.);
       double      worst = 0.;
       for (unsigned int i = 0; i <= 100; ++i)
         {
@@ -303,9 +292,10 @@ BOOST_AUTO_TEST_CASE(a_turned_scene_gives_turned_results)
 {
   // A cantilever under a tip force, along y and along a skew direction: the
   // displacement in the force's direction is the same.
-  const auto section = make_section(rectangle(0.4, 0.3, {20., -50.}, 1, 1),
-                                    {165., 9., 8., 5.6, 5.2, 2.8, .34, .3, .45},
-                                    2);
+  const auto section = make_section(
+    rectangle(0.4, 0.3, {20., -50.}, 1, 1),
+    EngineeringConstants{165., 9., 8., 5.6, 5.2, 2.8, .34, .3, .45},
+    2);
   std::vector<double> results;
   for (const Placement &placement :
        {Placement(),
@@ -325,11 +315,9 @@ BOOST_AUTO_TEST_CASE(a_turned_scene_gives_turned_results)
                           {{0, Region::Kind::surface, "start", {}}},
                           {{0., 0., 0.}}};
       Structure     structure(std::move(bodies), {clamp}, {load});
-      structure.assemble();
-      structure.factorise();
+      structure.make_solvers();
       const std::vector<GapRow> none;
-      CondensedStrategy         strategy(structure, none);
-      const State state = Newton(structure, none, strategy).solve_free(1.);
+      const State state = MultiplierLoop(structure, none).solve_free(1.);
       results.push_back(structure.load() * state.u);
     }
   // std::to_string keeps six decimals of the force.

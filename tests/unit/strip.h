@@ -9,7 +9,6 @@
 
 namespace lamella
 {
-  using Materials = std::map<std::string, EngineeringConstants>;
 
   struct Strip
   {

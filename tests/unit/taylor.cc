@@ -6,7 +6,7 @@
 
 #include "fixtures.h"
 
-#include <lamella/section/shapes.h>
+#include <lamella/shape/shapes.h>
 
 #include <deal.II/base/quadrature_lib.h>
 
@@ -24,7 +24,7 @@ namespace
 {
   const Fabric fabric{"material", 0.};
 
-  const std::map<std::string, EngineeringConstants> constants{
+  const Materials constants{
     {"material", EngineeringConstants::isotropic(1., 0.3)}};
 
   struct Shape

@@ -9,7 +9,7 @@
 #include "fixtures.h"
 
 #include <lamella/material/library.h>
-#include <lamella/section/shapes.h>
+#include <lamella/shape/shapes.h>
 #include <lamella/solve/checks.h>
 
 #include <deal.II/lac/full_matrix.h>
@@ -42,9 +42,9 @@ namespace
 
 
   std::shared_ptr<const Section>
-  section_of(const Laminate             &laminate,
-             const EngineeringConstants &material,
-             const Theory               &theory)
+  section_of(const Laminate &laminate,
+             const Material &material,
+             const Theory   &theory)
   {
     return make_section(make_section_mesh(laminate, {{"material", material}}),
                         theory);
@@ -273,7 +273,7 @@ BOOST_AUTO_TEST_CASE(expansions_converge_to_one_value)
 namespace
 {
   const EngineeringConstants carbon =
-    library_material("IM7-8552", Units::parse("mm, N"));
+    library_material("IM7-8552", Units::parse("mm, N")).elastic;
 
   /// The law of @p ply between {sigma_yy, sigma_xy} and {eps_yy, gamma_xy}
   /// where all other stresses vanish, and G_yz there: from the compliance.

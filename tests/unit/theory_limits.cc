@@ -11,9 +11,9 @@
 // 6;
 //   TE-4 and LE-3 of one cell 304/135 (a / 2)^4 G (see torsion.cc).
 
-#include <lamella/section/laminate.h>
 #include <lamella/section/theory.h>
 #include <lamella/section/theory_limits.h>
+#include <lamella/shape/laminate.h>
 
 #include <boost/test/unit_test.hpp>
 
@@ -23,9 +23,9 @@ namespace
 {
   constexpr double E = 70., nu = 0.3, G = E / (2. + 2. * nu);
 
-  const std::map<std::string, EngineeringConstants> constants{
-    {"m", EngineeringConstants::isotropic(E, nu)},
-    {"soft", EngineeringConstants::isotropic(1e-3 * E, nu)}};
+  const Materials constants{{"m", EngineeringConstants::isotropic(E, nu)},
+                            {"soft",
+                             EngineeringConstants::isotropic(1e-3 * E, nu)}};
 
 
 

@@ -21,7 +21,7 @@
 
 #include "fixtures.h"
 
-#include <lamella/section/shapes.h>
+#include <lamella/shape/shapes.h>
 
 #include <boost/test/unit_test.hpp>
 
@@ -35,7 +35,7 @@ namespace
 {
   constexpr double E = 70., nu = 0.3, G = E / (2. + 2. * nu);
 
-  const std::map<std::string, EngineeringConstants> constants{
+  const Materials constants{
     {"material", EngineeringConstants::isotropic(E, nu)}};
 
   struct Bar

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <lamella/base/exceptions.h>
-#include <lamella/run/ladder.h>
-#include <lamella/run/trade_picture.h>
-#include <lamella/run/trade_table.h>
 #include <lamella/solve/results.h>
+#include <lamella/trade/ladder.h>
+#include <lamella/trade/trade_picture.h>
+#include <lamella/trade/trade_table.h>
 
 #include <boost/test/unit_test.hpp>
 

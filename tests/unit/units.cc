@@ -33,8 +33,12 @@ namespace
            const unsigned int elements)
   {
     auto skin = library_material("IM7-8552", Units::parse("mm, N"));
-    for (double *constant :
-         {&skin.E1, &skin.E2, &skin.E3, &skin.G12, &skin.G13, &skin.G23})
+    for (double *constant : {&skin.elastic.E1,
+                             &skin.elastic.E2,
+                             &skin.elastic.E3,
+                             &skin.elastic.G12,
+                             &skin.elastic.G13,
+                             &skin.elastic.G23})
       *constant *= modulus;
     const auto core =
       EngineeringConstants::isotropic(165e3 * core_over_skin * modulus, 0.4);

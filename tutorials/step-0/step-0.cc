@@ -15,15 +15,15 @@
 // A beam is a section times an axis; each has its own room in the library.
 #include <lamella/axis/axis.h>
 #include <lamella/base/exceptions.h>
-#include <lamella/base/factorisation.h>
 #include <lamella/base/mpi_session.h>
 #include <lamella/body/beam.h>
 #include <lamella/conditions/load.h>
 #include <lamella/conditions/row_reduction.h>
 #include <lamella/contact/enforcement.h>
 #include <lamella/contact/gap_rows.h>
+#include <lamella/linear/factorisation.h>
 #include <lamella/material/library.h>
-#include <lamella/section/laminate.h>
+#include <lamella/shape/laminate.h>
 
 #include <fstream>
 #include <iostream>
@@ -49,14 +49,13 @@ private:
   // The scene, in metres and newtons.
   static constexpr double length = 1., width = 0.05, thickness = 0.006,
                           force = 20., stop_gap = 0.01, penalty = 1e9;
-  const Laminate                                    laminate{width,
+  const Laminate  laminate{width,
                           {0., 90., 0.},
                           std::vector<double>(3, thickness / 3.),
                           std::vector<std::string>(3, "ply"),
                           /*cells_per_ply=*/{1},
                           /*cells_across=*/{2}};
-  const std::map<std::string, EngineeringConstants> materials{
-    {"ply", library_material("IM7-8552", Units())}};
+  const Materials materials{{"ply", library_material("IM7-8552", Units())}};
 
   // Its discretisation: bodies, what holds them, what loads them, what they may
   // touch.
@@ -64,6 +63,8 @@ private:
   std::unique_ptr<RowReduction> supports;
   BlockVector                   load;
   std::vector<GapRow>           gaps;
+
+  std::unique_ptr<StiffnessMatrix> stiffness;
 };
 
 
@@ -97,7 +98,7 @@ StoppedCantilever::StoppedCantilever()
   const Point<3> left(0., length, thickness), right(width, length, thickness);
   const Load     tip{"tip",
                  {{0, Region::Kind::line, "", {left, right}}},
-                 {{"0", "0", std::to_string(-force / width)}},
+                 {{0., 0., -force / width}},
                  ""};
   load.reinit(1, bodies[0]->n_dofs());
   add_load(tip, bodies, load);
@@ -135,10 +136,9 @@ StoppedCantilever::stiffness_with_penalty(
   const std::vector<unsigned int> &active) const
 {
   UpperTriangle matrix;
-  bodies[0]->stiffness().for_each_entry(
-    [&matrix](const DofIndex i, const DofIndex j, const double k) {
-      matrix.add(i, j, k);
-    });
+  stiffness->for_each_entry([&matrix](const DofIndex i,
+                                      const DofIndex j,
+                                      const double k) { matrix.add(i, j, k); });
   for (const unsigned int r : active)
     {
       const Row n = gaps[r].parts[0].row.reduced(supports->constraints());
@@ -158,7 +158,7 @@ void
 StoppedCantilever::run()
 {
   make_gap_rows();
-  bodies[0]->assemble(supports->constraints());
+  stiffness = bodies[0]->assembled_stiffness(supports->constraints());
 
   BlockVector               u(1, bodies[0]->n_dofs());
   std::vector<unsigned int> active, previous;

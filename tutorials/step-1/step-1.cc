@@ -13,10 +13,9 @@
 #include <lamella/base/exceptions.h>
 #include <lamella/base/mpi_session.h>
 #include <lamella/body/beam.h>
-#include <lamella/section/laminate.h>
 #include <lamella/section/theory.h>
-#include <lamella/solve/condensed_strategy.h>
-#include <lamella/solve/newton.h>
+#include <lamella/shape/laminate.h>
+#include <lamella/solve/multiplier_loop.h>
 
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/base/table_handler.h>
@@ -154,7 +153,7 @@ FiveTheories::compute(const std::string                 &name,
                       {{0., 0., 0.}}};
   const Load    tip{"tip",
                  {{0, Region::Kind::surface, "end", {}}},
-                 {{"0", "0", std::to_string(force / area)}},
+                 {{0., 0., force / area}},
                  ""};
   structure = std::make_unique<Structure>(std::move(bodies),
                                           std::vector<Support>{clamp},
@@ -170,11 +169,9 @@ FiveTheories::compute(const std::string                 &name,
 void
 FiveTheories::solve()
 {
-  structure->assemble();
-  structure->factorise();
+  structure->make_solvers();
   const std::vector<GapRow> no_rows;
-  CondensedStrategy         strategy(*structure, no_rows);
-  u = Newton(*structure, no_rows, strategy).solve_free(1.).u.block(0);
+  u = MultiplierLoop(*structure, no_rows).solve_free(1.).u.block(0);
 }
 
 

@@ -14,12 +14,11 @@
 #include <lamella/base/mpi_session.h>
 #include <lamella/body/beam.h>
 #include <lamella/contact/gap_rows.h>
-#include <lamella/section/laminate.h>
 #include <lamella/section/theory.h>
+#include <lamella/shape/laminate.h>
 #include <lamella/solve/checks.h>
-#include <lamella/solve/condensed_strategy.h>
-#include <lamella/solve/full_strategy.h>
-#include <lamella/solve/newton.h>
+#include <lamella/solve/multiplier_loop.h>
+#include <lamella/solve/penalty_newton.h>
 
 #include <deal.II/base/table_handler.h>
 
@@ -45,9 +44,9 @@ private:
   relative_error(const std::vector<GapRow> &rows,
                  const std::vector<double> &force) const;
   double
-  solved_once(const std::vector<GapRow> &rows, ContactStrategy &strategy) const;
+  solved_once(const std::vector<GapRow> &rows, PenaltyNewton &solver) const;
   double
-  refined(const std::vector<GapRow> &rows, ContactStrategy &strategy) const;
+  refined(const std::vector<GapRow> &rows, ContactSolver &solver) const;
   void
   measure(const int decade);
 
@@ -109,8 +108,7 @@ TwoCubes::TwoCubes()
   structure = std::make_unique<Structure>(std::move(bodies),
                                           std::vector<Support>{press, floor},
                                           std::vector<Load>());
-  structure->assemble();
-  structure->factorise();
+  structure->make_solvers();
 }
 
 
@@ -147,11 +145,11 @@ TwoCubes::relative_error(const std::vector<GapRow> &rows,
 // own BLAS, and so says nothing but that the sum cannot be used there.
 double
 TwoCubes::solved_once(const std::vector<GapRow> &rows,
-                      ContactStrategy           &strategy) const
+                      PenaltyNewton             &solver) const
 {
   try
     {
-      const BlockVector u = Newton(*structure, rows, strategy).solve_free(1.).u;
+      const BlockVector         u = solver.solve_free(1.).u;
       std::vector<unsigned int> all(rows.size());
       Vector                    minus_gap(rows.size());
       for (unsigned int k = 0; k < rows.size(); ++k)
@@ -161,7 +159,7 @@ TwoCubes::solved_once(const std::vector<GapRow> &rows,
         }
       BlockVector du;
       Vector      forces;
-      strategy.solve(all, nullptr, minus_gap, du, forces);
+      solver.solve_linear(all, structure->zero(), minus_gap, du, forces);
       return relative_error(rows,
                             std::vector<double>(forces.begin(), forces.end()));
     }
@@ -177,14 +175,12 @@ TwoCubes::solved_once(const std::vector<GapRow> &rows,
 // against the equilibrium of the strains and the contact law, and checks that
 // both hold in the end.
 double
-TwoCubes::refined(const std::vector<GapRow> &rows,
-                  ContactStrategy           &strategy) const
+TwoCubes::refined(const std::vector<GapRow> &rows, ContactSolver &solver) const
 {
   try
     {
-      const Newton newton(*structure, rows, strategy);
-      const State  state =
-        newton.solve_contact(newton.solve_free(1.), 1., State());
+      const State state =
+        solver.solve_contact(solver.solve_free(1.), 1., State());
       ContactInterface contact = interface;
       contact.rows             = rows;
       require_sound(state,
@@ -205,8 +201,8 @@ TwoCubes::measure(const int decade)
 {
   const double              ratio = std::pow(10., decade);
   const std::vector<GapRow> rows  = gap_rows(ratio * stiffness);
-  FullStrategy              full(*structure, rows);
-  CondensedStrategy         condensed(*structure, rows);
+  PenaltyNewton             full(*structure, rows);
+  MultiplierLoop            condensed(*structure, rows);
 
   // Springs in series: a penalty of its own gives F (1 / (1 + k / eps)).
   const double by_design = -1. / (1. + ratio), once = solved_once(rows, full),

@@ -12,10 +12,10 @@
 
 #include <lamella/base/exceptions.h>
 #include <lamella/base/mpi_session.h>
-#include <lamella/run/ladder.h>
 #include <lamella/run/simulation.h>
-#include <lamella/run/trade_picture.h>
-#include <lamella/run/trade_table.h>
+#include <lamella/trade/ladder.h>
+#include <lamella/trade/trade_picture.h>
+#include <lamella/trade/trade_table.h>
 
 #include <deal.II/base/table_handler.h>
 
@@ -34,7 +34,7 @@ public:
 
 private:
   RungResult
-  climb(const LadderEntry &entry, const std::string &folder);
+  climb(const LadderEntry &entry);
   double
   utilisation(const TradeTable &trade, const unsigned int k) const;
   int
@@ -77,11 +77,12 @@ BendingTest::BendingTest()
 // its theory, its elements, its cells. Whatever goes wrong with one (no memory,
 // no convergence) is a result as well, and no reason not to try the others.
 //
-// The seconds are those of the whole way, from the text to the files, as long
-// as nothing else is at work in the process. RunFiles reads these files, from
-// which the command `lamella trade` takes its values, too.
+// The seconds are those of the whole way, from the text to the numbers, as long
+// as nothing else is at work in the process. Simulation::solve() returns all
+// that the run has found out; RungValues picks from it what a trade compares,
+// as the command `lamella trade` does. No file is written on the way.
 RungResult
-BendingTest::climb(const LadderEntry &entry, const std::string &folder)
+BendingTest::climb(const LadderEntry &entry)
 {
   RungResult result{entry.name, entry.theory, "", 0., {}, 0, 0., {}};
   // What the sentences need to tell a richer rung from a coarser one.
@@ -94,18 +95,18 @@ BendingTest::climb(const LadderEntry &entry, const std::string &folder)
       std::ostream  quiet(nullptr);
       const Rung    rung    = make_rung(entry, scene);
       const Scene   changed = read_scene(SceneText::read(file, rung.overrides));
-      Simulation(changed, quiet).run(folder);
-      result.seconds = wall.wall_time();
+      Simulation    simulation(changed, quiet);
+      const Results &results = simulation.solve();
+      result.seconds         = wall.wall_time();
 
-      const RunFiles files(folder);
-      files.read_cost(result);
+      const RungValues values(results);
+      values.tell_cost(result);
       for (const TradeQuantity &quantity : scene.trade.quantities)
-        result.values.push_back(files.value(quantity));
+        result.values.push_back(values.value(quantity));
 
       // What presses on the nose has come from the bearing.
       const double nose    = result.values[0],
-                   bearing = files.value(
-                     {TradeQuantity::Of::support, "bearing", 0, "fz", {}});
+                   bearing = results.support("bearing").force[2];
       largest_imbalance =
         std::max(largest_imbalance, std::abs(bearing / nose - 1.));
     }
@@ -221,7 +222,7 @@ void
 BendingTest::check(const TradeTable &trade) const
 {
   constexpr double            way = 0.5, length = 24., width = 6., ply = 1.;
-  const EngineeringConstants &carbon = scene.materials.at("carbon");
+  const EngineeringConstants &carbon = scene.materials.at("carbon").elastic;
 
   const double EI =
                  width * ply * ply * ply / 12. * (26. * carbon.E1 + carbon.E2),
@@ -247,13 +248,12 @@ BendingTest::run()
 {
   std::filesystem::create_directories(output);
   // The first run waits for libraries to be read from disk; it does not count.
-  climb(scene.trade.ladder.front(), output + std::string("/warm-up"));
+  climb(scene.trade.ladder.front());
   std::vector<RungResult> rungs;
   for (const LadderEntry &entry : scene.trade.ladder)
     {
       std::cout << entry.name << ": " << std::flush;
-      const std::string number = std::to_string(rungs.size() + 1);
-      rungs.push_back(climb(entry, output + ("/" + number)));
+      rungs.push_back(climb(entry));
       if (rungs.back().failure.empty())
         std::cout << rungs.back().dofs << " DoFs" << std::endl;
       else

@@ -1,5 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+// The room `axis`: the beam's other factor. It owns the mesh of the axis, which
+// is deal.II's, the axis elements B2, B3, B4, their shape functions and the
+// points that shear is taken at, and the matrices A_pq that go with the S_pq.
+// It never knows the section.
+
 #ifndef lamella_axis_axis_h
 #define lamella_axis_axis_h
 

@@ -3,6 +3,7 @@
 #ifndef lamella_base_child_process_h
 #define lamella_base_child_process_h
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -19,6 +20,8 @@ namespace lamella
     bool out_of_time = false;
     /// Wall seconds from before its start to its end.
     double seconds = 0.;
+    /// What run_forked()'s work returned; empty if it did not come to its end.
+    std::string answer;
   };
 
   /**
@@ -36,6 +39,19 @@ namespace lamella
               const std::string              &output,
               const std::string              &errors,
               const double                    processor_seconds = 0.);
+
+  /**
+   * Does @p work in a copy of this process and waits for its end; its files,
+   * its processor time and its life are as those of run_process(), its exit
+   * status that of outcome_of(), whose message ends in @p errors. The copy has
+   * all libraries loaded, which takes a third of a second otherwise. MPI must
+   * not have been started here; @p work starts its own.
+   */
+  ProcessEnd
+  run_forked(const std::function<std::string()> &work,
+             const std::string                  &output,
+             const std::string                  &errors,
+             const double                        processor_seconds = 0.);
 
   /// The path of the program that this process runs.
   std::string

@@ -1,5 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+// The room `base`: what every other room speaks in. It owns the names of
+// vectors, matrices and constraints, rows (a linear part and a constant), the
+// two kinds of errors and how a program ends, text, units, files that are
+// written whole or not at all, memory and processes. It knows no mechanics and
+// never solves anything.
+
 #ifndef lamella_base_exceptions_h
 #define lamella_base_exceptions_h
 

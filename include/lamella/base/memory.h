@@ -7,6 +7,9 @@
 
 namespace lamella
 {
+  /// Of tables and summaries: bytes in an MB.
+  constexpr double megabyte = 1024. * 1024.;
+
   /// What this process has taken of the machine, and the most that it had
   /// taken, in bytes.
   double

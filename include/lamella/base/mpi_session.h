@@ -27,6 +27,21 @@ namespace lamella
   private:
     dealii::Utilities::MPI::MPI_InitFinalize session;
   };
+
+  /// A file that has reached its limit (SIGXFSZ), or a reader of the output
+  /// that is gone (SIGPIPE; `| head -1`), is an error of that writing from now
+  /// on and not the end of the run. MpiSession sees to it.
+  void
+  survive_failed_writes();
+
+  /// As many processes as a launcher (mpirun) has started, or 1; known before
+  /// MPI is.
+  unsigned int
+  n_launched();
+
+  /// @p n threads from now on; the BLAS would start with one a core.
+  void
+  limit_threads(const unsigned int n);
 } // namespace lamella
 
 #endif

@@ -21,16 +21,21 @@ namespace lamella
     return MPI_COMM_WORLD;
   }
 
+  /// 1 before MPI is started, too.
   inline unsigned int
   n_processes()
   {
-    return dealii::Utilities::MPI::n_mpi_processes(communicator());
+    return dealii::Utilities::MPI::job_supports_mpi() ?
+             dealii::Utilities::MPI::n_mpi_processes(communicator()) :
+             1;
   }
 
   inline unsigned int
   this_process()
   {
-    return dealii::Utilities::MPI::this_mpi_process(communicator());
+    return dealii::Utilities::MPI::job_supports_mpi() ?
+             dealii::Utilities::MPI::this_mpi_process(communicator()) :
+             0;
   }
 
   /// Whether this process speaks for all: it alone prints and writes.

@@ -11,10 +11,11 @@
 namespace lamella
 {
   /**
-   * A sparse linear functional of the DoFs of one body,
-   *   r(u) = sum_k w_k u_k.
+   * A sparse affine functional of the DoFs of one body,
+   *   r(u) = c + sum_k w_k u_k.
    * Whatever touches a body is one: a displacement component at a point,
-   * u_c(X) = sum F_tau(X) N_i(X) u_tau_i_c, a stress there, a gap.
+   * u_c(X) = sum F_tau(X) N_i(X) u_tau_i_c, a gap, a stress, whose constant
+   * part is that of an initial strain.
    */
   class Row
   {
@@ -24,6 +25,10 @@ namespace lamella
     /// Adds @p weight to the weight of @p dof.
     void
     add(const DofIndex dof, const double weight);
+
+    /// Adds @p value to the constant part.
+    void
+    add_constant(const double value);
 
     /// Adds @p factor times the functional @p other of the same body.
     void
@@ -41,7 +46,7 @@ namespace lamella
     double
     operator()(const Vector &u) const;
 
-    /// f += factor * r^T: the load that does work @p factor on a unit of r.
+    /// f += factor * w: the load that does work @p factor on a unit of r.
     void
     add_to(Vector &f, const double factor) const;
 
@@ -53,14 +58,22 @@ namespace lamella
     Row
     reduced(const Constraints &constraints) const;
 
+    /// The linear part.
     const std::vector<Entry> &
     entries() const
     {
       return row;
     }
 
+    double
+    constant() const
+    {
+      return constant_part;
+    }
+
   private:
     std::vector<Entry> row;
+    double             constant_part = 0.;
   };
 
   /// A row together with the number of the body whose DoFs it names.

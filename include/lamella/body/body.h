@@ -1,10 +1,16 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+// The room `body`: what all bodies have in common, and the two that there are.
+// It owns Body, the only face that other rooms see, the beam (an axis times a
+// section), the solid (hexahedra on the same section mesh), where they stand in
+// the scene, and the fields at their points. A body never knows what holds or
+// touches it: no supports, no contact.
+
 #ifndef lamella_body_body_h
 #define lamella_body_body_h
 
 #include <lamella/base/row.h>
-#include <lamella/base/stiffness_matrix.h>
+#include <lamella/linear/stiffness_matrix.h>
 #include <lamella/material/elasticity.h>
 
 #include <deal.II/base/bounding_box.h>
@@ -302,25 +308,33 @@ namespace lamella
     SolverKind
     solver_kind(const SolverKind asked) const;
 
+    /// What the stiffness is assembled from: blocks without constraints, and
+    /// @p springs. Refers to the body.
+    StiffnessTerms
+    stiffness_terms(const std::vector<SpringTerm> &springs = {}) const;
+
     /**
-     * Assembles the stiffness with @p springs, condensed by the homogeneous
-     * part of @p constraints (constrained DoFs keep a positive diagonal and
-     * nothing else), for a solver as @p asked.
+     * The stiffness with @p springs, condensed by the homogeneous part of
+     * @p constraints (constrained DoFs keep a positive diagonal and nothing
+     * else), for a solver as @p asked.
      */
-    void
-    assemble(const Constraints             &constraints,
-             const std::vector<SpringTerm> &springs = {},
-             const SolverKind               asked   = SolverKind::automatic);
+    std::unique_ptr<StiffnessMatrix>
+    assembled_stiffness(const Constraints             &constraints,
+                        const std::vector<SpringTerm> &springs = {},
+                        const SolverKind asked = SolverKind::automatic) const;
 
-    /// Makes the assembled stiffness ready to be solved with; NumericsError if
-    /// it is not positive.
-    void
-    factorise(const FactorMonitor &monitor = {});
-
-    const StiffnessMatrix &
-    stiffness() const;
-    const LinearSolver &
-    solver() const;
+    /**
+     * What solves with that matrix. Here it is assembled, factorised (or
+     * prepared for iterations), and dropped where its solver does without; a
+     * body that knows the structure of its matrix may never assemble it.
+     * @p monitor is told when it is there and how large a factor becomes.
+     * Throws NumericsError if it is not positive definite.
+     */
+    virtual std::unique_ptr<LinearSolver>
+    make_solver(const Constraints             &constraints,
+                const std::vector<SpringTerm> &springs = {},
+                const SolverKind               asked   = SolverKind::automatic,
+                const SolverMonitor           &monitor = {}) const;
 
   protected:
     /// Calls @p use with block after block of the unconstrained stiffness, this
@@ -331,9 +345,7 @@ namespace lamella
       const std::function<void(const StiffnessBlock &)> &use) const = 0;
 
   private:
-    std::string                      body_name;
-    std::unique_ptr<StiffnessMatrix> matrix;
-    std::unique_ptr<LinearSolver>    linear_solver;
+    std::string body_name;
   };
 } // namespace lamella
 

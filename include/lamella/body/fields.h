@@ -5,22 +5,32 @@
 
 #include <lamella/body/body.h>
 #include <lamella/body/placement.h>
+#include <lamella/material/material.h>
 
 #include <vector>
 
 namespace lamella
 {
+  /// What takes a strain epsilon into another quantity: the affine map
+  /// matrix epsilon + constant.
+  struct FromStrain
+  {
+    ElasticTensor matrix;
+    Voigt         constant;
+  };
+
   /**
-   * The matrix that takes a strain in the axes of a body at @p placement into
-   * @p quantity (strain or stress) in the axes of @p frame, where the ply has
-   * the axes @p ply and the elasticity @p C in those of the body.
+   * What takes a strain in the axes of a body at @p placement into @p quantity
+   * (strain or stress) in the axes of @p frame, where the ply has the axes
+   * @p ply and the law @p law in those of the body. The constant is the stress
+   * at no strain, -C epsilon_0.
    */
-  ElasticTensor
-  from_strain(const Quantity       quantity,
-              const Frame          frame,
-              const Placement     &placement,
-              const Triad         &ply,
-              const ElasticTensor &C);
+  FromStrain
+  from_strain(const Quantity    quantity,
+              const Frame       frame,
+              const Placement  &placement,
+              const Triad      &ply,
+              const ElasticLaw &law);
 
   /// All fields of a displacement and a strain in the axes of a body; the other
   /// arguments as above.
@@ -29,7 +39,7 @@ namespace lamella
             const Voigt                &strain,
             const Placement            &placement,
             const Triad                &ply,
-            const ElasticTensor        &C);
+            const ElasticLaw           &law);
 
   /// The mean of the @p samples at the places of a location, with their jump.
   FieldSample

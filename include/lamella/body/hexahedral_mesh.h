@@ -5,7 +5,7 @@
 
 #include <lamella/axis/axis.h>
 #include <lamella/base/linear_algebra.h>
-#include <lamella/section/section_mesh.h>
+#include <lamella/shape/section_mesh.h>
 
 #include <deal.II/base/point.h>
 

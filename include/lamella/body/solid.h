@@ -176,10 +176,10 @@ namespace lamella
     /// The DoFs of @p cell in the order of Hexahedron.
     std::vector<DofIndex>
     dofs_of(const unsigned int cell) const;
-    const ElasticTensor &
-    elasticity(const unsigned int cell) const
+    const ElasticLaw &
+    law(const unsigned int cell) const
     {
-      return elasticities[mesh.cells()[cell].ply];
+      return laws[mesh.cells()[cell].ply];
     }
 
     /// The displacements of @p cell less those of its first node, so that a
@@ -226,16 +226,16 @@ namespace lamella
                               const Vector      &u,
                               OutputCell        &grid) const;
 
-    HexahedralMesh             mesh;
-    Hexahedron                 element;
-    Placement                  placement;
-    double                     axis_length;
-    std::vector<ElasticTensor> elasticities;
-    Constraints                hanging;
-    std::vector<Kind>          kinds;
-    std::vector<unsigned int>  kind_of_cell;
-    bool                       is_curved = false;
-    dealii::BoundingBox<3>     box;
+    HexahedralMesh            mesh;
+    Hexahedron                element;
+    Placement                 placement;
+    double                    axis_length;
+    std::vector<ElasticLaw>   laws;
+    Constraints               hanging;
+    std::vector<Kind>         kinds;
+    std::vector<unsigned int> kind_of_cell;
+    bool                      is_curved = false;
+    dealii::BoundingBox<3>    box;
     dealii::RTree<std::pair<dealii::BoundingBox<3>, unsigned int>> boxes;
   };
 } // namespace lamella

@@ -6,9 +6,54 @@
 #include <deal.II/base/function_parser.h>
 
 #include <string>
+#include <type_traits>
 
 namespace lamella
 {
+  /**
+   * A value of a load: a number, or a function of the scene's x, y, z in the
+   * language of muParser; or nothing.
+   */
+  class Formula
+  {
+  public:
+    Formula() = default;
+
+    Formula(const std::string &expression)
+      : expression(expression)
+    {}
+
+    Formula(const char *expression)
+      : expression(expression)
+    {}
+
+    /// With all digits of @p value.
+    template <typename Number,
+              typename = std::enable_if_t<std::is_arithmetic<Number>::value>>
+    Formula(const Number value)
+      : Formula(with_all_digits(value))
+    {}
+
+    /// In the language of muParser.
+    const std::string &
+    text() const
+    {
+      return expression;
+    }
+
+    bool
+    empty() const
+    {
+      return expression.empty();
+    }
+
+  private:
+    static std::string
+    with_all_digits(const double value);
+
+    std::string expression;
+  };
+
   /**
    * A real function of the scene's x, y, z that a scene spells in the language
    * of muParser (deal.II's FunctionParser), with the constant pi.

@@ -3,6 +3,7 @@
 #ifndef lamella_conditions_load_h
 #define lamella_conditions_load_h
 
+#include <lamella/conditions/expression.h>
 #include <lamella/conditions/region.h>
 
 #include <array>
@@ -12,8 +13,7 @@
 namespace lamella
 {
   /**
-   * A given force. Its values are expressions of the scene's x, y, z, in the
-   * language of muParser.
+   * A given force, as numbers or functions of the scene's x, y, z.
    */
   struct Load
   {
@@ -21,9 +21,9 @@ namespace lamella
     std::vector<Region> on;
     /// Scene components: a force at a point, a force per length along a line, a
     /// force per area on a surface. Empty if the load is a pressure.
-    std::array<std::string, 3> force;
+    std::array<Formula, 3> force;
     /// On a surface, force per area against its outward normal.
-    std::string pressure;
+    Formula pressure;
   };
 
   /**

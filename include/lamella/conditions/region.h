@@ -1,5 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+// The room `conditions`: what holds and loads bodies one by one. It owns
+// regions (surfaces, lines, points), supports, loads and their integration,
+// stabilising springs, and the elimination of what supports prescribe, all as
+// rows of Body. It never knows that there is a second body to touch: no
+// contact.
+
 #ifndef lamella_conditions_region_h
 #define lamella_conditions_region_h
 

@@ -1,11 +1,22 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+// The room `contact`: who may touch whom, where, and by what law. It owns
+// search and pairing, the gap rows with the geometry that they were made from,
+// rigid obstacles, penalties and the other enforcements, and the checks of what
+// pairing assumed. It describes the problem and never solves it: which rows
+// carry force is found in `solve`.
+
 #ifndef lamella_contact_gap_rows_h
 #define lamella_contact_gap_rows_h
 
 #include <lamella/conditions/region.h>
 #include <lamella/contact/enforcement.h>
 #include <lamella/contact/obstacle.h>
+#include <lamella/contact/row_geometry.h>
+
+#include <deal.II/base/array_view.h>
+
+#include <boost/iterator/indirect_iterator.hpp>
 
 #include <memory>
 #include <optional>
@@ -106,7 +117,7 @@ namespace lamella
     }
   };
 
-  /// The rows of one contact with the geometry behind each, for reports.
+  /// The rows of one contact, which it owns, with the geometry behind each.
   struct ContactInterface
   {
     struct Point
@@ -141,8 +152,76 @@ namespace lamella
     unsigned int        unpaired = 0, unpaired_second = 0;
     std::vector<GapRow> rows;
     std::vector<Point>  points;
+    /// What the rows were made from: on First, where weights are along -n, and
+    /// on Second, where they are along n; none of an obstacle.
+    RowGeometry first, second;
     /// What the user should know of this pairing, a sentence each.
     std::vector<std::string> notes;
+  };
+
+  /**
+   * The rows of several contacts one after the other, as those who solve see
+   * them: numbered through from 0, with a vector of forces by that number. A
+   * view that copies no row; who owns the rows has to live longer.
+   */
+  class GapRows
+  {
+  public:
+    GapRows() = default;
+    GapRows(const std::vector<ContactInterface> &contacts);
+    /// Rows of no contact in particular.
+    GapRows(const std::vector<GapRow> &rows);
+    GapRows(std::vector<ContactInterface> &&contacts) = delete;
+    GapRows(std::vector<GapRow> &&rows)               = delete;
+
+    unsigned int
+    size() const
+    {
+      return rows.size();
+    }
+
+    bool
+    empty() const
+    {
+      return rows.empty();
+    }
+
+    const GapRow &
+    operator[](const unsigned int row) const
+    {
+      return *rows[row];
+    }
+
+    auto
+    begin() const
+    {
+      return boost::make_indirect_iterator(rows.begin());
+    }
+
+    auto
+    end() const
+    {
+      return boost::make_indirect_iterator(rows.end());
+    }
+
+    /// The contact that @p row belongs to, and its number there.
+    std::pair<unsigned int, unsigned int>
+    in_contact(const unsigned int row) const;
+
+    /// Those of @p values, one for each row, that belong to @p contact.
+    dealii::ArrayView<const double>
+    of_contact(const unsigned int         contact,
+               const std::vector<double> &values) const;
+
+    /// Those of @p some rows that belong to @p contact, by their numbers there.
+    std::vector<unsigned int>
+    of_contact(const unsigned int               contact,
+               const std::vector<unsigned int> &some) const;
+
+  private:
+    std::vector<const GapRow *> rows;
+    /// The first row of each contact, and behind the last.
+    std::vector<unsigned int> firsts;
   };
 
   /**
@@ -163,6 +242,14 @@ namespace lamella
    */
   ContactInterface
   make_interface(const ContactPair &contact, const Bodies &bodies);
+
+  /**
+   * The rows of @p contact on @p bodies, the same bodies in another
+   * discretisation: the same places, weights, gaps and penalties. Throws
+   * InputError if one of the places is not in the body there.
+   */
+  std::vector<GapRow>
+  rows_on(const ContactInterface &contact, const Bodies &bodies);
 
   /// The same with places up to @p reach apart, whatever the Search distance.
   ContactInterface

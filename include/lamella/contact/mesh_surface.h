@@ -3,6 +3,7 @@
 #ifndef lamella_contact_mesh_surface_h
 #define lamella_contact_mesh_surface_h
 
+#include <lamella/base/gauss_lobatto_basis.h>
 #include <lamella/body/body.h>
 #include <lamella/contact/obstacle.h>
 #include <lamella/contact/search.h>
@@ -90,34 +91,6 @@ namespace lamella
 
   private:
     std::shared_ptr<const Obstacle> obstacle;
-  };
-
-  /// A polynomial in [0, 1] given by its values at the Gauss-Lobatto points.
-  class GaussLobattoBasis
-  {
-  public:
-    explicit GaussLobattoBasis(const unsigned int degree);
-
-    unsigned int
-    size() const
-    {
-      return points.size();
-    }
-
-    double
-    point(const unsigned int i) const
-    {
-      return points[i];
-    }
-
-    /// The functions at @p x in @p values and, unless null, their derivatives.
-    void
-    evaluate(const double x, double *values, double *derivatives) const;
-
-  private:
-    std::vector<double> points;
-    /// 1 / prod_j (x_i - x_j).
-    std::vector<double> scales;
   };
 
   /**
@@ -269,8 +242,6 @@ namespace lamella
     facets_near(const std::vector<dealii::Point<3>> &points) const;
 
   private:
-    const GaussLobattoBasis *
-    basis(const unsigned int degree);
     void
     make_map(Facet &facet);
     void
@@ -286,9 +257,8 @@ namespace lamella
     dealii::Point<3>
     to_frame(const dealii::Point<3> &x) const;
 
-    const Body                                     &surface_body;
-    std::vector<std::unique_ptr<GaussLobattoBasis>> bases;
-    std::vector<Facet>                              all_facets;
+    const Body        &surface_body;
+    std::vector<Facet> all_facets;
     /// Of each trace node a facet and the place on it.
     std::vector<std::pair<unsigned int, dealii::Point<2>>> trace_places;
     std::vector<GridNode>                                  nodes;

@@ -5,6 +5,7 @@
 
 #include <lamella/contact/enforcement.h>
 #include <lamella/contact/mesh_surface.h>
+#include <lamella/contact/row_geometry.h>
 
 #include <limits>
 #include <utility>
@@ -66,8 +67,7 @@ namespace lamella
     double         angle = 0.;
     LocalStiffness carrying, opposing;
     /// w_j and v_k by numbers of locations in Gaps.
-    using Weights = std::vector<std::pair<unsigned int, dealii::Tensor<1, 3>>>;
-    Weights carrying_weights, opposing_weights;
+    RowGeometry::Weights carrying_weights, opposing_weights;
   };
 
   /// A place further behind the other surface than the cells there are deep.

@@ -4,7 +4,7 @@
 #define lamella_material_library_h
 
 #include <lamella/base/units.h>
-#include <lamella/material/elasticity.h>
+#include <lamella/material/material.h>
 
 #include <string>
 #include <vector>
@@ -16,13 +16,13 @@ namespace lamella
   library_materials();
 
   /**
-   * The constants of the built-in material @p name in the stresses of
+   * The built-in material @p name in the stresses of
    * @p units: those of the paper's Tables 3 (IM7-8552) and 7
    * (glass-polyester), of its sandwich core (foam-35) and of its half-cylinders
    * (hertz-200, whose modulus has no unit and is not converted).
    * Throws InputError with the nearest name if there is none.
    */
-  EngineeringConstants
+  Material
   library_material(const std::string &name, const Units &units);
 } // namespace lamella
 

@@ -4,7 +4,7 @@
 #define lamella_material_parameters_h
 
 #include <lamella/base/units.h>
-#include <lamella/material/elasticity.h>
+#include <lamella/material/material.h>
 
 #include <deal.II/base/parameter_handler.h>
 
@@ -23,11 +23,11 @@ namespace lamella
     static MaterialParameters
     parse(const dealii::ParameterHandler &prm);
 
-    /// The constants in the stresses of @p units. Throws InputError, beginning
+    /// The material in the stresses of @p units. Throws InputError, beginning
     /// with @p what (`Material NAME`), unless exactly one entry is given and
     /// the constants are positive definite.
-    EngineeringConstants
-    constants(const Units &units, const std::string &what) const;
+    Material
+    material(const Units &units, const std::string &what) const;
   };
 } // namespace lamella
 

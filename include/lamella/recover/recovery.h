@@ -1,5 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+// The room `recover`: better stresses than those of the elements, and values at
+// the places that a scene asks for. It owns the recovery by patches and the
+// sampling of probes, lines and cuts into Results. It never changes the
+// solution and never knows what the values are for: no goals, no files.
+
 #ifndef lamella_recover_recovery_h
 #define lamella_recover_recovery_h
 

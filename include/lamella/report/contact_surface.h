@@ -4,7 +4,7 @@
 #define lamella_report_contact_surface_h
 
 #include <lamella/contact/gap_rows.h>
-#include <lamella/solve/newton.h>
+#include <lamella/solve/results.h>
 #include <lamella/solve/structure.h>
 
 #include <array>
@@ -46,16 +46,15 @@ namespace lamella
      * the displaced first body (subtract `displacement` for the undeformed
      * one) with the columns of contact_NAME.csv at its points (`active` as
      * `status`), and `separation`, the vector to the displaced partner: gap
-     * times normal where that is on a rigid obstacle. The contact's forces
-     * begin at @p first_row in @p state. Numbers are doubles in text. Returns
-     * the file's name.
+     * times normal where that is on a rigid obstacle. What is drawn is the
+     * contact's @p rows in the load step number @p step and the displacements
+     * @p u there. Numbers are doubles in text. Returns the file's name.
      */
     std::string
-    write_vtu(const std::string &directory,
-              const unsigned int step,
-              const double       factor,
-              const State       &state,
-              const unsigned int first_row) const;
+    write_vtu(const std::string             &directory,
+              const unsigned int             step,
+              const BlockVector             &u,
+              const std::vector<ContactRow> &rows) const;
 
   private:
     const ContactInterface    &contact;

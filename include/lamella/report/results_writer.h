@@ -1,5 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+// The room `report`: how results are told. It owns the folder of a run and all
+// files in it (tables, summary, VTU, what a run is resumed from) and what the
+// console says, made from Results. It never computes what is not in Results,
+// and nothing in it reads what it wrote but the restart.
+
 #ifndef lamella_report_results_writer_h
 #define lamella_report_results_writer_h
 
@@ -7,7 +12,7 @@
 #include <lamella/report/restart.h>
 #include <lamella/report/results_folder.h>
 #include <lamella/report/tables.h>
-#include <lamella/section/section_geometry.h>
+#include <lamella/shape/section_geometry.h>
 
 #include <map>
 #include <memory>

@@ -3,7 +3,7 @@
 #ifndef lamella_report_section_table_h
 #define lamella_report_section_table_h
 
-#include <lamella/section/section_mesh.h>
+#include <lamella/shape/section_mesh.h>
 
 #include <string>
 

@@ -5,7 +5,7 @@
 
 #include <lamella/base/units.h>
 #include <lamella/contact/gap_rows.h>
-#include <lamella/section/laminate.h>
+#include <lamella/shape/laminate.h>
 #include <lamella/solve/structure.h>
 
 #include <iosfwd>

@@ -1,13 +1,18 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+// The room `run`: one scene from its description to its results. It owns the
+// driver, Simulation, in which the main loop is, and the command line. All work
+// is done by the rooms below, in the order that stands here; the driver never
+// does mechanics of its own.
+
 #ifndef lamella_run_simulation_h
 #define lamella_run_simulation_h
 
 #include <lamella/contact/search_check.h>
 #include <lamella/recover/sampler.h>
 #include <lamella/scene/scene.h>
+#include <lamella/solve/contact_solver.h>
 #include <lamella/solve/memory_budget.h>
-#include <lamella/solve/newton.h>
 #include <lamella/solve/results.h>
 
 #include <deal.II/base/timer.h>
@@ -25,8 +30,8 @@ namespace lamella
   public:
     /// Builds everything that a scene can be wrong in: bodies, supports, loads,
     /// contacts, probes. Throws InputError; nothing is written. Progress goes
-    /// to @p out. @p scene is referred to.
-    Simulation(const Scene &scene, std::ostream &out);
+    /// to @p out. What it needs of @p given is copied.
+    Simulation(const Scene &given, std::ostream &out);
     ~Simulation();
 
     /// Is handed the results each time that a load step is added to them.
@@ -86,12 +91,12 @@ namespace lamella
     void
     count_costs();
 
+    /// What solves with each body; tells how large a factor becomes.
+    void
+    make_solvers(const MemoryBudget &budget);
     /// Contact, body and position of the gap row @p row, for messages.
     std::string
-    describe_row(unsigned int row) const;
-    /// Those of one contact, numbered from 0.
-    std::vector<unsigned int>
-    active_rows(const unsigned int contact) const;
+    describe_row(const unsigned int row) const;
     /// What the user should know of this load step.
     std::vector<std::string>
     warnings_of_step(const double factor, const Checks &checks) const;
@@ -99,7 +104,7 @@ namespace lamella
     print_results(const std::string &directory) const;
 
     // What is to be solved.
-    const Scene        &scene;
+    const Scene         scene;
     std::ostream       &out;
     dealii::TimerOutput timer;
     dealii::Timer       wall;
@@ -111,14 +116,17 @@ namespace lamella
     std::unique_ptr<Sampler>      sampler;
 
     // How it is solved.
-    std::vector<GapRow>              gap_rows;
-    std::unique_ptr<ContactStrategy> strategy;
-    std::unique_ptr<Newton>          newton;
+    GapRows                        gap_rows;
+    std::unique_ptr<ContactSolver> solver;
 
     // Where it stands, and what was found.
     State   state;
     Results found;
   };
+  /// The simulation of @p scene, out of @p text: faults that show when bodies
+  /// are built are InputErrors with the line of the text, too.
+  std::unique_ptr<Simulation>
+  make_simulation(const Scene &scene, const SceneText &text, std::ostream &out);
 } // namespace lamella
 
 #endif

@@ -1,5 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+// The room `scene`: the text of a scene and what it means. It owns the grammar,
+// the messages that name entry, value, rule and remedy with their line, the
+// descriptions that the text is resolved into, and the bodies made of them. It
+// never runs anything: a scene is data.
+
 #ifndef lamella_scene_scene_h
 #define lamella_scene_scene_h
 
@@ -14,8 +19,8 @@
 #include <lamella/recover/requests.h>
 #include <lamella/scene/scene_text.h>
 #include <lamella/scene/trade_parameters.h>
-#include <lamella/section/shapes.h>
 #include <lamella/section/theory.h>
+#include <lamella/shape/shapes.h>
 #include <lamella/solve/parameters.h>
 
 #include <map>
@@ -45,9 +50,9 @@ namespace lamella
     std::string title;
     Units       units;
 
-    std::map<std::string, EngineeringConstants> materials;
-    std::map<std::string, SectionShape>         sections;
-    std::vector<BodyDescription>                bodies;
+    Materials                           materials;
+    std::map<std::string, SectionShape> sections;
+    std::vector<BodyDescription>        bodies;
 
     std::vector<Support>     supports;
     std::vector<Load>        loads;

@@ -3,8 +3,8 @@
 #ifndef lamella_section_cross_section_element_h
 #define lamella_section_cross_section_element_h
 
-#include <lamella/section/section_geometry.h>
-#include <lamella/section/section_mesh.h>
+#include <lamella/shape/section_geometry.h>
+#include <lamella/shape/section_mesh.h>
 
 #include <deal.II/base/bounding_box.h>
 #include <deal.II/base/point.h>

@@ -1,5 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+// The room `section`: fields over a section. It owns the cross-section
+// expansions F_tau (Taylor, layer-wise Lagrange), the theories made of them,
+// the matrices S_pq of the fundamental nuclei, and what strains a theory
+// completes or misses. What it says holds at any place along the beam: it never
+// knows the axis.
+
 #ifndef lamella_section_section_h
 #define lamella_section_section_h
 
@@ -111,13 +117,13 @@ namespace lamella
       return ply_of_cell[cell];
     }
 
-    /// C in the body frame on @p cell, its transverse shear scaled by the
-    /// theory's shear factor k: sigma = D C D eps with sqrt(k) in D's places
+    /// The law in the body frame on @p cell, its transverse shear scaled by the
+    /// theory's shear factor k: D C D in place of C with sqrt(k) in D's places
     /// for xy and yz.
-    const ElasticTensor &
-    elasticity(const unsigned int cell) const
+    const ElasticLaw &
+    law(const unsigned int cell) const
     {
-      return elasticities[ply_of_cell[cell]];
+      return laws[ply_of_cell[cell]];
     }
 
     SectionPoint
@@ -230,7 +236,7 @@ namespace lamella
 
     std::unique_ptr<const CrossSectionElement> expansion;
     Theory                                     section_theory;
-    std::vector<ElasticTensor>                 elasticities;
+    std::vector<ElasticLaw>                    laws;
     std::unique_ptr<const StrainCompletion>    completion;
 
     std::vector<SectionField>              fields;

@@ -40,9 +40,9 @@ namespace lamella
   class FreeContraction : public StrainCompletion
   {
   public:
-    /// @p elasticities of each ply, @p ply_of_cell of each cell.
-    FreeContraction(const std::vector<ElasticTensor> &elasticities,
-                    const std::vector<unsigned int>  &ply_of_cell);
+    /// @p laws of each ply, @p ply_of_cell of each cell.
+    FreeContraction(const std::vector<ElasticLaw>   &laws,
+                    const std::vector<unsigned int> &ply_of_cell);
 
     void
     complete(SectionPoint &point) const override;
@@ -74,7 +74,7 @@ namespace lamella
     ContractionModes(std::shared_ptr<const SectionMesh> mesh,
                      const std::vector<SectionPoint>   &points,
                      const std::vector<double>         &weights,
-                     const std::vector<ElasticTensor>  &elasticities,
+                     const std::vector<ElasticLaw>     &laws,
                      const std::vector<unsigned int>   &ply_of_cell,
                      const unsigned int                 n_fields);
 

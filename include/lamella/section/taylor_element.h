@@ -4,7 +4,7 @@
 #define lamella_section_taylor_element_h
 
 #include <lamella/section/cross_section_element.h>
-#include <lamella/section/section_geometry.h>
+#include <lamella/shape/section_geometry.h>
 
 namespace lamella
 {

@@ -3,7 +3,7 @@
 #ifndef lamella_solve_checks_h
 #define lamella_solve_checks_h
 
-#include <lamella/solve/newton.h>
+#include <lamella/solve/contact_solver.h>
 
 #include <deal.II/base/tensor.h>
 

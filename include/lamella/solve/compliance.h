@@ -21,7 +21,7 @@ namespace lamella
   {
   public:
     /// Both are referred to; @p structure must be factorised.
-    Compliance(const Structure &structure, const std::vector<GapRow> &rows);
+    Compliance(const Structure &structure, const GapRows &rows);
 
     /// Makes the compliance of @p wanted rows known.
     void
@@ -63,9 +63,9 @@ namespace lamella
       std::vector<unsigned int>   place;
     };
 
-    const Structure           &structure;
-    const std::vector<GapRow> &rows;
-    std::vector<BodyRows>      bodies;
+    const Structure      &structure;
+    const GapRows         rows;
+    std::vector<BodyRows> bodies;
 
     /// The place of each row in the compliance, if it is known, and its lower
     /// triangle by rows.

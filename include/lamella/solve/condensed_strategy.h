@@ -3,9 +3,9 @@
 #ifndef lamella_solve_condensed_strategy_h
 #define lamella_solve_condensed_strategy_h
 
-#include <lamella/base/dense_cholesky.h>
+#include <lamella/linear/dense_cholesky.h>
 #include <lamella/solve/compliance.h>
-#include <lamella/solve/contact_strategy.h>
+#include <lamella/solve/contact_problem.h>
 
 #include <optional>
 
@@ -25,38 +25,49 @@ namespace lamella
    * freedom to move) they then share the force, as the least sum of squares
    * does.
    */
-  class CondensedStrategy : public ContactStrategy
+  class CondensedStrategy
   {
   public:
-    /// Both are referred to; @p structure must be factorised.
-    CondensedStrategy(const Structure           &structure,
-                      const std::vector<GapRow> &rows);
+    /// @p structure, which has its solvers, and the rows are referred to.
+    CondensedStrategy(const Structure &structure, const GapRows &rows);
 
+    /**
+     * The linear system of one iteration. With B_A the rows @p active and d in
+     * place of 1/eps,
+     *   K du - B_A^T dlambda = r_u,
+     *   B_A du + d dlambda   = r_lambda.
+     * @p r_lambda and @p dlambda have an entry for each active row. @p r_u need
+     * not be condensed. du vanishes in what supports prescribe.
+     */
     void
     solve(const std::vector<unsigned int> &active,
-          const BlockVector               *r_u,
+          const BlockVector               &r_u,
           const Vector                    &r_lambda,
           BlockVector                     &du,
-          Vector                          &dlambda) override;
+          Vector                          &dlambda);
 
+    /**
+     * Solves @p problem, which is convex and has one solution,
+     *   K du = B^T (lambda - lambda_state),  g = g_state + B du,
+     *   lambda = max(0, ((d - a) lambda_bar - g) / d):
+     * the law g + a lambda >= 0 with its softness a raised to a d that the
+     * arithmetic bears, about an estimate lambda_bar of the forces. Finds which
+     * rows are active.
+     */
     ContactSolution
-    settle(const ContactProblem &problem, const Monitor &monitor) override;
+    settle(const ContactProblem &problem, const Monitor &monitor);
 
     StrategyMemory
-    memory() const override;
+    memory() const;
 
     void
-    recall(const StrategyMemory &memory) override;
+    recall(const StrategyMemory &memory);
 
+    /// The largest estimate of a condition number met so far, 0 if unknown.
     double
-    condition_estimate() const override;
+    condition_estimate() const;
 
-    std::string
-    remedy() const override
-    {
-      return "a softer penalty";
-    }
-
+    NumericalSoftness numerical_softness;
 
   private:
     /// The d of a known row: never less than 1e-10 of the compliance, which
@@ -85,7 +96,9 @@ namespace lamella
     BlockVector
     apply_inverse(BlockVector r) const;
 
-    Compliance compliance;
+    const Structure &structure;
+    const GapRows    rows;
+    Compliance       compliance;
     /// C + d of the rows that were active in the last linear solve, and d.
     std::optional<DenseCholesky> factor;
     std::vector<unsigned int>    factorised_for;

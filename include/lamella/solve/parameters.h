@@ -3,7 +3,7 @@
 #ifndef lamella_solve_parameters_h
 #define lamella_solve_parameters_h
 
-#include <lamella/solve/newton.h>
+#include <lamella/solve/contact_solver.h>
 
 #include <deal.II/base/parameter_handler.h>
 
@@ -23,7 +23,7 @@ namespace lamella
   {
     std::vector<double> load_factors;
     Strategy            strategy = Strategy::undefined;
-    NewtonParameters    newton;
+    SolverParameters    loop;
     SolverKind          solver = SolverKind::automatic;
     /// Bytes on each machine; 0: what it has.
     double memory_limit = 0.;

@@ -3,9 +3,9 @@
 #ifndef lamella_solve_results_h
 #define lamella_solve_results_h
 
-#include <lamella/base/linear_solver.h>
 #include <lamella/base/units.h>
 #include <lamella/contact/gap_rows.h>
+#include <lamella/linear/linear_solver.h>
 #include <lamella/solve/checks.h>
 
 #include <map>

@@ -1,5 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+// The room `solve`: equilibrium. It owns the structure (bodies with what holds
+// and loads them), the strategies that find which gap rows carry force, the
+// loop over load steps, the checks of what came out, and Results, which is all
+// that others need of a run. It never writes a file and never knows what a beam
+// or a solid is.
+
 #ifndef lamella_solve_structure_h
 #define lamella_solve_structure_h
 
@@ -101,16 +107,33 @@ namespace lamella
     BlockVector
     particular(const double factor) const;
 
-    /// Assembles the condensed stiffness of each body for a solver as @p asked.
-    void
-    assemble(const SolverKind asked = SolverKind::automatic);
+    /// Is told, of each body, when work on it begins and ends, when its
+    /// stiffness is assembled, and how large its factor becomes before memory
+    /// is spent on it.
+    struct BodyMonitor
+    {
+      std::function<void(const Body &)>                     begins, assembled;
+      std::function<void(const Body &)>                     ends;
+      std::function<void(const Body &, const FactorSize &)> sized;
+    };
 
-    /// Is told of the factor of a body before memory is spent on it.
-    using BodyMonitor = std::function<void(const Body &, const FactorSize &)>;
-
-    /// Makes them ready to be solved with: what the condensed strategy needs.
+    /// Makes what solves with the condensed stiffness of each body, as
+    /// @p asked.
     void
-    factorise(const BodyMonitor &monitor = {});
+    make_solvers(const SolverKind   asked   = SolverKind::automatic,
+                 const BodyMonitor &monitor = {});
+
+    /// Of make_solvers().
+    const LinearSolver &
+    solver(const unsigned int body) const;
+
+    /// The largest diagonal entry of the condensed stiffness of @p body.
+    double
+    largest_stiffness(const unsigned int body) const;
+
+    /// The stabilising springs of @p body as terms of its stiffness.
+    std::vector<SpringTerm>
+    spring_terms(const unsigned int body) const;
 
     /// factor * load - integral B^T C (B u) - spring forces, strain first; not
     /// condensed. The springs are without force at @p rest.
@@ -131,8 +154,11 @@ namespace lamella
     std::vector<PrescribedRow>                 rows;
     std::vector<std::unique_ptr<RowReduction>> reductions;
     std::vector<std::vector<Spring>>           all_springs;
-    BlockVector                                unit_load;
-    std::vector<LoadResultant>                 resultants;
+    std::vector<std::unique_ptr<LinearSolver>> solvers;
+    /// largest_stiffness() where no solver knows it, once asked for.
+    mutable std::vector<double> stiffest;
+    BlockVector                 unit_load;
+    std::vector<LoadResultant>  resultants;
   };
 } // namespace lamella
 

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef lamella_linear_conjugate_gradients_h
+#define lamella_linear_conjugate_gradients_h
+
+#include <lamella/linear/linear_solver.h>
+
+#include <deal.II/lac/trilinos_sparse_matrix.h>
+
+namespace lamella
+{
+  /**
+   * Conjugate gradients with ML's smoothed aggregation, for matrices of nodal
+   * displacements: its memory and work grow with the DoFs only. Coarse levels
+   * keep the @p near_null_space, whole vectors that vanish in constrained DoFs.
+   * Each right-hand side takes its own iterations, so contact with many rows
+   * is expensive.
+   */
+  std::unique_ptr<LinearSolver>
+  iterate(std::shared_ptr<const SharedMatrix> matrix,
+          const std::vector<Vector>          &near_null_space,
+          const std::string                  &what);
+} // namespace lamella
+
+#endif

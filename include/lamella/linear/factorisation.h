@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef lamella_linear_factorisation_h
+#define lamella_linear_factorisation_h
+
+#include <lamella/base/exceptions.h>
+#include <lamella/linear/linear_solver.h>
+
+namespace lamella
+{
+  /// A factorisation that broke down at the DoF @p dof (of the matrix, not in
+  /// the order of elimination).
+  class NotPositiveDefinite : public NumericsError
+  {
+  public:
+    NotPositiveDefinite(const std::string &message, const DofIndex dof)
+      : NumericsError(message)
+      , dof(dof)
+    {}
+
+    const DofIndex dof;
+  };
+
+  /**
+   * Factorises @p matrix, of which only the upper triangle is read, with
+   * CHOLMOD's supernodal Cholesky factorisation A = P^T L L^T P (AMD or METIS
+   * ordering, serial). Its condition estimate is the square of the ratio of the
+   * largest to the smallest diagonal entry of L: cheap and rough, it tells
+   * decades. Its solved rows are half solved (HalfSolvedRows).
+   *
+   * Throws NumericsError if a pivot is not positive; @p what then names the
+   * matrix in the message.
+   */
+  std::unique_ptr<LinearSolver>
+  factorise(const Matrix        &matrix,
+            const std::string   &what,
+            const FactorMonitor &monitor = {});
+
+  /// Entries of the upper triangle of a symmetric matrix, rows and columns
+  /// counted from 1 as MUMPS does. Those of one place add up, those of all
+  /// processes, too.
+  struct UpperTriangle
+  {
+    std::vector<int>    rows, columns;
+    std::vector<double> values;
+
+    /// Adds an entry, rows and columns counted from 0; nothing if it is below
+    /// the diagonal or zero.
+    void
+    add(const DofIndex row, const DofIndex column, const double value)
+    {
+      if (column < row || value == 0.)
+        return;
+      rows.push_back(row + 1);
+      columns.push_back(column + 1);
+      values.push_back(value);
+    }
+  };
+
+  /**
+   * A matrix of which only the values change: analysed once for its places,
+   * factorised as often as one likes. Otherwise as factorise_shared().
+   */
+  class RepeatedFactorisation
+  {
+  public:
+    virtual ~RepeatedFactorisation() = default;
+
+    /// Factorises the matrix with the values @p values in the places that it
+    /// was made for, in their order. Throws NumericsError as factorise() does.
+    virtual void
+    factorise(std::vector<double> values) = 0;
+
+    /// x = A^-1 x of the last factorisation.
+    virtual void
+    solve(Vector &x) const = 0;
+  };
+
+  /// For the matrix of @p n rows in the places of @p pattern, whose values are
+  /// not looked at; @p what names it in messages.
+  std::unique_ptr<RepeatedFactorisation>
+  analyse_shared(const DofIndex     n,
+                 UpperTriangle      pattern,
+                 const std::string &what);
+
+  /**
+   * Factorises the matrix of @p n rows whose entries the processes hold each a
+   * part of, with MUMPS (multifrontal, L D L^T without pivoting), on all
+   * processes together. All of them call this and what it returns.
+   *
+   * Deal.II's and Trilinos' ways to MUMPS (Amesos) treat every matrix as
+   * unsymmetric, twice the work and memory, and solve for one right-hand side
+   * at a time, which contact has many of; so MUMPS is called itself.
+   *
+   * Throws NumericsError as factorise() does.
+   */
+  std::unique_ptr<LinearSolver>
+  factorise_shared(const DofIndex       n,
+                   UpperTriangle        matrix,
+                   const std::string   &what,
+                   const FactorMonitor &monitor = {});
+} // namespace lamella
+
+#endif

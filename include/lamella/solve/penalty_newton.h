@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef lamella_solve_penalty_newton_h
+#define lamella_solve_penalty_newton_h
+
+#include <lamella/base/linear_algebra.h>
+#include <lamella/linear/factorisation.h>
+#include <lamella/solve/contact_solver.h>
+
+#include <deal.II/lac/trilinos_sparse_matrix.h>
+
+#include <memory>
+#include <set>
+
+namespace lamella
+{
+  /**
+   * The paper's way (`full`): Newton's method on the displacements and contact
+   * forces of the whole scene. At the state (u, lambda) a row is active if its
+   * law pushes there,
+   *   lambda - (g(u) + a lambda) / d > 0
+   * (a semi-smooth Newton or primal-dual active set method; for penalties,
+   * where d = a, this is g < 0), and the step is
+   *   (K + K^p) du = r_u + B_A^T r_lambda / d,   K^p = B_A^T diag(1/d) B_A,
+   *   dlambda      = (r_lambda - B_A du) / d
+   * (Eqs. 22 and 23) with what is left at that state,
+   *   r_u = t f - f_int(u) + B_A^T lambda,   r_lambda = -(g(u) + a lambda).
+   * Nothing but K, which is taken as the tangent of f_int, knows that bodies
+   * are linear.
+   *
+   * K and K^p are assembled through the supports' AffineConstraints into
+   * Trilinos' matrix. Its pattern has room for all rows that were active so far
+   * (room for all that might be is many times the fill) and is analysed when
+   * others join; MUMPS factorises it on all processes whenever the active set
+   * changes.
+   */
+  class PenaltyNewton : public ContactSolver
+  {
+  public:
+    PenaltyNewton(const Structure        &structure,
+                  const GapRows          &rows,
+                  const SolverParameters &parameters = SolverParameters());
+
+    State
+    solve_contact(const State &free,
+                  const double factor,
+                  const State &previous = State()) override;
+
+    StrategyMemory
+    memory() const override
+    {
+      return {softness.stiffening, {}};
+    }
+
+    void
+    recall(const StrategyMemory &memory) override
+    {
+      softness.stiffening = memory.stiffening;
+    }
+
+    std::vector<std::string>
+    warnings() const override;
+
+    /// K^p of the rows @p active added to K, and factorised: what
+    /// solve_linear() does by itself.
+    void
+    factorise(const std::vector<unsigned int> &active);
+
+    void
+    solve_linear(const std::vector<unsigned int> &active,
+                 const BlockVector               &r_u,
+                 const Vector                    &r_lambda,
+                 BlockVector                     &du,
+                 Vector                          &dlambda) override;
+
+  protected:
+    std::string
+    remedy() const override
+    {
+      return "a softer penalty, the condensed strategy";
+    }
+
+  private:
+    /// Those of the supports of all bodies, in the numbering of the scene.
+    Constraints
+    constraints_of_all() const;
+    /// K.
+    void
+    assemble_stiffness();
+    /// Makes room in K + K^p for the rows @p active, too.
+    void
+    make_room(const std::vector<unsigned int> &active);
+    /// Adds what the gap row @p row makes of K^p at @p softness.
+    void
+    add_penalty(const GapRow &row, const double softness_of_row);
+    /// The upper half of this process's entries of K + K^p.
+    UpperTriangle
+    upper_triangle() const;
+    /// Keeps the hardest of the penalties of @p active over what the DoFs of
+    /// the row offer, k = 1 / sum(b_i^2 / K_ii).
+    void
+    measure_hardness(const std::vector<unsigned int> &active);
+
+    /// d lambda - (g + a lambda) of each row: its law's force times d where it
+    /// is positive.
+    std::vector<double>
+    overlaps(const State &state, const double factor) const;
+    /// Whether the active row @p row does not pull.
+    bool
+    stays(const State &state, const unsigned int row) const;
+    /// The active rows that pull, and those that penetrate by more than
+    /// @p closed.
+    Round
+    wrong_rows(const State               &state,
+               const std::vector<double> &overlap,
+               const double               closed) const;
+    /// Those that stay active, and the worst of those that penetrate.
+    std::vector<unsigned int>
+    next_set(const State               &state,
+             const std::vector<double> &overlap,
+             const double               closed) const;
+    /// The largest |g + a lambda| of active rows.
+    double
+    law_error(const State &state, const double factor) const;
+    /// @p from with the share @p t of the way @p du and the forces of the law
+    /// there.
+    State
+    part_of_the_way(const State       &from,
+                    const BlockVector &du,
+                    const double       t,
+                    const double       factor) const;
+    /// Where the forces do no work any more on the way from @p from to @p to,
+    /// the whole of which led back to a set that had been there.
+    State
+    lowest_point(const State &from, const State &to, const double factor) const;
+
+    NumericalSoftness softness;
+    Constraints       constraints;
+    /// Of a process: a contiguous part of the DoFs of all bodies.
+    dealii::IndexSet                       owned;
+    SharedMatrix                           stiffness, system;
+    Vector                                 diagonal;
+    std::unique_ptr<RepeatedFactorisation> factor;
+    /// The rows that `system` has room for.
+    std::set<unsigned int> known;
+    /// What `factor` was made for.
+    std::vector<unsigned int> factorised_for;
+    double                    factorised_with = 0.;
+    bool                      is_factorised   = false;
+
+    double hardest = 0., hardest_penalty = 0.;
+  };
+} // namespace lamella
+
+#endif

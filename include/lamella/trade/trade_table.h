@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef lamella_trade_trade_table_h
+#define lamella_trade_trade_table_h
+
+#include <lamella/trade/rung_result.h>
+
+#include <iosfwd>
+#include <string>
+#include <vector>
+
+namespace lamella
+{
+  /**
+   * Errors against costs: what a trade found.
+   *
+   * The error of a rung's value v against the reference r is |v / r - 1|. A
+   * rung stands on the Pareto front of a cost if none is at most as costly and
+   * at most as far off, and better in one of the two. The rung that is itself
+   * the reference has no error and stands on no front.
+   */
+  class TradeTable
+  {
+  public:
+    enum class Cost
+    {
+      seconds,
+      dofs
+    };
+
+    /// @p reference is `finest`, `solid`, `given` or a rung's name, see
+    /// TradeParameters. Throws NumericsError if the rung that it means, or
+    /// every rung, failed.
+    TradeTable(std::vector<RungResult>    rungs,
+               std::vector<TradeQuantity> quantities,
+               const std::string         &reference,
+               std::vector<double>        tolerances);
+
+    const std::vector<RungResult> &
+    rungs() const
+    {
+      return all;
+    }
+    const std::vector<TradeQuantity> &
+    quantities() const
+    {
+      return asked;
+    }
+    const std::vector<double> &
+    tolerances() const
+    {
+      return bounds;
+    }
+    /// The number of the rung that errors are taken against; -1 if they are
+    /// taken against given values.
+    int
+    reference_rung() const
+    {
+      return against;
+    }
+
+    /// Of quantity @p q; zero if no error can be relative to it.
+    double
+    reference(const unsigned int q) const;
+
+    /// Whether rung @p k has an error in quantity @p q: it succeeded, is not
+    /// the reference itself, and the reference is not zero.
+    bool
+    has_error(const unsigned int k, const unsigned int q) const;
+    double
+    error(const unsigned int k, const unsigned int q) const;
+    double
+    cost(const unsigned int k, const Cost cost) const;
+
+    /// The rungs of the Pareto front of quantity @p q, by rising cost.
+    std::vector<unsigned int>
+    front(const unsigned int q, const Cost cost) const;
+
+    /// The cheapest rung with an error of quantity @p q of at most
+    /// @p tolerance; -1 if there is none. Seconds that differ by less than what
+    /// a machine lets two equal runs differ, 5 % and 0.1 s, count as equal,
+    /// and the fewer DoFs decide.
+    int
+    cheapest(const unsigned int q, const double tolerance) const;
+
+    /// `For 1 % in tip: uz the cheapest is TBT: 75 DoFs, 0.3 s (off by 0.2 %).`
+    /// and, where a rung that is richer (more DoFs, meshes at least as fine,
+    /// the same theory or one that holds it: EBBT, TBT, TE-1, TE-2, ...; LE-1,
+    /// LE-2, ...) is off by more than @p tolerance, that one should not count
+    /// on it.
+    std::string
+    sentence(const unsigned int q, const double tolerance) const;
+
+    /// What errors are taken against, and how sure that is, in words.
+    std::string
+    basis() const;
+
+  private:
+    int
+    find_reference(const std::string &name) const;
+
+    std::vector<RungResult>    all;
+    std::vector<TradeQuantity> asked;
+    std::vector<double>        bounds;
+    int                        against = -1;
+  };
+
+  /// The costs of all rungs, their errors in per cent, and the sentences.
+  void
+  print_trade(std::ostream &out, const TradeTable &table);
+
+  /// One line a rung and quantity: rung, theory, dofs, seconds, the phases,
+  /// memory_mb, quantity, value, reference, error (relative), front_seconds and
+  /// front_dofs (1 on the front), failure. Throws InputError if the file cannot
+  /// be written.
+  void
+  write_trade_csv(const TradeTable &table, const std::string &path);
+} // namespace lamella
+
+#endif

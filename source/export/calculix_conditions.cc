@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <lamella/base/exceptions.h>
+#include <lamella/base/text.h>
+#include <lamella/export/calculix_conditions.h>
+
+#include <cmath>
+#include <ostream>
+
+namespace lamella
+{
+  using namespace dealii;
+
+  namespace
+  {
+    /// The nodes of @p surface of @p body with the outward normals there.
+    std::map<unsigned int, Tensor<1, 3>>
+    node_normals(const CalculixMesh &mesh, const Region &region)
+    {
+      std::map<unsigned int, Tensor<1, 3>> normals;
+      for (const SurfacePoint &point :
+           mesh.bodies()[region.body]->surface_points(region.surface))
+        if (const unsigned int node = mesh.node_at(region.body, point.location))
+          normals[node] = point.normal;
+      return normals;
+    }
+
+
+
+    /// What holds bodies by contact alone CalculiX has no counterpart of.
+    void
+    check_bodies_are_held(const Scene &scene, const CalculixMesh &mesh)
+    {
+      for (const BodyDescription &body : scene.bodies)
+        if (body.stabilisation.share != 0.)
+          throw InputError(
+            "Body " + body.name +
+            "/Stabilisation = " + to_text(body.stabilisation.share) +
+            ": the springs that it makes are not exported. Hold the body by a "
+            "Support and set it to 0.");
+      const std::vector<PrescribedRow> rows =
+        prescribed_rows(scene.supports, mesh.bodies());
+      for (unsigned int body = 0; body < scene.bodies.size(); ++body)
+        for (const FreeMotion &motion :
+             free_rigid_motions(*mesh.bodies()[body], body, rows))
+          throw InputError("Body " + scene.bodies[body].name +
+                           ": nothing but contact prevents its " +
+                           motion.words +
+                           ", and CalculiX then solves a singular system. "
+                           "Hold it by a Support.");
+    }
+  } // namespace
+
+
+
+  CalculixConditions::CalculixConditions(const Scene        &scene,
+                                         const CalculixMesh &mesh)
+    : scene(scene)
+    , held(scene.supports.size())
+  {
+    for (unsigned int s = 0; s < scene.supports.size(); ++s)
+      add_support(s, mesh);
+    check_bodies_are_held(scene, mesh);
+
+    for (const Load &load : scene.loads)
+      for (const Region &region : load.on)
+        {
+          const PointForces at =
+            point_forces(load, region, *mesh.bodies()[region.body]);
+          for (unsigned int k = 0; k < at.forces.size(); ++k)
+            {
+              const Location::Place    &place = at.locations[k].places[0];
+              const std::vector<double> N =
+                mesh.element().shape_values(place.unit);
+              const auto &nodes =
+                mesh.nodes_of(mesh.element_of(region.body, place.cell));
+              for (unsigned int i = 0; i < N.size(); ++i)
+                if (std::abs(N[i]) > 1e-13)
+                  nodal_forces[nodes[i]] += N[i] * at.forces[k];
+            }
+        }
+  }
+
+
+
+  void
+  CalculixConditions::add_support(const unsigned int  s,
+                                  const CalculixMesh &mesh)
+  {
+    const Support    &support = scene.supports[s];
+    const std::string what    = "Support " + support.name;
+    for (const Region &region : support.on)
+      if (support.normal)
+        for (const auto &[node, normal] : node_normals(mesh, region))
+          {
+            unsigned int c = 0;
+            while (c < 3 && std::abs(normal[c]) < 1. - 1e-12)
+              ++c;
+            if (c == 3)
+              throw InputError(
+                what + "/Normal displacement: at " + to_text(mesh.node(node)) +
+                " the normal is oblique to the scene's axes, and the deck "
+                "prescribes components along these only. Turn the bodies so "
+                "that it is along one of them, or prescribe u.");
+            hold(
+              node, c, std::copysign(1., normal[c]) * *support.normal, s, mesh);
+          }
+      else
+        for (const unsigned int node : mesh.region_nodes(region, what))
+          for (unsigned int c = 0; c < 3; ++c)
+            if (support.u[c])
+              hold(node, c, *support.u[c], s, mesh);
+  }
+
+
+
+  void
+  CalculixConditions::hold(const unsigned int  node,
+                           const unsigned int  component,
+                           const double        value,
+                           const unsigned int  s,
+                           const CalculixMesh &mesh)
+  {
+    const auto [place, is_new] = values.insert({{node, component}, value});
+    if (is_new)
+      held[s][component].insert(node);
+    else if (std::abs(place->second - value) >
+             1e-12 * std::max(std::abs(value), std::abs(place->second)))
+      throw InputError("Support " + scene.supports[s].name + ": at " +
+                       to_text(mesh.node(node)) + " it prescribes " +
+                       to_text(value) + " where another one prescribes " +
+                       to_text(place->second) +
+                       ". Let them agree, or leave one of them free.");
+  }
+
+
+
+  double
+  CalculixConditions::load_on(const unsigned int s, const unsigned int c) const
+  {
+    double sum = 0.;
+    for (const auto &[node, force] : nodal_forces)
+      if (held[s][c].count(node) > 0)
+        sum += force[c];
+    return sum;
+  }
+
+
+
+  std::string
+  CalculixConditions::set_name(const unsigned int s, const unsigned int c)
+  {
+    return "SUPPORT" + std::to_string(s + 1) + "_" + "XYZ"[c];
+  }
+
+
+
+  void
+  CalculixConditions::write_sets(std::ostream &deck) const
+  {
+    for (unsigned int s = 0; s < held.size(); ++s)
+      {
+        deck << "** SUPPORT" << s + 1 << " is the support '"
+             << scene.supports[s].name << "'\n";
+        for (unsigned int c = 0; c < 3; ++c)
+          if (!held[s][c].empty())
+            write_set(deck, "*NSET, NSET=" + set_name(s, c), held[s][c]);
+      }
+  }
+
+
+
+  void
+  CalculixConditions::write_step(std::ostream &deck, const double factor) const
+  {
+    if (!values.empty())
+      deck << "*BOUNDARY\n";
+    for (const auto &[where, value] : values)
+      deck << where.first << ", " << where.second + 1 << ", "
+           << where.second + 1 << ", " << calculix_number(factor * value)
+           << '\n';
+    if (!nodal_forces.empty())
+      deck << "*CLOAD\n";
+    for (const auto &[node, force] : nodal_forces)
+      for (unsigned int c = 0; c < 3; ++c)
+        if (force[c] != 0.)
+          deck << node << ", " << c + 1 << ", "
+               << calculix_number(factor * force[c]) << '\n';
+  }
+} // namespace lamella

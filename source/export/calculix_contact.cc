@@ -1,0 +1,275 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <lamella/base/exceptions.h>
+#include <lamella/base/text.h>
+#include <lamella/export/calculix_contact.h>
+
+#include <algorithm>
+#include <cmath>
+#include <ostream>
+
+namespace lamella
+{
+  using namespace dealii;
+
+  namespace
+  {
+    /// What decides which side is the slave, and how stiff the contact is.
+    struct SideMeasures
+    {
+      /// Of a face in the mean.
+      double area = 0.;
+      /// K of automatic contact stiffness.
+      double stiffness = 0.;
+    };
+
+
+
+    /// K over E_n / h that suits @p body.
+    double
+    relative_stiffness(const Body &body)
+    {
+      const BoundingBox<3> box      = body.bounding_box();
+      double               smallest = box.side_length(0), largest = smallest;
+      for (unsigned int d = 1; d < 3; ++d)
+        {
+          smallest = std::min(smallest, box.side_length(d));
+          largest  = std::max(largest, box.side_length(d));
+        }
+      return 100. * std::min(1., 10. * smallest / largest);
+    }
+
+    SideMeasures
+    measures_of(const Body &body, const std::string &surface)
+    {
+      SideMeasures                    result;
+      const std::vector<SurfaceFacet> facets = body.surface_facets(surface);
+      for (const SurfaceFacet &facet : facets)
+        {
+          const SurfacePoint middle =
+            body.surface_point(facet, Point<2>(0.5, 0.5));
+          result.area += middle.area / facets.size();
+          result.stiffness =
+            std::max(result.stiffness, middle.normal_modulus / middle.depth);
+        }
+      result.stiffness *= relative_stiffness(body);
+      return result;
+    }
+
+
+
+    /// Where the normals of @p contact's first surface meet its obstacle.
+    std::vector<Point<3>>
+    facing_places(const ContactPair &contact, const Bodies &bodies)
+    {
+      const Body           &body  = *bodies[contact.first.body];
+      const double          reach = contact.search_distance ?
+                                      *contact.search_distance :
+                                      automatic_search_distance(contact, bodies);
+      std::vector<Point<3>> places;
+      for (const SurfaceFacet &facet :
+           body.surface_facets(contact.first.surface))
+        for (unsigned int k = 0; k < 9; ++k)
+          {
+            const SurfacePoint from =
+              body.surface_point(facet, Point<2>(0.5 * (k % 3), 0.5 * (k / 3)));
+            const auto hit =
+              meet(*contact.obstacle, from.position, from.normal);
+            if (hit && std::abs(hit->distance) <= reach)
+              places.push_back(hit->position);
+          }
+      if (places.empty())
+        throw InputError("Contact " + contact.name +
+                         ": nothing of First faces the obstacle '" +
+                         contact.obstacle->name + "' within Search distance " +
+                         to_text(reach) +
+                         ". Check the surface's name and where the obstacle "
+                         "is.");
+      return places;
+    }
+
+
+
+    void
+    write_surface(std::ostream        &deck,
+                  const std::string   &name,
+                  const CalculixFaces &faces)
+    {
+      deck << "*SURFACE, NAME=" << name << ", TYPE=ELEMENT\n";
+      for (const auto &[element, face] : faces)
+        deck << element << ", S" << calculix_face(face) << '\n';
+    }
+
+
+
+    /// What the deck does in the place of the scene's enforcement.
+    std::string
+    remark(const ContactPair &contact)
+    {
+      std::string text = "** linear penalty in the place of the scene's "
+                         "enforcement";
+      if (contact.overclosure == Overclosure::refuse)
+        text +=
+          "; overlaps, which the scene refuses,\n** would be pushed apart";
+      return text + "\n";
+    }
+  } // namespace
+
+
+
+  CalculixContacts::CalculixContacts(const Scene                 &scene,
+                                     const CalculixMesh          &mesh,
+                                     const std::optional<double> &stiffness)
+    : scene(scene)
+    , next_node(mesh.n_nodes() + 1)
+    , next_element(mesh.n_elements() + 1)
+  {
+    for (unsigned int k = 0; k < scene.contacts.size(); ++k)
+      {
+        add(k, mesh);
+        if (stiffness)
+          list.back().stiffness = *stiffness;
+      }
+  }
+
+
+
+  void
+  CalculixContacts::add(const unsigned int k, const CalculixMesh &mesh)
+  {
+    const ContactPair &pair = scene.contacts[k];
+    const std::string  what = "Contact " + pair.name;
+    if (pair.overclosure == Overclosure::adjust)
+      throw InputError(what +
+                       "/Overclosure = adjust: gaps without their overlap have "
+                       "no counterpart in a CalculiX deck. Move the bodies "
+                       "apart, or use push apart.");
+    const auto side = [&](const Region &region) -> const Body & {
+      const Body &body = *mesh.bodies()[region.body];
+      check_surface(body, region.surface, what);
+      return body;
+    };
+
+    CalculixContact    contact;
+    const SideMeasures first =
+      measures_of(side(pair.first), pair.first.surface);
+    contact.name      = pair.name;
+    contact.slave     = mesh.faces(pair.first.body, pair.first.surface);
+    contact.stiffness = first.stiffness;
+    if (pair.obstacle != nullptr)
+      {
+        contact.layer =
+          make_layer(*pair.obstacle, facing_places(pair, mesh.bodies()));
+        contact.first_node    = next_node;
+        contact.first_element = next_element;
+        // Face 5 of deal.II is CalculiX' second.
+        for (unsigned int e = 0; e < contact.layer->elements.size(); ++e)
+          contact.master.emplace_back(next_element + e, 5);
+        next_node += contact.layer->nodes.size();
+        next_element += contact.layer->elements.size();
+      }
+    else
+      {
+        const SideMeasures second =
+          measures_of(side(pair.second), pair.second.surface);
+        contact.master    = mesh.faces(pair.second.body, pair.second.surface);
+        contact.stiffness = std::min(first.stiffness, second.stiffness);
+        contact.slave_is_second = pair.points_on == PointsOn::second ||
+                                  (pair.points_on == PointsOn::automatic &&
+                                   second.area < (1. - 1e-6) * first.area);
+        if (contact.slave_is_second)
+          std::swap(contact.slave, contact.master);
+      }
+    list.push_back(std::move(contact));
+  }
+
+
+
+  std::string
+  CalculixContacts::surface_name(const unsigned int k, const bool slave)
+  {
+    return "CONTACT" + std::to_string(k + 1) + (slave ? "_SLAVE" : "_MASTER");
+  }
+
+
+
+  void
+  CalculixContacts::write_layer(std::ostream &deck, const unsigned int k) const
+  {
+    const CalculixContact &contact = list[k];
+    const std::string      name    = "OBSTACLE" + std::to_string(k + 1);
+    deck << "** " << name << " is the obstacle '"
+         << scene.contacts[k].obstacle->name << "', rigid\n*NODE, NSET=" << name
+         << '\n';
+    for (unsigned int n = 0; n < contact.layer->nodes.size(); ++n)
+      write_node(deck, contact.first_node + n, contact.layer->nodes[n]);
+    deck << "*ELEMENT, TYPE=C3D20R, ELSET=" << name << '\n';
+    for (unsigned int e = 0; e < contact.layer->elements.size(); ++e)
+      {
+        std::vector<unsigned int> nodes = contact.layer->elements[e];
+        for (unsigned int &node : nodes)
+          node += contact.first_node;
+        write_element(deck, contact.first_element + e, nodes);
+      }
+    // All nodes are prescribed: any material will do.
+    deck << "*MATERIAL, NAME=" << name << "\n*ELASTIC\n"
+         << calculix_number(scene.materials.begin()->second.elastic.E1)
+         << ", 0.3\n*SOLID SECTION, ELSET=" << name << ", MATERIAL=" << name
+         << '\n';
+  }
+
+
+
+  void
+  CalculixContacts::write_model(std::ostream &deck) const
+  {
+    for (unsigned int k = 0; k < list.size(); ++k)
+      {
+        const CalculixContact &contact = list[k];
+        if (contact.layer)
+          write_layer(deck, k);
+        const std::string name   = "CONTACT" + std::to_string(k + 1),
+                          slave  = surface_name(k, true),
+                          master = surface_name(k, false);
+        deck << "** " << name << " is the contact '" << contact.name
+             << "', its slave the "
+             << (contact.slave_is_second ? "second" : "first") << " side\n";
+        write_surface(deck, slave, contact.slave);
+        write_surface(deck, master, contact.master);
+        deck << remark(scene.contacts[k])
+             << "*SURFACE INTERACTION, NAME=" << name
+             << "\n*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=LINEAR\n"
+             << calculix_number(contact.stiffness)
+             << "\n*CONTACT PAIR, INTERACTION=" << name
+             << ", TYPE=SURFACE TO SURFACE\n"
+             << slave << ", " << master << '\n';
+      }
+  }
+
+
+
+  void
+  CalculixContacts::write_step(std::ostream &deck, const double factor) const
+  {
+    for (unsigned int k = 0; k < list.size(); ++k)
+      if (list[k].layer)
+        {
+          deck << "*BOUNDARY\n";
+          for (unsigned int c = 0; c < 3; ++c)
+            deck << "OBSTACLE" << k + 1 << ", " << c + 1 << ", " << c + 1
+                 << ", "
+                 << calculix_number(factor * list[k].layer->displacement[c])
+                 << '\n';
+        }
+  }
+
+
+
+  void
+  CalculixContacts::write_output(std::ostream &deck) const
+  {
+    for (unsigned int k = 0; k < list.size(); ++k)
+      deck << "*CONTACT PRINT, SLAVE=" << surface_name(k, true)
+           << ", MASTER=" << surface_name(k, false) << "\nCF, CSTR\n";
+  }
+} // namespace lamella

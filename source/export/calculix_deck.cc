@@ -1,0 +1,325 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <lamella/base/exceptions.h>
+#include <lamella/base/output_file.h>
+#include <lamella/base/text.h>
+#include <lamella/export/calculix_conditions.h>
+#include <lamella/export/calculix_contact.h>
+#include <lamella/export/calculix_deck.h>
+
+#include <nlohmann/json.hpp>
+
+#include <filesystem>
+#include <ostream>
+#include <sstream>
+
+namespace lamella
+{
+  using namespace dealii;
+
+  namespace
+  {
+    using Json = nlohmann::ordered_json;
+
+    /// A probe with the elements that hold it.
+    struct LocatedProbe
+    {
+      const Probe          *probe;
+      std::vector<Location> locations;
+    };
+
+    /// All that a deck is written from.
+    struct Deck
+    {
+      Deck(const Scene                 &scene,
+           const std::string           &element,
+           const std::optional<double> &contact_stiffness);
+
+      void
+      write(std::ostream &deck) const;
+
+      /// What the deck's numbers mean.
+      Json
+      meaning() const;
+
+      const Scene              &scene;
+      CalculixMesh              mesh;
+      CalculixConditions        conditions;
+      CalculixContacts          contacts;
+      std::vector<LocatedProbe> probes;
+
+    private:
+      void
+      write_output_sets(std::ostream &deck) const;
+      void
+      write_output(std::ostream &deck) const;
+      Json
+      meaning_of_probe(const LocatedProbe &probe) const;
+      Json
+      meaning_of_supports() const;
+      Json
+      meaning_of_contacts() const;
+    };
+
+
+
+    Deck::Deck(const Scene                 &scene,
+               const std::string           &element,
+               const std::optional<double> &contact_stiffness)
+      : scene(scene)
+      , mesh(scene, CalculixElement(element))
+      , conditions(scene, mesh)
+      , contacts(scene, mesh, contact_stiffness)
+    {
+      for (const Probe &probe : scene.probes)
+        {
+          const Body &body = *mesh.bodies()[probe.body];
+          // For its message only.
+          locate_all(body, {probe.position}, "Probe " + probe.name);
+          probes.push_back({&probe, body.locate({probe.position})[0]});
+        }
+    }
+
+
+
+    void
+    Deck::write_output_sets(std::ostream &deck) const
+    {
+      std::set<unsigned int> nodes, elements;
+      for (const LocatedProbe &probe : probes)
+        for (const Location &location : probe.locations)
+          for (const Location::Place &place : location.places)
+            {
+              const unsigned int element =
+                mesh.element_of(probe.probe->body, place.cell);
+              elements.insert(element);
+              nodes.insert(mesh.nodes_of(element).begin(),
+                           mesh.nodes_of(element).end());
+            }
+      if (probes.empty())
+        return;
+      deck << "** the elements that hold the probes, and their nodes\n";
+      write_set(deck, "*NSET, NSET=PROBES", nodes);
+      write_set(deck, "*ELSET, ELSET=PROBES", elements);
+    }
+
+
+
+    void
+    Deck::write_output(std::ostream &deck) const
+    {
+      if (!probes.empty())
+        deck << "*NODE PRINT, NSET=PROBES\nU\n"
+                "*EL PRINT, ELSET=PROBES, GLOBAL=YES\nS\n";
+      for (unsigned int s = 0; s < scene.supports.size(); ++s)
+        for (unsigned int c = 0; c < 3; ++c)
+          if (!conditions.nodes(s, c).empty())
+            deck << "*NODE PRINT, NSET=" << CalculixConditions::set_name(s, c)
+                 << ", TOTALS=ONLY\nRF\n";
+      contacts.write_output(deck);
+      // For pictures, at the end of the step.
+      deck << "*NODE FILE, FREQUENCY=100000\nU\n"
+              "*EL FILE, FREQUENCY=100000\nS\n";
+    }
+
+
+
+    void
+    Deck::write(std::ostream &deck) const
+    {
+      deck << "** " << (scene.title.empty() ? "A scene" : scene.title)
+           << "\n** written by lamella " LAMELLA_VERSION
+              ": linear kinematics, frictionless contact, units "
+           << scene.units.length << ", " << scene.units.force << ", "
+           << scene.units.stress << '\n';
+      mesh.write(deck);
+      conditions.write_sets(deck);
+      contacts.write_model(deck);
+      write_output_sets(deck);
+      const auto &factors = scene.solve.load_factors;
+      for (unsigned int step = 0; step < factors.size(); ++step)
+        {
+          deck << "** load factor " << to_text(factors[step])
+               << "\n*STEP, INC=1000\n*STATIC\n1., 1.\n";
+          conditions.write_step(deck, factors[step]);
+          contacts.write_step(deck, factors[step]);
+          write_output(deck);
+          deck << "*END STEP\n";
+        }
+    }
+
+
+
+    Json
+    Deck::meaning_of_probe(const LocatedProbe &located) const
+    {
+      const Probe &probe = *located.probe;
+      Json         json;
+      json["body"]  = scene.bodies[probe.body].name;
+      json["at"]    = {probe.position[0], probe.position[1], probe.position[2]};
+      json["plies"] = Json::array();
+      for (const Location &location : located.locations)
+        {
+          Json ply;
+          ply["ply"] = location.ply + 1;
+          for (const Location::Place &place : location.places)
+            {
+              const unsigned int element =
+                mesh.element_of(probe.body, place.cell);
+              Json natural;
+              for (unsigned int d = 0; d < 3; ++d)
+                natural.push_back(2. * place.unit[d] - 1.);
+              ply["elements"].push_back({{"element", element},
+                                         {"nodes", mesh.nodes_of(element)},
+                                         {"natural", natural}});
+            }
+          json["plies"].push_back(ply);
+        }
+      for (const Reference &reference : probe.references)
+        json["references"].push_back({{"quantity", reference.quantity},
+                                      {"value", reference.value},
+                                      {"source", reference.source}});
+      return json;
+    }
+
+
+
+    Json
+    Deck::meaning_of_supports() const
+    {
+      Json json = Json::object();
+      for (unsigned int s = 0; s < scene.supports.size(); ++s)
+        {
+          Json &support = json[scene.supports[s].name] = Json::object();
+          for (unsigned int c = 0; c < 3; ++c)
+            if (!conditions.nodes(s, c).empty())
+              support[std::string(1, "xyz"[c])] = {
+                {"set", CalculixConditions::set_name(s, c)},
+                {"nodes", conditions.nodes(s, c).size()},
+                {"load", conditions.load_on(s, c)}};
+        }
+      return json;
+    }
+
+
+
+    Json
+    Deck::meaning_of_contacts() const
+    {
+      Json json = Json::object();
+      for (unsigned int k = 0; k < contacts.contacts().size(); ++k)
+        {
+          const CalculixContact &contact = contacts.contacts()[k];
+          json[contact.name]             = {
+                        {"slave", CalculixContacts::surface_name(k, true)},
+                        {"master", CalculixContacts::surface_name(k, false)},
+                        {"slave_is_second", contact.slave_is_second},
+                        {"stiffness", contact.stiffness}};
+        }
+      return json;
+    }
+
+
+
+    Json
+    Deck::meaning() const
+    {
+      Json json;
+      json["version"]  = LAMELLA_VERSION;
+      json["title"]    = scene.title;
+      json["element"]  = mesh.element().name();
+      json["units"]    = {{"length", scene.units.length},
+                          {"force", scene.units.force},
+                          {"stress", scene.units.stress}};
+      json["dofs"]     = 3 * mesh.n_nodes();
+      json["nodes"]    = mesh.n_nodes();
+      json["elements"] = mesh.n_elements();
+      json["bodies"]   = Json::object();
+      for (unsigned int body = 0; body < scene.bodies.size(); ++body)
+        {
+          const auto &[node, element]             = mesh.first_of(body);
+          const auto &[node_, element_]           = mesh.first_of(body + 1);
+          json["bodies"][scene.bodies[body].name] = {
+            {"set", "BODY" + std::to_string(body + 1)},
+            {"nodes", node_ - node},
+            {"elements", element_ - element}};
+        }
+      json["steps"]    = scene.solve.load_factors;
+      json["supports"] = meaning_of_supports();
+      json["contacts"] = meaning_of_contacts();
+      json["probes"]   = Json::object();
+      for (const LocatedProbe &probe : probes)
+        json["probes"][probe.probe->name] = meaning_of_probe(probe);
+      return json;
+    }
+
+
+
+    std::optional<double>
+    parse_stiffness(const std::string &text)
+    {
+      if (text.empty() || text == "auto")
+        return {};
+      const double value = to_number(text, "--contact-stiffness");
+      if (!(value > 0.))
+        throw InputError("--contact-stiffness " + text +
+                         ": it must be positive, a pressure over a "
+                         "penetration, or auto.");
+      return value;
+    }
+
+
+
+    /// Both, or neither, and then what was there before stays.
+    void
+    write_files(const std::filesystem::path &deck,
+                const std::string           &deck_text,
+                const std::filesystem::path &meaning,
+                const std::string           &meaning_text)
+    {
+      if (std::filesystem::is_directory(meaning) ||
+          std::filesystem::is_directory(deck))
+        throw InputError("--output " + deck.string() + ": " + deck.string() +
+                         " or " + meaning.string() +
+                         " is a folder. Name another file.");
+      OutputFile first(deck.string()), second(meaning.string());
+      const bool written = (first.stream() << deck_text << std::flush) &&
+                           (second.stream() << meaning_text << std::flush) &&
+                           first.put_in_place() && second.put_in_place();
+      if (!written)
+        throw InputError("--output " + deck.string() +
+                         ": it cannot be written. Name a file in a folder that "
+                         "can be created and written.");
+    }
+  } // namespace
+
+
+
+  void
+  export_calculix(const Scene       &scene,
+                  const DeckRequest &request,
+                  std::ostream      &out)
+  {
+    const std::filesystem::path name = request.output;
+    if (name.extension() != ".inp")
+      throw InputError("--output " + request.output +
+                       ": the name of a CalculiX deck ends in .inp.");
+    const Deck         deck(scene,
+                    request.element.empty() ? "C3D20R" : request.element,
+                    parse_stiffness(request.contact_stiffness));
+    std::ostringstream text;
+    deck.write(text);
+    std::filesystem::path beside = name;
+    beside.replace_extension(".json");
+    write_files(name, text.str(), beside, deck.meaning().dump(1) + "\n");
+
+    out << "CalculiX deck " << name.string() << ": " << deck.mesh.n_elements()
+        << ' ' << deck.mesh.element().name() << ", " << 3 * deck.mesh.n_nodes()
+        << " DoFs\n";
+    for (const CalculixContact &contact : deck.contacts.contacts())
+      out << "Contact " << contact.name
+          << ": pressure over penetration = " << contact.stiffness << '\n';
+    out << "Run it with: ccx " << beside.replace_extension("").string()
+        << std::endl;
+  }
+} // namespace lamella

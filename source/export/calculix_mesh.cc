@@ -1,0 +1,380 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <lamella/base/exceptions.h>
+#include <lamella/base/text.h>
+#include <lamella/body/solid.h>
+#include <lamella/export/calculix_mesh.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <ostream>
+
+namespace lamella
+{
+  using namespace dealii;
+
+  namespace
+  {
+    /// How far from a node of the unit cube a place may be and be at it.
+    constexpr double same_place = 1e-6;
+
+
+
+    /// The scene with all bodies as solids of @p degree.
+    Scene
+    with_solids(const Scene &scene, const unsigned int degree)
+    {
+      Scene solid = scene;
+      for (BodyDescription &body : solid.bodies)
+        {
+          if (!body.refinement.balls.empty())
+            throw InputError("Body " + body.name +
+                             "/Kinematics/Refine near: it makes hanging nodes, "
+                             "which a CalculiX deck cannot hold. Remove it "
+                             "(--set \"Body " +
+                             body.name +
+                             "/Kinematics/Refine near=\") and refine with "
+                             "Refinements, the section's cells and Axis "
+                             "elements.");
+          if (body.theory.kind != Theory::Kind::solid)
+            body.refinement = {};
+          body.theory       = {};
+          body.theory.kind  = Theory::Kind::solid;
+          body.theory.order = degree;
+        }
+      return solid;
+    }
+
+
+
+    bool
+    is_isotropic(const EngineeringConstants &m)
+    {
+      const auto same = [](const double a, const double b) {
+        return std::abs(a - b) <= 1e-12 * std::abs(a);
+      };
+      return same(m.E1, m.E2) && same(m.E1, m.E3) && same(m.nu12, m.nu13) &&
+             same(m.nu12, m.nu23) && same(m.G12, m.G13) && same(m.G12, m.G23) &&
+             same(m.G12, m.E1 / (2. * (1. + m.nu12)));
+    }
+
+
+
+    std::string
+    numbers_line(const std::vector<double> &values)
+    {
+      std::vector<std::string> texts;
+      for (const double value : values)
+        texts.push_back(calculix_number(value));
+      return joined(texts) + "\n";
+    }
+  } // namespace
+
+
+
+  std::string
+  calculix_number(const double value)
+  {
+    char text[32];
+    std::snprintf(text, sizeof(text), "%.12e", value == 0. ? 0. : value);
+    return text;
+  }
+
+
+
+  void
+  write_node(std::ostream      &deck,
+             const unsigned int number,
+             const Point<3>    &position)
+  {
+    deck << number;
+    for (unsigned int d = 0; d < 3; ++d)
+      deck << ", " << calculix_number(position[d]);
+    deck << '\n';
+  }
+
+
+
+  void
+  write_element(std::ostream                    &deck,
+                const unsigned int               number,
+                const std::vector<unsigned int> &nodes)
+  {
+    deck << number;
+    for (unsigned int i = 0; i < nodes.size(); ++i)
+      deck << (i == 10 ? ",\n" : ", ") << nodes[i];
+    deck << '\n';
+  }
+
+
+
+  void
+  write_set(std::ostream                 &deck,
+            const std::string            &keyword,
+            const std::set<unsigned int> &set)
+  {
+    deck << keyword << '\n';
+    unsigned int n = 0;
+    for (const unsigned int number : set)
+      deck << number << (++n == set.size() || n % 16 == 0 ? ",\n" : ", ");
+  }
+
+
+
+  CalculixMesh::CalculixMesh(const Scene &scene, const CalculixElement &element)
+    : scene(scene)
+    , element_type(element)
+  {
+    const Scene solid = with_solids(scene, element.degree());
+    solids            = build_bodies(solid, build_section_meshes(solid));
+    for (unsigned int body = 0; body < solids.size(); ++body)
+      number(body);
+    firsts.emplace_back(nodes.size() + 1, elements.size() + 1);
+  }
+
+
+
+  void
+  CalculixMesh::number(const unsigned int body)
+  {
+    firsts.emplace_back(nodes.size() + 1, elements.size() + 1);
+    const HexahedralMesh &mesh =
+      dynamic_cast<const Solid &>(*solids[body]).hexahedra();
+    Assert(mesh.hanging_nodes().empty(), ExcInternalError());
+
+    // CalculiX' nodes among those of FE_Q.
+    const Hexahedron          ours(element_type.degree());
+    std::vector<unsigned int> of_node;
+    for (unsigned int i = 0; i < element_type.n_nodes(); ++i)
+      for (unsigned int k = 0; k < ours.n_nodes(); ++k)
+        if (ours.unit_node(k).distance(element_type.unit_node(i)) < same_place)
+          of_node.push_back(k);
+
+    std::vector<unsigned int> numbers(mesh.nodes().size(), 0);
+    for (const HexahedralMesh::Cell &cell : mesh.cells())
+      {
+        elements.emplace_back();
+        plies.push_back(cell.ply);
+        for (const unsigned int k : of_node)
+          {
+            unsigned int &number = numbers[cell.nodes[k]];
+            if (number == 0)
+              {
+                nodes.push_back(scene.bodies[body].placement.to_scene(
+                  mesh.nodes()[cell.nodes[k]]));
+                number = nodes.size();
+              }
+            elements.back().push_back(number);
+          }
+      }
+  }
+
+
+
+  CalculixFaces
+  CalculixMesh::faces(const unsigned int body, const std::string &surface) const
+  {
+    CalculixFaces result;
+    for (const SurfaceFacet &facet : solids[body]->surface_facets(surface))
+      {
+        unsigned int normal = 0;
+        while (facet.along_s[normal] != 0. || facet.along_t[normal] != 0.)
+          ++normal;
+        const unsigned int face =
+          2 * normal + (facet.origin[normal] == 0. ? 0 : 1);
+        result.emplace_back(element_of(body, facet.cell), face);
+      }
+    return result;
+  }
+
+
+
+  unsigned int
+  CalculixMesh::node_at(const unsigned int body, const Location &location) const
+  {
+    for (const Location::Place &place : location.places)
+      for (unsigned int i = 0; i < element_type.n_nodes(); ++i)
+        if (place.unit.distance(element_type.unit_node(i)) < same_place)
+          return nodes_of(element_of(body, place.cell))[i];
+    return 0;
+  }
+
+
+
+  std::set<unsigned int>
+  CalculixMesh::line_nodes(const Region &region, const std::string &what) const
+  {
+    const Body               &body = *solids[region.body];
+    const std::vector<double> breaks =
+      body.line_breaks(region.at[0], region.at[1]);
+    const auto at = [&region](const double t) {
+      return region.at[0] + t * (region.at[1] - region.at[0]);
+    };
+    std::set<unsigned int> result;
+    const auto             add = [&](const double t, const bool corner) {
+      const Location location = locate_all(body, {at(t)}, what)[0];
+      // On an edge two unit coordinates, at a corner all three are 0 or 1.
+      unsigned int at_sides = 0;
+      for (const Location::Place &place : location.places)
+        {
+          unsigned int n = 0;
+          for (unsigned int d = 0; d < 3; ++d)
+            n += std::abs(std::abs(place.unit[d] - 0.5) - 0.5) < same_place;
+          at_sides = std::max(at_sides, n);
+        }
+      if (at_sides < (corner ? 3 : 2))
+        throw InputError(
+          what + ": the line does not run along edges of the deck's " +
+          "hexahedra at " + to_text(at(t)) +
+          ", so its nodes cannot stand for it. Choose the section's cells and "
+                      "the Axis elements (or Axis breaks) so that it does.");
+      if (const unsigned int number = node_at(region.body, location))
+        result.insert(number);
+    };
+    for (unsigned int k = 0; k < breaks.size(); ++k)
+      {
+        add(breaks[k], true);
+        if (k + 1 < breaks.size())
+          add(0.5 * (breaks[k] + breaks[k + 1]), false);
+      }
+    return result;
+  }
+
+
+
+  std::set<unsigned int>
+  CalculixMesh::region_nodes(const Region      &region,
+                             const std::string &what) const
+  {
+    std::set<unsigned int> result;
+    switch (region.kind)
+      {
+        case Region::Kind::point:
+          for (const Location &location :
+               locate_all(*solids[region.body], region.at, what))
+            {
+              const unsigned int number = node_at(region.body, location);
+              if (number == 0)
+                throw InputError(
+                  what + ": the point " + to_text(location.position) +
+                  " is no node of the deck's hexahedra. Choose the section's "
+                  "cells and the Axis elements (or Axis breaks) so that it is "
+                  "a corner of them.");
+              result.insert(number);
+            }
+          return result;
+        case Region::Kind::line:
+          locate_all(*solids[region.body], region.at, what);
+          return line_nodes(region, what);
+        case Region::Kind::body:
+          for (unsigned int n = firsts[region.body].first;
+               n < firsts[region.body + 1].first;
+               ++n)
+            result.insert(n);
+          return result;
+        default:
+          check_surface(*solids[region.body], region.surface, what);
+          for (const auto &[number, face] : faces(region.body, region.surface))
+            for (const unsigned int i : element_type.face_nodes(face))
+              result.insert(nodes_of(number)[i]);
+          return result;
+      }
+  }
+
+
+
+  void
+  CalculixMesh::write(std::ostream &deck) const
+  {
+    for (unsigned int body = 0; body < solids.size(); ++body)
+      {
+        const std::string name = "BODY" + std::to_string(body + 1);
+        deck << "** " << name << " is the body '" << scene.bodies[body].name
+             << "'\n*NODE, NSET=" << name << '\n';
+        for (unsigned int n = firsts[body].first; n < firsts[body + 1].first;
+             ++n)
+          write_node(deck, n, node(n));
+        const unsigned int n_plies = dynamic_cast<const Solid &>(*solids[body])
+                                       .hexahedra()
+                                       .section()
+                                       .plies.size();
+        for (unsigned int ply = 0; ply < n_plies; ++ply)
+          {
+            deck << "*ELEMENT, TYPE=" << element_type.name()
+                 << ", ELSET=" << name << "_PLY" << ply + 1 << '\n';
+            for (unsigned int e = firsts[body].second;
+                 e < firsts[body + 1].second;
+                 ++e)
+              if (plies[e - 1] == ply)
+                write_element(deck, e, nodes_of(e));
+          }
+      }
+    write_materials(deck);
+    for (unsigned int body = 0; body < solids.size(); ++body)
+      write_sections(deck, body);
+  }
+
+
+
+  void
+  CalculixMesh::write_materials(std::ostream &deck) const
+  {
+    unsigned int number = 0;
+    for (const auto &[name, material] : scene.materials)
+      {
+        const EngineeringConstants &m = material.elastic;
+        deck << "*MATERIAL, NAME=MATERIAL" << ++number << "\n** '" << name
+             << "'\n";
+        if (is_isotropic(m))
+          deck << "*ELASTIC\n" << numbers_line({m.E1, m.nu12});
+        else
+          {
+            deck << "** E1, E2, E3, nu12, nu13, nu23, G12, G13,\n** G23\n"
+                    "*ELASTIC, TYPE=ENGINEERING CONSTANTS\n";
+            std::string first = numbers_line(
+              {m.E1, m.E2, m.E3, m.nu12, m.nu13, m.nu23, m.G12, m.G13});
+            first.insert(first.size() - 1, ",");
+            deck << first << numbers_line({m.G23});
+          }
+      }
+  }
+
+
+
+  void
+  CalculixMesh::write_sections(std::ostream      &deck,
+                               const unsigned int body) const
+  {
+    const std::vector<Ply> &plies =
+      dynamic_cast<const Solid &>(*solids[body]).hexahedra().section().plies;
+    for (unsigned int ply = 0; ply < plies.size(); ++ply)
+      {
+        const std::string set =
+          "BODY" + std::to_string(body + 1) + "_PLY" + std::to_string(ply + 1);
+        const auto place = scene.materials.find(plies[ply].material);
+        Assert(place != scene.materials.end(), ExcInternalError());
+        const std::string material =
+          "MATERIAL" +
+          std::to_string(std::distance(scene.materials.begin(), place) + 1);
+        const bool isotropic = is_isotropic(plies[ply].properties.elastic);
+        if (!isotropic)
+          {
+            // The ply's axes 1 and 2 in the scene.
+            const Triad axes =
+              plies[ply].axes() * scene.bodies[body].placement.axes;
+            deck << "** fibre at " << to_text(plies[ply].angle)
+                 << " degrees\n*ORIENTATION, NAME=" << set
+                 << "_AXES, SYSTEM=RECTANGULAR\n"
+                 << numbers_line({axes[0][0],
+                                  axes[0][1],
+                                  axes[0][2],
+                                  axes[1][0],
+                                  axes[1][1],
+                                  axes[1][2]});
+          }
+        deck << "*SOLID SECTION, ELSET=" << set << ", MATERIAL=" << material
+             << (isotropic ? "" : ", ORIENTATION=" + set + "_AXES") << '\n';
+      }
+  }
+} // namespace lamella

@@ -1,0 +1,298 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <lamella/base/exceptions.h>
+#include <lamella/base/text.h>
+#include <lamella/linear/factorisation.h>
+#include <lamella/linear/half_solved_rows.h>
+
+#include <cholmod.h>
+
+#include <cstring>
+#include <new>
+
+namespace lamella
+{
+  namespace
+  {
+    /// The workspace of CHOLMOD and the factor L, both freed with the object.
+    class CholmodFactorisation : public LinearSolver
+    {
+    public:
+      CholmodFactorisation(const Matrix        &matrix,
+                           const std::string   &what,
+                           const FactorMonitor &monitor);
+      CholmodFactorisation(const CholmodFactorisation &) = delete;
+      ~CholmodFactorisation() override;
+
+      void
+      solve(Vector &x) const override;
+      std::unique_ptr<SolvedRows>
+      solved_rows() const override;
+
+      /// The factor as half solved rows see it.
+      SupernodalFactor
+      supernodes() const;
+      /// x = P^T L^-T x: A^-1 b, if x is b half solved.
+      void
+      backward(Vector &x) const;
+
+      double
+      condition_estimate() const override
+      {
+        return 1. / reciprocal_condition;
+      }
+
+      double
+      largest_diagonal() const override
+      {
+        return greatest;
+      }
+
+      SolverStatistics
+      statistics() const override
+      {
+        return {SolverKind::cholmod, double(factor->xsize), n_solutions};
+      }
+
+    private:
+      /// @p x run through one CHOLMOD system.
+      void
+      apply(const int system, Vector &x) const;
+
+      // CHOLMOD writes into its workspace while solving.
+      mutable cholmod_common common;
+      cholmod_factor        *factor               = nullptr;
+      double                 reciprocal_condition = 0.;
+      double                 greatest             = 0.;
+      mutable unsigned int   n_solutions          = 0;
+    };
+
+
+
+    /// The lower triangle by columns, which is the upper one by rows. Exact
+    /// zeros (a cross-ply does not couple extension to shear) are left out:
+    /// they would only cause fill.
+    cholmod_sparse *
+    lower_triangle(const Matrix &matrix, cholmod_common &common)
+    {
+      const std::size_t n     = matrix.m();
+      std::size_t       count = 0;
+      for (const auto &entry : matrix)
+        count += entry.column() >= entry.row() && entry.value() != 0.;
+
+      cholmod_sparse *A = cholmod_l_allocate_sparse(
+        n, n, count, true, true, -1, CHOLMOD_REAL, &common);
+      if (A == nullptr)
+        throw std::bad_alloc();
+      auto *const start = static_cast<SuiteSparse_long *>(A->p);
+      auto *const rows  = static_cast<SuiteSparse_long *>(A->i);
+      auto *const x     = static_cast<double *>(A->x);
+      std::size_t next  = 0;
+      for (std::size_t row = 0; row < n; ++row)
+        {
+          start[row] = next;
+          // deal.II stores the diagonal first and then ascending columns, so
+          // this order is sorted.
+          for (auto entry = matrix.begin(row); entry != matrix.end(row);
+               ++entry)
+            if (entry->column() >= row && entry->value() != 0.)
+              {
+                rows[next] = entry->column();
+                x[next++]  = entry->value();
+              }
+        }
+      start[n] = next;
+      return A;
+    }
+
+
+
+    CholmodFactorisation::CholmodFactorisation(const Matrix        &matrix,
+                                               const std::string   &what,
+                                               const FactorMonitor &monitor)
+    {
+      for (DofIndex i = 0; i < matrix.m(); ++i)
+        greatest = std::max(greatest, std::abs(matrix.diag_element(i)));
+      cholmod_l_start(&common);
+      common.supernodal = CHOLMOD_SUPERNODAL;
+      common.final_ll   = true;
+      common.print      = 0;
+
+      cholmod_sparse *A = lower_triangle(matrix, common);
+      factor            = cholmod_l_analyze(A, &common);
+      if (factor == nullptr)
+        throw std::bad_alloc();
+      try
+        {
+          if (monitor)
+            monitor(
+              {double(factor->xsize), 8. * (factor->xsize + factor->maxcsize)});
+        }
+      catch (...)
+        {
+          cholmod_l_free_sparse(&A, &common);
+          cholmod_l_free_factor(&factor, &common);
+          cholmod_l_finish(&common);
+          throw;
+        }
+      cholmod_l_factorize(A, factor, &common);
+      reciprocal_condition = cholmod_l_rcond(factor, &common);
+      cholmod_l_free_sparse(&A, &common);
+
+      const std::size_t minor  = factor->minor;
+      const int         status = common.status;
+      const auto *order = static_cast<const SuiteSparse_long *>(factor->Perm);
+      const DofIndex broken =
+        order[std::min<std::size_t>(minor, matrix.m() - 1)];
+      // The condition is no number where the matrix holds one that is none.
+      const bool succeeded = status == CHOLMOD_OK && minor == matrix.m() &&
+                             reciprocal_condition > 0.;
+      if (!succeeded)
+        {
+          cholmod_l_free_factor(&factor, &common);
+          cholmod_l_finish(&common);
+          if (status == CHOLMOD_OUT_OF_MEMORY)
+            throw NumericsError("The factorisation of " + what +
+                                " does not fit in memory. Use a coarser mesh "
+                                "or a lower order.");
+          throw NotPositiveDefinite(
+            "The stiffness matrix of " + what +
+              " is not positive definite (pivot " +
+              std::to_string(std::min<std::size_t>(minor + 1, matrix.m())) +
+              " of " + std::to_string(matrix.m()) +
+              "). Either the body can still move, or its slenderness or its "
+              "ratio of stiffnesses is beyond what double precision holds.",
+            broken);
+        }
+    }
+
+
+
+    CholmodFactorisation::~CholmodFactorisation()
+    {
+      cholmod_l_free_factor(&factor, &common);
+      cholmod_l_finish(&common);
+    }
+
+
+
+    void
+    CholmodFactorisation::apply(const int system, Vector &x) const
+    {
+      cholmod_dense b{};
+      b.nrow  = factor->n;
+      b.ncol  = 1;
+      b.d     = factor->n;
+      b.nzmax = b.nrow;
+      b.x     = x.begin();
+      b.xtype = CHOLMOD_REAL;
+      b.dtype = CHOLMOD_DOUBLE;
+
+      cholmod_dense *y = cholmod_l_solve(system, factor, &b, &common);
+      if (y == nullptr)
+        throw NumericsError("CHOLMOD could not solve with a factor: out of "
+                            "memory. Use a coarser mesh or a lower order.");
+      std::memcpy(x.begin(), y->x, sizeof(double) * b.nzmax);
+      cholmod_l_free_dense(&y, &common);
+    }
+
+
+
+    void
+    CholmodFactorisation::solve(Vector &x) const
+    {
+      apply(CHOLMOD_A, x);
+      ++n_solutions;
+    }
+
+
+
+    SupernodalFactor
+    CholmodFactorisation::supernodes() const
+    {
+      const auto index = [](const void *const array) {
+        return static_cast<const std::int64_t *>(array);
+      };
+      static_assert(sizeof(SuiteSparse_long) == sizeof(std::int64_t));
+      SupernodalFactor view;
+      view.n            = factor->n;
+      view.n_supernodes = factor->nsuper;
+      view.column       = index(factor->super);
+      view.first_row    = index(factor->pi);
+      view.first_entry  = index(factor->px);
+      view.row          = index(factor->s);
+      view.entry        = static_cast<const double *>(factor->x);
+      view.permutation  = index(factor->Perm);
+      return view;
+    }
+
+
+
+    void
+    CholmodFactorisation::backward(Vector &x) const
+    {
+      apply(CHOLMOD_Lt, x);
+      apply(CHOLMOD_Pt, x);
+    }
+
+
+
+    /// Half solved rows and the factor that they came from.
+    class CholmodRows : public SolvedRows
+    {
+    public:
+      explicit CholmodRows(const CholmodFactorisation &factorisation)
+        : factorisation(factorisation)
+        , half_solved(factorisation.supernodes())
+      {}
+
+      void
+      append(const std::vector<Row> &rows) override
+      {
+        half_solved.append(rows);
+      }
+
+      unsigned int
+      size() const override
+      {
+        return half_solved.size();
+      }
+
+      std::vector<double>
+      products(const unsigned int first) const override
+      {
+        return half_solved.products(first);
+      }
+
+      Vector
+      displacement(const std::vector<double> &lambda) const override
+      {
+        Vector x = half_solved.combination(lambda);
+        factorisation.backward(x);
+        return x;
+      }
+
+    private:
+      const CholmodFactorisation &factorisation;
+      HalfSolvedRows              half_solved;
+    };
+
+
+
+    std::unique_ptr<SolvedRows>
+    CholmodFactorisation::solved_rows() const
+    {
+      return std::make_unique<CholmodRows>(*this);
+    }
+  } // namespace
+
+
+
+  std::unique_ptr<LinearSolver>
+  factorise(const Matrix        &matrix,
+            const std::string   &what,
+            const FactorMonitor &monitor)
+  {
+    return std::make_unique<CholmodFactorisation>(matrix, what, monitor);
+  }
+} // namespace lamella

@@ -1,0 +1,416 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <lamella/base/exceptions.h>
+#include <lamella/base/processes.h>
+#include <lamella/linear/factorisation.h>
+#include <lamella/linear/row_products.h>
+
+#include <dmumps_c.h>
+
+#include <cmath>
+
+namespace lamella
+{
+  using namespace dealii;
+
+  namespace
+  {
+    /// The workspace of MUMPS and the factor, both freed with the object.
+    class MumpsFactorisation : public LinearSolver
+    {
+    public:
+      /// Analyses the places of @p matrix. Makes it ready for factorise().
+      MumpsFactorisation(const DofIndex     n,
+                         UpperTriangle      matrix,
+                         const std::string &what);
+      MumpsFactorisation(const MumpsFactorisation &) = delete;
+      ~MumpsFactorisation() override;
+
+      /// What the factor will take.
+      FactorSize
+      size() const
+      {
+        return {count(20), 1e6 * mumps.info[15 - 1]};
+      }
+
+      /// Factorises with the values in `matrix`; with more workspace if that is
+      /// asked for.
+      void
+      factorise();
+
+      /// The values in their places.
+      std::vector<double> &
+      values()
+      {
+        return matrix.values;
+      }
+
+      void
+      solve(Vector &x) const override;
+
+      std::unique_ptr<SolvedRows>
+      solved_rows() const override
+      {
+        return std::make_unique<RowProducts>(
+          *this, mumps.n, [this](const auto &rows, const unsigned int first) {
+            return products(rows, first);
+          });
+      }
+
+      double
+      condition_estimate() const override
+      {
+        return 0.;
+      }
+
+      double
+      largest_diagonal() const override
+      {
+        return greatest;
+      }
+
+      SolverStatistics
+      statistics() const override
+      {
+        return {SolverKind::mumps, count(29), n_solutions};
+      }
+
+    private:
+      void
+      initialise();
+
+      /// Runs @p job of MUMPS.
+      void
+      run(const int job) const
+      {
+        mumps.job = job;
+        dmumps_c(&mumps);
+      }
+
+      /// MUMPS counts its arrays from 1, and so does its manual.
+      int &
+      control(const unsigned int i) const
+      {
+        return mumps.icntl[i - 1];
+      }
+      int
+      info(const unsigned int i) const
+      {
+        return mumps.infog[i - 1];
+      }
+
+      /// A count of its global information: a negative one is in millions.
+      double
+      count(const unsigned int i) const
+      {
+        return info(i) < 0 ? -1e6 * info(i) : info(i);
+      }
+
+      /// The symbolic analysis.
+      void
+      analyse();
+
+      /// Throws NumericsError if the last job failed.
+      void
+      check(const std::string &what) const;
+
+      /// As RowProducts asks for.
+      std::vector<double>
+      products(const std::vector<Row> &rows, const unsigned int first) const;
+
+      /// Solves for @p rows from @p begin to @p end and adds this process's
+      /// share of their products with all rows to @p result.
+      void
+      add_products(const std::vector<Row> &rows,
+                   const unsigned int      begin,
+                   const unsigned int      end,
+                   double *const           result) const;
+
+      /// MUMPS refers to it while it factorises.
+      UpperTriangle     matrix;
+      const std::string what;
+      double            greatest = 0.;
+      // MUMPS writes into its workspace while solving.
+      mutable DMUMPS_STRUC_C mumps{};
+      mutable unsigned int   n_solutions = 0;
+    };
+
+
+
+    void
+    MumpsFactorisation::initialise()
+    {
+      mumps.comm_fortran = MPI_Comm_c2f(communicator());
+      mumps.par          = 1; // the first process computes, too
+      mumps.sym          = 1; // positive definite
+      run(-1);
+      for (const unsigned int stream : {1, 2, 3, 4})
+        control(stream) = 0;
+      control(18) = 3; // each process has entries of its own
+      control(14) = 40;
+    }
+
+
+
+    MumpsFactorisation::MumpsFactorisation(const DofIndex     n,
+                                           UpperTriangle      all,
+                                           const std::string &what)
+      : matrix(std::move(all))
+      , what(what)
+    {
+      initialise();
+      mumps.n       = n;
+      mumps.nnz_loc = matrix.rows.size();
+      mumps.irn_loc = matrix.rows.data();
+      mumps.jcn_loc = matrix.columns.data();
+      mumps.a_loc   = matrix.values.data();
+      try
+        {
+          analyse();
+        }
+      catch (...)
+        {
+          run(-2);
+          throw;
+        }
+    }
+
+
+
+    MumpsFactorisation::~MumpsFactorisation()
+    {
+      run(-2);
+    }
+
+
+
+    void
+    MumpsFactorisation::analyse()
+    {
+      // CHOLMOD's rule: minimum degree is quick and good for beams, whose
+      // matrices have long rows and little fill (nested dissection then takes
+      // longer than the factorisation); where there is much fill, nested
+      // dissection pays.
+      constexpr int minimum_degree = 0, nested_dissection = 5;
+      control(7) = minimum_degree;
+      run(1);
+      check(what);
+      const double entries =
+                     Utilities::MPI::sum(double(mumps.nnz_loc), communicator()),
+                   operations = mumps.rinfog[0];
+      if (count(20) > 5. * entries && operations > 500. * count(20))
+        {
+          control(7) = nested_dissection;
+          run(1);
+          check(what);
+        }
+    }
+
+
+
+    void
+    MumpsFactorisation::factorise()
+    {
+      // What is needed is not known exactly beforehand.
+      constexpr int workspace_too_small_1 = -8, workspace_too_small_2 = -9,
+                    most_percent = 1000;
+      // It has no opinion on what is no number.
+      const bool finite =
+        std::all_of(matrix.values.begin(),
+                    matrix.values.end(),
+                    [](const double x) { return std::isfinite(x); });
+      if (Utilities::MPI::min(int(finite), communicator()) == 0)
+        throw NumericsError("The stiffness matrix of " + what +
+                            " has entries that are no finite numbers. "
+                            "Check lengths and materials.");
+      greatest = 0.;
+      for (std::size_t k = 0; k < matrix.values.size(); ++k)
+        if (matrix.rows[k] == matrix.columns[k])
+          greatest = std::max(greatest, std::abs(matrix.values[k]));
+      greatest    = Utilities::MPI::max(greatest, communicator());
+      mumps.a_loc = matrix.values.data();
+      run(2);
+      while ((info(1) == workspace_too_small_1 ||
+              info(1) == workspace_too_small_2) &&
+             control(14) < most_percent)
+        {
+          control(14) *= 2;
+          run(2);
+        }
+      check(what);
+    }
+
+
+
+    void
+    MumpsFactorisation::check(const std::string &what) const
+    {
+      constexpr int singular = -10, not_positive = -40, no_memory = -13;
+      const int     error = info(1), negative_pivots = info(12);
+      if (error == no_memory)
+        throw NumericsError("The factorisation of " + what +
+                            " does not fit in memory. Use a coarser mesh "
+                            "or a lower order, or more machines.");
+      const bool factorised = mumps.job == 2;
+      if (error == singular || error == not_positive ||
+          (factorised && error >= 0 && negative_pivots > 0))
+        throw NumericsError(
+          "The stiffness matrix of " + what + " is not positive definite (" +
+          (error < 0 ? std::string("singular to rounding") :
+                       std::to_string(negative_pivots) +
+                         " negative pivots of " + std::to_string(mumps.n)) +
+          "). Either the body can still move, or its slenderness or its "
+          "ratio of stiffnesses is beyond what double precision holds.");
+      if (error < 0)
+        throw NumericsError("MUMPS could not factorise " + what +
+                            " (its error " + std::to_string(error) + ", " +
+                            std::to_string(info(2)) + ").");
+    }
+
+
+
+    void
+    MumpsFactorisation::solve(Vector &x) const
+    {
+      control(20) = 0; // the whole right-hand side on the first process,
+      control(21) = 0; // and so the solution
+      mumps.nrhs  = 1;
+      mumps.lrhs  = mumps.n;
+      mumps.rhs   = is_speaker() ? x.begin() : nullptr;
+      run(3);
+      check("the matrix, to solve with its factor");
+      ++n_solutions;
+      if (n_processes() > 1)
+        MPI_Bcast(x.begin(), x.size(), MPI_DOUBLE, 0, communicator());
+    }
+
+
+
+    std::vector<double>
+    MumpsFactorisation::products(const std::vector<Row> &rows,
+                                 const unsigned int      first) const
+    {
+      // As many at a time as make good use of the BLAS, while their solutions
+      // take no more than 200 MB a process.
+      const unsigned int at_once =
+        std::min(128., std::max(16., 25e6 * n_processes() / mumps.n));
+      std::vector<double> result((rows.size() - first) * rows.size());
+      for (unsigned int begin = first; begin < rows.size(); begin += at_once)
+        add_products(rows,
+                     begin,
+                     std::min<unsigned int>(begin + at_once, rows.size()),
+                     result.data() + (begin - first) * rows.size());
+      if (n_processes() > 1)
+        Utilities::MPI::sum(result, communicator(), result);
+      return result;
+    }
+
+
+
+    void
+    MumpsFactorisation::add_products(const std::vector<Row> &rows,
+                                     const unsigned int      begin,
+                                     const unsigned int      end,
+                                     double *const           result) const
+    {
+      std::vector<int>    starts{1}, dofs;
+      std::vector<double> weights;
+      for (unsigned int k = begin; k < end; ++k)
+        {
+          for (const auto &[dof, weight] : rows[k].entries())
+            {
+              dofs.push_back(dof + 1);
+              weights.push_back(weight);
+            }
+          starts.push_back(dofs.size() + 1);
+        }
+      mumps.rhs    = nullptr;
+      mumps.nrhs   = end - begin;
+      mumps.nz_rhs = dofs.size();
+      // Only the first process may point to them.
+      mumps.irhs_ptr    = is_speaker() ? starts.data() : nullptr;
+      mumps.irhs_sparse = is_speaker() ? dofs.data() : nullptr;
+      mumps.rhs_sparse  = is_speaker() ? weights.data() : nullptr;
+
+      const int           n_local = mumps.info[23 - 1];
+      std::vector<int>    local_dofs(std::max(1, n_local));
+      std::vector<double> x(local_dofs.size() * mumps.nrhs);
+      mumps.lsol_loc = local_dofs.size();
+      mumps.isol_loc = local_dofs.data();
+      mumps.sol_loc  = x.data();
+      control(20)    = 3; // sparse right-hand sides, which saves work,
+      control(21)    = 1; // solutions where they come about
+      run(3);
+      check("the matrix, to solve with its factor");
+      n_solutions += mumps.nrhs;
+
+      std::vector<int> place(mumps.n, -1);
+      for (int i = 0; i < n_local; ++i)
+        place[local_dofs[i] - 1] = i;
+      for (unsigned int j = 0; j < rows.size(); ++j)
+        for (const auto &[dof, weight] : rows[j].entries())
+          if (place[dof] >= 0)
+            for (int k = 0; k < mumps.nrhs; ++k)
+              result[k * rows.size() + j] +=
+                weight * x[std::size_t(k) * mumps.lsol_loc + place[dof]];
+    }
+  } // namespace
+
+
+
+  namespace
+  {
+    class RepeatedMumps : public RepeatedFactorisation
+    {
+    public:
+      RepeatedMumps(const DofIndex     n,
+                    UpperTriangle      pattern,
+                    const std::string &what)
+        : solver(n, std::move(pattern), what)
+      {}
+
+      void
+      factorise(std::vector<double> values) override
+      {
+        AssertDimension(values.size(), solver.values().size());
+        solver.values() = std::move(values);
+        solver.factorise();
+      }
+
+      void
+      solve(Vector &x) const override
+      {
+        solver.solve(x);
+      }
+
+    private:
+      MumpsFactorisation solver;
+    };
+  } // namespace
+
+
+
+  std::unique_ptr<RepeatedFactorisation>
+  analyse_shared(const DofIndex     n,
+                 UpperTriangle      pattern,
+                 const std::string &what)
+  {
+    return std::make_unique<RepeatedMumps>(n, std::move(pattern), what);
+  }
+
+
+
+  std::unique_ptr<LinearSolver>
+  factorise_shared(const DofIndex       n,
+                   UpperTriangle        matrix,
+                   const std::string   &what,
+                   const FactorMonitor &monitor)
+  {
+    auto solver =
+      std::make_unique<MumpsFactorisation>(n, std::move(matrix), what);
+    if (monitor)
+      monitor(solver->size());
+    solver->factorise();
+    return solver;
+  }
+} // namespace lamella

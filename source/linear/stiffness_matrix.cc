@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <lamella/linear/factorisation.h>
+#include <lamella/linear/stiffness_matrix.h>
+
+#include <deal.II/lac/dynamic_sparsity_pattern.h>
+
+namespace lamella
+{
+  using namespace dealii;
+
+  namespace
+  {
+    std::vector<DofIndex>
+    dofs_of(const Row &row)
+    {
+      std::vector<DofIndex> dofs;
+      for (const auto &[dof, weight] : row.entries())
+        dofs.push_back(dof);
+      return dofs;
+    }
+
+
+
+    FullMatrix<double>
+    matrix_of(const SpringTerm &spring)
+    {
+      const auto        &r = spring.first.entries();
+      FullMatrix<double> term(r.size());
+      for (unsigned int i = 0; i < r.size(); ++i)
+        for (unsigned int j = 0; j < r.size(); ++j)
+          term(i, j) = spring.second * r[i].second * r[j].second;
+      return term;
+    }
+
+
+
+    class SerialStiffness : public StiffnessMatrix
+    {
+    public:
+      SerialStiffness(const StiffnessTerms &terms,
+                      const Constraints    &constraints);
+
+      void
+      for_each_entry(const std::function<void(DofIndex, DofIndex, double)> &use)
+        const override
+      {
+        for (const auto &entry : matrix)
+          use(entry.row(), entry.column(), entry.value());
+      }
+
+      Vector
+      diagonal() const override
+      {
+        Vector result(matrix.m());
+        for (DofIndex i = 0; i < matrix.m(); ++i)
+          result[i] = matrix.diag_element(i);
+        return result;
+      }
+
+      std::unique_ptr<LinearSolver>
+      factorise(const std::string   &what,
+                const FactorMonitor &monitor) const override
+      {
+        return lamella::factorise(matrix, what, monitor);
+      }
+
+    private:
+      SparsityPattern sparsity;
+      Matrix          matrix;
+    };
+
+
+
+    SerialStiffness::SerialStiffness(const StiffnessTerms &terms,
+                                     const Constraints    &constraints)
+    {
+      DynamicSparsityPattern pattern(terms.n_dofs);
+      terms.for_each_block(false, [&](const StiffnessBlock &block) {
+        for (const DofIndex row : block.rows)
+          pattern.add_entries(row,
+                              block.columns.begin(),
+                              block.columns.end(),
+                              block.columns_ascend);
+      });
+      for (const SpringTerm &spring : terms.springs)
+        {
+          const std::vector<DofIndex> dofs = dofs_of(spring.first);
+          for (const DofIndex row : dofs)
+            pattern.add_entries(row, dofs.begin(), dofs.end());
+        }
+      constraints.condense(pattern);
+      sparsity.copy_from(pattern);
+      matrix.reinit(sparsity);
+
+      terms.for_each_block(true, [&](const StiffnessBlock &block) {
+        const std::size_t n = block.columns.size();
+        for (unsigned int i = 0; i < block.rows.size(); ++i)
+          matrix.add(block.rows[i],
+                     n,
+                     block.columns.data(),
+                     block.values.data() + i * n,
+                     false,
+                     block.columns_ascend);
+      });
+      constraints.condense(matrix);
+      for (const SpringTerm &spring : terms.springs)
+        constraints.distribute_local_to_global(matrix_of(spring),
+                                               dofs_of(spring.first),
+                                               matrix);
+    }
+  } // namespace
+
+
+
+  std::unique_ptr<StiffnessMatrix>
+  assemble_serial(const StiffnessTerms &terms, const Constraints &constraints)
+  {
+    return std::make_unique<SerialStiffness>(terms, constraints);
+  }
+} // namespace lamella

@@ -1,0 +1,537 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+// Sections from meshes by Gmsh: what the file says (gmsh_file.h) becomes plies,
+// boundaries and cells, and is refused where it makes no section. Cells and
+// vertices stand in the order in which GridIn of deal.II has them.
+
+#include <lamella/base/exceptions.h>
+#include <lamella/base/text.h>
+#include <lamella/shape/gmsh_file.h>
+#include <lamella/shape/properties.h>
+#include <lamella/shape/shapes.h>
+
+#include <deal.II/grid/grid_tools.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <limits>
+#include <regex>
+#include <sstream>
+
+namespace lamella
+{
+  using namespace dealii;
+
+  namespace
+  {
+    /// A line, triangle, quadrilateral takes some 50 bytes: millions of cells.
+    constexpr std::uintmax_t largest_file = 1u << 28;
+
+
+
+    std::string
+    place(const Point<2> &p)
+    {
+      return "(" + to_text(p[0]) + ", " + to_text(p[1]) + ")";
+    }
+
+
+
+    /// The text of the file @p path. Throws InputError if it cannot be had, or
+    /// not within sensible memory (a device never ends).
+    std::string
+    text_of(const std::string &path, const std::string &what)
+    {
+      std::error_code ignored;
+      const bool      regular = std::filesystem::is_regular_file(path, ignored);
+      if (regular && std::filesystem::file_size(path, ignored) > largest_file)
+        throw InputError(what + ": this file has more than " +
+                         std::to_string(largest_file >> 20) +
+                         " MB, more cells than a section can have. Make the "
+                         "mesh coarser.");
+      std::ifstream      input(path);
+      std::ostringstream text;
+      if (regular)
+        text << input.rdbuf();
+      if (!regular || !input || !text)
+        throw InputError(what +
+                         ": cannot read this file. Its name is relative to the "
+                         "scene's folder.");
+      return text.str();
+    }
+
+
+
+    /// Throws InputError if the nodes do not lie in a plane of constant z: the
+    /// section is what the drawing has in x and y.
+    void
+    check_is_flat(const GmshFile &file, const std::string &what)
+    {
+      const auto lower = [](const auto &a, const auto &b) {
+        return a.position[2] < b.position[2];
+      };
+      const auto [lowest, highest] =
+        std::minmax_element(file.nodes.begin(), file.nodes.end(), lower);
+      double extent = 0.;
+      for (const GmshFile::Node &node : file.nodes)
+        extent = std::max(
+          {extent, std::abs(node.position[0]), std::abs(node.position[1])});
+      if (lowest == file.nodes.end() ||
+          highest->position[2] - lowest->position[2] <= 1e-6 * extent)
+        return;
+      // Of the two the one that is off, if it is one.
+      const double first = file.nodes[0].position[2];
+      throw InputError(
+        at_line(what, (highest->position[2] > first ? highest : lowest)->line) +
+        "the mesh does not lie in one plane (z from " +
+        to_text(lowest->position[2]) + " to " + to_text(highest->position[2]) +
+        "). Draw the section in x and y.");
+    }
+
+
+
+    /// Throws InputError unless the elements are quadrilaterals of first order,
+    /// their lines and points.
+    void
+    check_elements(const GmshFile &file, const std::string &what)
+    {
+      unsigned int triangles = 0, others = 0, cells = 0, first = 0;
+      for (const GmshFile::Element &element : file.elements)
+        if (element.type == GmshFile::triangle)
+          {
+            first = triangles == 0 ? element.line : first;
+            ++triangles;
+          }
+        else if (element.type == GmshFile::quadrilateral)
+          ++cells;
+        else if (element.type != GmshFile::line_type &&
+                 element.type != GmshFile::point)
+          {
+            first = others + triangles == 0 ? element.line : first;
+            ++others;
+          }
+      if (triangles > 0)
+        throw InputError(
+          at_line(what, first) + std::to_string(triangles) +
+          (triangles == 1 ? " cell is a triangle" :
+                            " cells are triangles, this the first") +
+          ". A section is made of quadrilaterals: in Gmsh, 'Recombine "
+          "Surface {:};' with transfinite surfaces, or "
+          "'Mesh.RecombinationAlgorithm = 3;'.");
+      if (others > 0)
+        throw InputError(
+          at_line(what, first) + "of the elements " + std::to_string(others) +
+          (others == 1 ? " is" : " are") +
+          " of higher order or not in the plane" +
+          (others == 1 ? "" : ", this the first") +
+          ". Use first-order quadrilaterals: Mesh.ElementOrder = 1.");
+      if (cells == 0)
+        throw InputError(what +
+                         ": the mesh has no quadrilaterals. Make it with "
+                         "'gmsh -2', and put surfaces into its physical "
+                         "surfaces.");
+    }
+
+
+
+    /// What the physical surfaces are made of, tag -> number in @p section's
+    /// plies, which it fills.
+    std::map<int, unsigned int>
+    make_plies(const GmshFile    &mesh,
+               const SectionFile &file,
+               const Materials   &materials,
+               const std::string &what,
+               SectionMesh       &section)
+    {
+      std::vector<std::string> surfaces, known;
+      for (const auto &[key, name] : mesh.names)
+        if (key.first == 2)
+          surfaces.push_back(name.name);
+      for (const auto &[name, material] : materials)
+        known.push_back(name);
+      if (surfaces.empty())
+        throw InputError(what +
+                         ": the mesh has no named physical surface. In Gmsh, "
+                         "'Physical Surface(\"" +
+                         known[0] + "\") = {1};' says of what it is made.");
+      for (const auto &[part, fabric] : file.parts)
+        if (std::find(surfaces.begin(), surfaces.end(), part) == surfaces.end())
+          throw InputError(file.what +
+                           "/Parts: the mesh has no physical "
+                           "surface '" +
+                           part + "'. It has " + joined(surfaces) + ".");
+
+      std::map<int, unsigned int> ply_of_tag;
+      for (const auto &[key, group] : mesh.names)
+        if (key.first == 2)
+          {
+            const std::string &name = group.name;
+            const auto         part = file.parts.find(name);
+            const Fabric       fabric =
+              part == file.parts.end() ? Fabric{name, 0.} : part->second;
+            if (materials.count(fabric.material) == 0)
+              throw InputError(
+                at_line(what, group.line) + "the physical surface '" + name +
+                "' is no material; the nearest of Materials is '" +
+                nearest_name(name, known) +
+                "'. Rename it, or say in Parts what it is made of: '" + name +
+                ": " + known[0] + "'.");
+            ply_of_tag[key.second] = section.plies.size();
+            section.plies.push_back({fabric.material,
+                                     fabric.angle,
+                                     0.,
+                                     0.,
+                                     materials.at(fabric.material)});
+          }
+      return ply_of_tag;
+    }
+
+
+
+    /// Numbers the boundary ids of @p section anew, tag -> id, and names them.
+    std::map<int, types::boundary_id>
+    make_boundaries(const GmshFile    &mesh,
+                    const std::string &what,
+                    SectionMesh       &section)
+    {
+      static const std::regex        form("[A-Za-z][A-Za-z0-9_-]*");
+      const std::vector<std::string> reserved{
+        "start", "end", "ends", "all", "body", "point", "line", "other"};
+      section.boundaries = {{0, "other"}};
+      std::map<int, types::boundary_id>         id_of_tag;
+      std::map<std::string, types::boundary_id> id_of_name;
+      for (const auto &[key, group] : mesh.names)
+        if (key.first == 1)
+          {
+            const std::string &name = group.name;
+            if (std::find(reserved.begin(), reserved.end(), name) !=
+                reserved.end())
+              throw InputError(at_line(what, group.line) +
+                               "the physical line '" + name +
+                               "' has a name that means something else (" +
+                               joined(reserved) + "). Rename it.");
+            if (!std::regex_match(name, form))
+              throw InputError(at_line(what, group.line) + "'" + name +
+                               "', a physical line, is not a name. Names begin "
+                               "with a letter and go on with letters, digits, "
+                               "'_' and '-'.");
+            // Groups of one name are one boundary.
+            const types::boundary_id id =
+              id_of_name.insert({name, section.boundaries.size()})
+                .first->second;
+            section.boundaries[id] = name;
+            id_of_tag[key.second]  = id;
+          }
+      return id_of_tag;
+    }
+
+
+
+    /// What Triangulation takes, and which elements of the file it is from.
+    struct Mesh
+    {
+      std::vector<Point<2>>                  vertices;
+      std::vector<CellData<2>>               cells;
+      SubCellData                            rest;
+      std::vector<const GmshFile::Element *> elements, lines;
+    };
+
+
+
+    /// @p group_of_tag: tag of a physical surface -> ply, of a physical line ->
+    /// boundary.
+    Mesh
+    make_mesh(const GmshFile                          &file,
+              const std::map<int, unsigned int>       &ply_of_tag,
+              const std::map<int, types::boundary_id> &id_of_tag,
+              const std::string                       &what)
+    {
+      // Around a cell in the file, rows from below in deal.II.
+      constexpr std::array<unsigned int, 4> place_in_cell{{0, 1, 3, 2}};
+      Mesh                                  mesh;
+      for (const GmshFile::Node &node : file.nodes)
+        mesh.vertices.emplace_back(node.position[0], node.position[1]);
+      for (const GmshFile::Element &element : file.elements)
+        if (element.type == GmshFile::quadrilateral)
+          {
+            CellData<2>  cell;
+            Tensor<1, 2> centre;
+            for (unsigned int i = 0; i < 4; ++i)
+              {
+                cell.vertices[place_in_cell[i]] = element.nodes[i];
+                centre += mesh.vertices[element.nodes[i]] / 4.;
+              }
+            const auto ply = ply_of_tag.find(element.group);
+            if (ply == ply_of_tag.end())
+              throw InputError(at_line(what, element.line) + "the cell at " +
+                               place(Point<2>(centre)) +
+                               " is in no named physical surface, so nothing "
+                               "says of what it is made.");
+            cell.material_id = ply->second;
+            mesh.cells.push_back(cell);
+            mesh.elements.push_back(&element);
+          }
+        else if (element.type == GmshFile::line_type)
+          {
+            CellData<1> line;
+            line.vertices[0] = element.nodes[0];
+            line.vertices[1] = element.nodes[1];
+            const auto id    = id_of_tag.find(element.group);
+            line.boundary_id = id == id_of_tag.end() ? 0 : id->second;
+            mesh.rest.boundary_lines.push_back(line);
+            mesh.lines.push_back(&element);
+          }
+      // As GridIn does.
+      GridTools::delete_unused_vertices(mesh.vertices, mesh.cells, mesh.rest);
+      // Its invert_cells_with_negative_measure() calls a cell that has no area
+      // but for rounding an error of its own; here the next check finds it.
+      for (CellData<2> &cell : mesh.cells)
+        if (GridTools::cell_measure<2>(mesh.vertices, cell.vertices) < 0.)
+          std::swap(cell.vertices[1], cell.vertices[2]);
+      return mesh;
+    }
+
+
+
+    /// A corner of a cell: the vertices before and after it, counter-clockwise.
+    struct Corner
+    {
+      unsigned int vertex, next;
+      Tensor<1, 2> to_next, to_last;
+    };
+
+    std::array<Corner, 4>
+    corners_of(const Mesh &mesh, const unsigned int cell)
+    {
+      constexpr std::array<unsigned int, 4> around{{0, 1, 3, 2}};
+      std::array<Corner, 4>                 corners;
+      for (unsigned int i = 0; i < 4; ++i)
+        {
+          const auto        &v    = mesh.cells[cell].vertices;
+          const unsigned int here = v[around[i]], next = v[around[(i + 1) % 4]],
+                             last = v[around[(i + 3) % 4]];
+          corners[i]              = {here,
+                                     next,
+                                     mesh.vertices[next] - mesh.vertices[here],
+                                     mesh.vertices[last] - mesh.vertices[here]};
+        }
+      return corners;
+    }
+
+    double
+    area_between(const Tensor<1, 2> &a, const Tensor<1, 2> &b)
+    {
+      return a[0] * b[1] - a[1] * b[0];
+    }
+
+
+
+    /// Throws InputError if a cell is not convex. check_section_mesh() would,
+    /// too, but does not know the line.
+    void
+    check_cells_are_convex(const Mesh &mesh, const std::string &what)
+    {
+      for (unsigned int c = 0; c < mesh.cells.size(); ++c)
+        for (const Corner &corner : corners_of(mesh, c))
+          if (!(area_between(corner.to_next, corner.to_last) >
+                1e-8 * corner.to_next.norm() * corner.to_last.norm()))
+            {
+              Tensor<1, 2> centre;
+              for (const unsigned int v : mesh.cells[c].vertices)
+                centre += mesh.vertices[v] / 4.;
+              throw InputError(
+                at_line(what, mesh.elements[c]->line) +
+                "a cell is folded or has no area, at " +
+                place(Point<2>(centre)) +
+                " (an inner angle of 180 degrees or more). Mesh it anew; in "
+                "Gmsh, 'Mesh.RecombinationAlgorithm = 3' or transfinite "
+                "surfaces make better cells.");
+            }
+    }
+
+
+
+    /// Throws InputError if the cells go around some vertex more than once:
+    /// cells whose numbers are mixed up may cover others without a common side.
+    void
+    check_angles(const Mesh &mesh, const std::string &what)
+    {
+      std::vector<double> angle(mesh.vertices.size(), 0.);
+      for (unsigned int c = 0; c < mesh.cells.size(); ++c)
+        for (const Corner &corner : corners_of(mesh, c))
+          {
+            double &sum = angle[corner.vertex];
+            sum += std::atan2(area_between(corner.to_next, corner.to_last),
+                              corner.to_next * corner.to_last);
+            if (sum > 2. * numbers::PI * (1. + 1e-8))
+              throw InputError(
+                at_line(what, mesh.elements[c]->line) +
+                "this cell lies over others at " +
+                place(mesh.vertices[corner.vertex]) +
+                ". Let each surface be drawn once, and mesh the section anew.");
+          }
+    }
+
+
+
+    /// A side of a cell, from the vertex of the lower number to the other.
+    using Side = std::pair<unsigned int, unsigned int>;
+
+    Side
+    side_between(const unsigned int a, const unsigned int b)
+    {
+      return {std::min(a, b), std::max(a, b)};
+    }
+
+    std::string
+    ends(const Mesh &mesh, const Side &side)
+    {
+      return "from " + place(mesh.vertices[side.first]) + " to " +
+             place(mesh.vertices[side.second]);
+    }
+
+
+
+    /**
+     * How many cells each side has. Throws InputError if these are more than
+     * two, or both on the same side of it; deal.II would take either for a
+     * mesh.
+     */
+    std::map<Side, unsigned int>
+    count_cells_at_sides(const Mesh &mesh, const std::string &what)
+    {
+      struct Found
+      {
+        unsigned int cell, first_vertex, count;
+      };
+      std::map<Side, Found>        found;
+      std::map<Side, unsigned int> count;
+      for (unsigned int c = 0; c < mesh.cells.size(); ++c)
+        for (const Corner &corner : corners_of(mesh, c))
+          {
+            const Side side = side_between(corner.vertex, corner.next);
+            const auto [it, is_new] =
+              found.insert({side, {c, corner.vertex, 1}});
+            ++count[side];
+            // All cells run counter-clockwise, so that two of them pass the
+            // side between them in opposite directions.
+            if (!is_new && (++it->second.count > 2 ||
+                            it->second.first_vertex == corner.vertex))
+              throw InputError(
+                at_line(what, mesh.elements[c]->line) +
+                "this cell and that of line " +
+                std::to_string(mesh.elements[it->second.cell]->line) +
+                " lie one over the other at the side " + ends(mesh, side) +
+                ". Let each surface be drawn once and be in one physical "
+                "surface, and mesh it anew.");
+          }
+      return count;
+    }
+
+
+
+    /// Leaves of @p mesh's lines those that are sides at the boundary. Throws
+    /// InputError if one runs inside, or is two boundaries.
+    void
+    sift_lines(Mesh &mesh, const std::string &what)
+    {
+      const auto                   count = count_cells_at_sides(mesh, what);
+      std::map<Side, unsigned int> seen;
+      std::vector<CellData<1>>     lines;
+      for (unsigned int l = 0; l < mesh.lines.size(); ++l)
+        {
+          const CellData<1> &line = mesh.rest.boundary_lines[l];
+          const Side side  = side_between(line.vertices[0], line.vertices[1]);
+          const auto cells = count.find(side);
+          const auto begin = at_line(what, mesh.lines[l]->line);
+          if (cells == count.end() && line.boundary_id != 0)
+            throw InputError(begin +
+                             "this part of a physical line is no side of a "
+                             "cell. Only lines of the section's boundary can "
+                             "be physical ones: remove this one, or mesh the "
+                             "section anew.");
+          // Lines of no name beside the section: auxiliary ones.
+          if (cells == count.end())
+            continue;
+          if (cells->second > 1)
+            throw InputError(
+              begin + "a line of the mesh runs inside the section, " +
+              ends(mesh, side) +
+              ". Only lines of its boundary can be physical ones: remove this "
+              "one, or Mesh.SaveAll.");
+          const auto [it, is_new] = seen.insert({side, l});
+          if (!is_new)
+            throw InputError(begin + "the side " + ends(mesh, side) +
+                             " is in a physical line already, in line " +
+                             std::to_string(mesh.lines[it->second]->line) +
+                             " of the file. Let each curve be in one.");
+          lines.push_back(line);
+        }
+      mesh.rest.boundary_lines = lines;
+    }
+
+
+
+    /// Throws InputError if @p file's scale takes lengths, or fourth powers of
+    /// them, out of the range of doubles.
+    void
+    check_scale(const Mesh &mesh, const SectionFile &file)
+    {
+      double extent = 0.;
+      for (const Point<2> &x : mesh.vertices)
+        extent = std::max({extent, std::abs(x[0]), std::abs(x[1])});
+      if (!(extent * file.scale < 1e30 && extent * file.scale > 1e-30))
+        throw InputError(file.what + "/Scale = " + to_text(file.scale) +
+                         ": the section would be " +
+                         to_text(extent * file.scale) +
+                         " wide or high. Scale is a factor such as 0.001, of a "
+                         "mesh in mm in a scene in m.");
+    }
+  } // namespace
+
+
+
+  std::shared_ptr<const SectionMesh>
+  make_section_mesh(const SectionFile &file, const Materials &materials)
+  {
+    const std::string what = file.what + "/File = " + file.path;
+    const GmshFile    read = read_gmsh_file(text_of(file.path, what), what);
+    check_is_flat(read, what);
+    check_elements(read, what);
+    auto       section = std::make_shared<SectionMesh>();
+    const auto plies   = make_plies(read, file, materials, what, *section);
+    const auto names   = make_boundaries(read, what, *section);
+    Mesh       parts   = make_mesh(read, plies, names, what);
+    check_cells_are_convex(parts, what);
+    sift_lines(parts, what);
+    check_angles(parts, what);
+    GridTools::consistently_order_cells(parts.cells);
+    Triangulation<2> &mesh = section->mesh;
+    mesh.create_triangulation(parts.vertices, parts.cells, parts.rest);
+    check_scale(parts, file);
+    GridTools::scale(file.scale, mesh);
+
+    for (const auto &cell : mesh.active_cell_iterators())
+      {
+        Ply       &ply   = section->plies[cell->material_id()];
+        const bool first = ply.bottom == ply.top;
+        for (const unsigned int v : cell->vertex_indices())
+          {
+            const double z = cell->vertex(v)[1];
+            ply.bottom     = first && v == 0 ? z : std::min(ply.bottom, z);
+            ply.top        = first && v == 0 ? z : std::max(ply.top, z);
+          }
+      }
+    const auto all_names = std::move(section->boundaries);
+    section->boundaries.clear();
+    for (const auto &face : mesh.active_face_iterators())
+      if (face->at_boundary())
+        section->boundaries[face->boundary_id()] =
+          all_names.at(face->boundary_id());
+    check_section_mesh(*section, what);
+    return section;
+  }
+} // namespace lamella

@@ -1,0 +1,229 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <lamella/base/exceptions.h>
+#include <lamella/base/text.h>
+#include <lamella/shape/properties.h>
+
+#include <deal.II/base/quadrature_lib.h>
+
+#include <deal.II/fe/fe_nothing.h>
+#include <deal.II/fe/fe_values.h>
+#include <deal.II/fe/mapping_q.h>
+
+#include <deal.II/grid/grid_tools.h>
+
+#include <deal.II/numerics/rtree.h>
+
+#include <boost/geometry/index/rtree.hpp>
+
+#include <algorithm>
+#include <array>
+#include <numeric>
+
+namespace lamella
+{
+  using namespace dealii;
+
+  SectionProperties
+  section_properties(const SectionMesh &section)
+  {
+    // On the arcs of any sensible mesh the geometry of degree 6 is exact to
+    // rounding, or nearly.
+    const MappingQ<2>   mapping(6);
+    const FE_Nothing<2> nothing;
+    FEValues<2>         values(mapping,
+                       nothing,
+                       QGauss<2>(8),
+                       update_quadrature_points | update_JxW_values);
+    FEFaceValues<2>     face_values(mapping,
+                                nothing,
+                                QGauss<1>(8),
+                                update_JxW_values);
+
+    SectionProperties result;
+    result.ply_areas.resize(section.plies.size());
+    std::vector<std::pair<double, Point<2>>> points;
+    Tensor<1, 2>                             first;
+    for (const auto &cell : section.mesh.active_cell_iterators())
+      {
+        values.reinit(cell);
+        for (const unsigned int q : values.quadrature_point_indices())
+          {
+            points.emplace_back(values.JxW(q), values.quadrature_point(q));
+            result.ply_areas[cell->material_id()] += values.JxW(q);
+            first += values.JxW(q) * Tensor<1, 2>(values.quadrature_point(q));
+          }
+        for (const unsigned int f : cell->face_indices())
+          if (cell->face(f)->at_boundary())
+            {
+              face_values.reinit(cell, f);
+              double &length = result.boundary_lengths[section.boundaries.at(
+                cell->face(f)->boundary_id())];
+              for (const unsigned int q :
+                   face_values.quadrature_point_indices())
+                length += face_values.JxW(q);
+            }
+      }
+    result.area =
+      std::accumulate(result.ply_areas.begin(), result.ply_areas.end(), 0.);
+    result.centroid = Point<2>(first / result.area);
+    for (const auto &[weight, x] : points)
+      result.second_moments +=
+        weight * outer_product(x - result.centroid, x - result.centroid);
+    const auto box =
+      GridTools::compute_bounding_box(section.mesh).get_boundary_points();
+    result.low  = box.first;
+    result.high = box.second;
+    return result;
+  }
+
+
+
+  namespace
+  {
+    using CellIterator = Triangulation<2>::active_cell_iterator;
+
+    std::string
+    place(const Point<2> &p)
+    {
+      return "(" + to_text(p[0]) + ", " + to_text(p[1]) + ")";
+    }
+
+
+
+    /// The smallest sine of the inner angles of @p cell; negative where it is
+    /// not convex, zero where it is degenerate.
+    double
+    smallest_sine(const CellIterator &cell)
+    {
+      constexpr std::array<unsigned int, 4> around{{0, 1, 3, 2}};
+      double                                smallest = 1.;
+      for (unsigned int i = 0; i < 4; ++i)
+        {
+          const Point<2>     corner = cell->vertex(around[i]);
+          const Tensor<1, 2> to   = cell->vertex(around[(i + 1) % 4]) - corner,
+                             from = cell->vertex(around[(i + 3) % 4]) - corner;
+          const double product    = to.norm() * from.norm();
+          smallest                = std::min(smallest,
+                              product > 0. ?
+                                               (to[0] * from[1] - to[1] * from[0]) / product :
+                                               0.);
+        }
+      return smallest;
+    }
+
+
+
+    void
+    check_vertices(const SectionMesh &section, const std::string &what)
+    {
+      std::vector<Point<2>> points;
+      for (unsigned int v = 0; v < section.mesh.n_vertices(); ++v)
+        if (section.mesh.get_used_vertices()[v])
+          points.push_back(section.mesh.get_vertices()[v]);
+      double shortest = std::numeric_limits<double>::max();
+      for (const auto &face : section.mesh.active_face_iterators())
+        shortest = std::min(shortest, face->diameter());
+      const Point<2> tolerance(1e-6 * shortest, 1e-6 * shortest);
+      const auto     tree = pack_rtree(points);
+      for (const Point<2> &point : points)
+        {
+          const BoundingBox<2> here(
+            std::make_pair(point + -1. * tolerance, point + tolerance));
+          if (std::distance(tree.qbegin(
+                              boost::geometry::index::intersects(here)),
+                            tree.qend()) > 1)
+            throw InputError(
+              what + ": two nodes stand at " + place(point) +
+              ", so that the cells on both sides are not joined. In Gmsh, "
+              "share points and lines between surfaces, or write 'Coherence;' "
+              "('Coherence Mesh;' after meshing).");
+        }
+    }
+
+
+
+    void
+    check_connected(const SectionMesh &section, const std::string &what)
+    {
+      std::vector<bool>     seen(section.mesh.n_active_cells(), false);
+      std::vector<Point<2>> parts;
+      for (const auto &start : section.mesh.active_cell_iterators())
+        {
+          if (seen[start->active_cell_index()])
+            continue;
+          parts.push_back(start->center());
+          std::vector<CellIterator> open{start};
+          seen[start->active_cell_index()] = true;
+          while (!open.empty())
+            {
+              const CellIterator cell = open.back();
+              open.pop_back();
+              for (const unsigned int f : cell->face_indices())
+                if (!cell->at_boundary(f) &&
+                    !seen[cell->neighbor(f)->active_cell_index()])
+                  {
+                    open.push_back(cell->neighbor(f));
+                    seen[cell->neighbor(f)->active_cell_index()] = true;
+                  }
+            }
+        }
+      if (parts.size() > 1)
+        throw InputError(what + ": the section is in " +
+                         std::to_string(parts.size()) +
+                         " pieces that share no side of a cell; one is at " +
+                         place(parts[0]) + ", another at " + place(parts[1]) +
+                         ". A section must hang together.");
+    }
+  } // namespace
+
+
+
+  void
+  check_section_mesh(const SectionMesh &section, const std::string &what)
+  {
+    unsigned int bad = 0;
+    Point<2>     where;
+    for (const auto &cell : section.mesh.active_cell_iterators())
+      if (smallest_sine(cell) < 1e-8)
+        {
+          where = bad == 0 ? cell->center() : where;
+          ++bad;
+        }
+    if (bad > 0)
+      throw InputError(
+        what + ": " +
+        (bad == 1 ? "a cell is" : std::to_string(bad) + " cells are") +
+        " folded or has no area, " + (bad == 1 ? "at " : "the first at ") +
+        place(where) +
+        " (an inner angle of 180 degrees or more). Mesh it "
+        "anew; in Gmsh, 'Mesh.RecombinationAlgorithm = 3' or "
+        "transfinite surfaces make better cells.");
+    check_vertices(section, what);
+    check_connected(section, what);
+  }
+
+
+
+  void
+  check_proportions(const SectionMesh &section, const std::string &what)
+  {
+    // prm/cantilever.prm 1e6 times as wide as thick is right in all digits;
+    // 1e7 times, a rigid rotation seems to cost no energy.
+    constexpr double most = 2e6, sensible = 1e6;
+
+    for (const auto &cell : section.mesh.active_cell_iterators())
+      {
+        const double length = cell->diameter(),
+                     ratio  = length * length / cell->measure();
+        if (ratio > most)
+          throw InputError(what + ": a cell at " + place(cell->center()) +
+                           " is " + to_text(ratio, 2) +
+                           " times as long as thick; doubles hold cells of up "
+                           "to " +
+                           to_text(sensible) +
+                           " times. Are the units right? If they are, use "
+                           "more cells along the longer side.");
+      }
+  }
+} // namespace lamella

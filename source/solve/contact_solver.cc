@@ -1,0 +1,252 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <lamella/base/exceptions.h>
+#include <lamella/base/text.h>
+#include <lamella/solve/contact_solver.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace lamella
+{
+  using namespace dealii;
+
+  ContactSolver::ContactSolver(const Structure        &structure,
+                               const GapRows          &rows,
+                               const SolverParameters &parameters)
+    : progress([](const std::string &) {})
+    , describe(
+        [](const unsigned int row) { return "row " + std::to_string(row); })
+    , structure(structure)
+    , rows(rows)
+    , parameters(parameters)
+  {}
+
+
+
+  ContactSolver::~ContactSolver() = default;
+
+
+
+  std::vector<double>
+  ContactSolver::gaps(const BlockVector &u, const double factor) const
+  {
+    std::vector<double> g;
+    for (const GapRow &row : rows)
+      g.push_back(row.gap(u, factor));
+    return g;
+  }
+
+
+
+  State
+  ContactSolver::release_springs(State state, const double factor)
+  {
+    constexpr unsigned int most_rounds = 60;
+    // Of the displacements, what the springs' rest still moves by; of loads and
+    // contact forces, what springs still carry. (A motion that nothing loads
+    // nor holds drifts by rounding, without a force to speak of.)
+    constexpr double at_rest = 1e-12, without_force = 1e-13;
+
+    if (!structure.has_springs())
+      return state;
+    double before = std::numeric_limits<double>::max();
+    for (unsigned int round = 1;; ++round)
+      {
+        const SpringRest rest   = structure.spring_lengths(state.u);
+        double           change = 0., force = 0.;
+        for (unsigned int b = 0; b < rest.size(); ++b)
+          for (unsigned int k = 0; k < rest[b].size(); ++k)
+            {
+              const double moved = std::abs(
+                rest[b][k] - (state.rest.empty() ? 0. : state.rest[b][k]));
+              change = std::max(change, moved);
+              force =
+                std::max(force, structure.springs(b)[k].stiffness * moved);
+            }
+        double forces = std::abs(factor) * structure.load().linfty_norm();
+        for (const double lambda : state.force)
+          forces = std::max(forces, std::abs(lambda));
+        if (change <= at_rest * size_of(state, factor) ||
+            force <= without_force * forces)
+          return state;
+        if (round > most_rounds)
+          fail_on_springs(state, change / before);
+        before     = change;
+        State next = solve_contact(solve_free(factor, rest), factor, state);
+        next.iterations += state.iterations;
+        state = std::move(next);
+      }
+  }
+
+
+
+  void
+  ContactSolver::fail_on_springs(const State &state, const double rate) const
+  {
+    constexpr double wanted_rate = 0.1;
+
+    // Whose spring is still under the largest force.
+    const SpringRest lengths = structure.spring_lengths(state.u);
+    unsigned int     body = 0, spring = 0;
+    double           largest = -1.;
+    for (unsigned int b = 0; b < lengths.size(); ++b)
+      for (unsigned int k = 0; k < lengths[b].size(); ++k)
+        {
+          const double force = structure.springs(b)[k].stiffness *
+                               std::abs(lengths[b][k] - state.rest[b][k]);
+          if (force > largest)
+            {
+              largest = force;
+              body    = b;
+              spring  = k;
+            }
+        }
+    const Spring     &worst = structure.springs(body)[spring];
+    const std::string name  = structure.bodies()[body]->name();
+    if (!(rate < 0.999))
+      throw NumericsError(
+        "Body '" + name +
+        "' is not held by its contacts: its loads move it on "
+        "and on (" +
+        worst.motion +
+        "), against nothing but its stabilising springs. Add a support, close "
+        "its gaps by a prescribed displacement, or load it towards the body "
+        "that is to hold it.");
+    throw NumericsError("The stabilising springs of body '" + name +
+                        "' are too stiff beside the contacts that hold it (" +
+                        worst.motion + "): their share falls by the factor " +
+                        to_text(rate, 3) + " a round only. Take Body " + name +
+                        "/Stabilisation = " +
+                        to_text(worst.share * wanted_rate / (1. - wanted_rate) *
+                                  (1. - rate) / rate,
+                                1) +
+                        ".");
+  }
+
+
+
+  double
+  ContactSolver::size_of(const State &state, const double factor) const
+  {
+    // Gaps are differences of displacements and of the way of obstacles.
+    double size = state.u.linfty_norm();
+    for (const GapRow &row : rows)
+      size = std::max(size, std::abs(factor * row.gap_rate));
+    return size;
+  }
+
+
+
+  State
+  ContactSolver::solve_free(const double factor, const SpringRest &rest)
+  {
+    State state;
+    state.rest = rest;
+    state.u    = structure.particular(factor);
+    state.force.assign(rows.size(), 0.);
+    // The first correction is the solution itself, the second a refinement.
+    state.free_corrections = refine(state, factor, 2);
+    state.free_corrections.erase(state.free_corrections.begin());
+    return state;
+  }
+
+
+
+  double
+  ContactSolver::correct(State &state, const double factor)
+  {
+    BlockVector r_u = structure.residual(state.u, factor, state.rest);
+    Vector      r_lambda(state.active.size());
+    for (unsigned int i = 0; i < state.active.size(); ++i)
+      {
+        const GapRow &row    = rows[state.active[i]];
+        const double  lambda = state.force[state.active[i]];
+        row.add_to(r_u, lambda);
+        r_lambda[i] = -(row.gap(state.u, factor) + law_softness(row) * lambda);
+      }
+    BlockVector du;
+    Vector      dlambda;
+    solve_linear(state.active, r_u, r_lambda, du, dlambda);
+    state.u += du;
+    for (unsigned int i = 0; i < state.active.size(); ++i)
+      state.force[state.active[i]] += dlambda[i];
+
+    // Written so that what is not a number stays none.
+    const double size = state.u.linfty_norm(), change = du.l2_norm();
+    if (!std::isfinite(change))
+      throw NumericsError(
+        "The solution is not a finite number. Check the loads, and "
+        "whether the stiffnesses are beyond what double precision holds.");
+    return change == 0. ? 0. : du.linfty_norm() / size;
+  }
+
+
+
+  bool
+  ContactSolver::is_refined(const std::vector<double> &corrections,
+                            const unsigned int         at_least) const
+  {
+    // Done, or down to the rounding of the residual itself, or enough.
+    const unsigned int n = corrections.size();
+    return n >= at_least &&
+           (corrections.back() < parameters.refinement_tolerance ||
+            (n > at_least && corrections[n - 1] > 0.5 * corrections[n - 2]) ||
+            n >= parameters.max_refinements + at_least);
+  }
+
+
+
+  std::vector<double>
+  ContactSolver::refine(State             &state,
+                        const double       factor,
+                        const unsigned int at_least)
+  {
+    std::vector<double> corrections;
+    do
+      corrections.push_back(correct(state, factor));
+    while (!is_refined(corrections, at_least));
+    return corrections;
+  }
+
+
+
+  void
+  ContactSolver::watch(const Round &round, unsigned int &iterations) const
+  {
+    ++iterations;
+    progress("iteration " + std::to_string(iterations) + ": " +
+             std::to_string(round.active) + " active rows, " +
+             std::to_string(round.changed.size()) + " to change" +
+             (round.changed.empty() ?
+                "" :
+                ", gaps off by up to " + to_text(round.violation, 3)));
+    if (!round.changed.empty())
+      check_iterations(iterations, round.changed);
+  }
+
+
+
+  void
+  ContactSolver::check_iterations(
+    const unsigned int               iterations,
+    const std::vector<unsigned int> &changing) const
+  {
+    if (iterations < parameters.max_iterations)
+      return;
+    std::string names;
+    for (unsigned int k = 0; k < changing.size() && k < 3; ++k)
+      names += (k > 0 ? "; " : "") + describe(changing[k]);
+    throw NumericsError(
+      "The contact did not settle in " +
+      std::to_string(parameters.max_iterations) + " iterations; " +
+      std::to_string(changing.size()) + " of " + std::to_string(rows.size()) +
+      " rows keep changing" + (names.empty() ? "" : " (" + names) +
+      (names.empty()       ? "" :
+       changing.size() > 3 ? "; ...)" :
+                             ")") +
+      ". Try " + remedy() +
+      ", a finer mesh at the edge of the contact, or more Maximum iterations.");
+  }
+} // namespace lamella

@@ -1,0 +1,451 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <lamella/base/child_process.h>
+#include <lamella/base/exceptions.h>
+#include <lamella/base/mpi_session.h>
+#include <lamella/base/text.h>
+#include <lamella/run/simulation.h>
+#include <lamella/trade/trade.h>
+#include <lamella/trade/trade_picture.h>
+
+#include <boost/interprocess/sync/file_lock.hpp>
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <iomanip>
+#include <iostream>
+#include <ostream>
+#include <set>
+#include <sstream>
+
+namespace lamella
+{
+  using nlohmann::json;
+  namespace fs = std::filesystem;
+
+  namespace
+  {
+    /// The record of a rung that has ended, in its folder.
+    constexpr const char *record_name = "rung.json";
+
+    /// Runs that take less than `brief` seconds are made `tries` times, and the
+    /// fastest counts.
+    constexpr double       brief = 1.;
+    constexpr unsigned int tries = 3;
+
+    std::vector<std::string>
+    operator+(std::vector<std::string> a, const std::vector<std::string> &b)
+    {
+      a.insert(a.end(), b.begin(), b.end());
+      return a;
+    }
+
+
+
+    /// @p resolved without its `subsection Trade`, which no rung looks at.
+    std::string
+    without_trade(const std::string &resolved)
+    {
+      const std::string begin = "subsection Trade\n", end = "\nend\n";
+      const auto        first = resolved.find(begin);
+      const auto        last  = resolved.find(end, first);
+      if (first == std::string::npos || last == std::string::npos)
+        return resolved;
+      return resolved.substr(0, first) + resolved.substr(last + end.size());
+    }
+
+
+
+    /// Of a file: its size and when it was last written.
+    std::string
+    state_of_file(const std::string &path)
+    {
+      std::error_code error;
+      const auto      size = fs::file_size(path, error);
+      const auto      time = fs::last_write_time(path, error);
+      return std::to_string(size) + " bytes, " +
+             std::to_string(time.time_since_epoch().count());
+    }
+
+
+
+    /// A folder's name for the rung @p name: letters, digits, '-' and '.'.
+    std::string
+    folder_name(const unsigned int number, const std::string &name)
+    {
+      std::ostringstream text;
+      text << std::setw(2) << std::setfill('0') << number << '_';
+      for (const char c : name)
+        text << (std::isalnum(static_cast<unsigned char>(c)) || c == '.' ||
+                     c == '-' ?
+                   c :
+                   '_');
+      // File systems end names at 255 bytes.
+      return text.str().substr(0, 100);
+    }
+
+
+
+    std::string
+    whole_file(const std::string &path)
+    {
+      std::ostringstream text;
+      text << std::ifstream(path).rdbuf();
+      return text.str();
+    }
+
+
+
+    /// Why a run that ended so has no results; empty if it has.
+    std::string
+    failure_of(const ProcessEnd  &end,
+               const std::string &errors,
+               const double       time_limit)
+    {
+      if (end.out_of_time)
+        return "took more than the time limit of " + to_text(time_limit) +
+               " s.";
+      if (end.signal != 0)
+        return "was ended by signal " + std::to_string(end.signal) +
+               (end.signal == 9 ? ", perhaps because memory ran out." : ".");
+      if (end.status == 0)
+        return "";
+      std::string       message = trimmed(whole_file(errors));
+      const std::string prefix  = "lamella: ";
+      if (message.compare(0, prefix.size(), prefix) == 0)
+        message = message.substr(prefix.size());
+      return message.empty() ?
+               "ended with exit status " + std::to_string(end.status) + "." :
+               message;
+    }
+
+
+
+    /// Puts @p record into @p folder, all of it or nothing.
+    void
+    keep_record(const json &record, const std::string &folder)
+    {
+      const std::string path = folder + "/" + record_name;
+      std::ofstream     file(path + ".new");
+      file << record.dump(2) << "\n";
+      file.close();
+      std::error_code error;
+      fs::rename(path + ".new", path, error);
+      if (!file || error)
+        throw InputError("Cannot write " + path + ". Is the disk full?");
+    }
+
+
+
+    /// The record in @p folder if it says @p fingerprint and the rung
+    /// succeeded, null otherwise: what made one fail (a time limit, other
+    /// programs' memory) may have passed.
+    json
+    record_in(const std::string &folder, const std::string &fingerprint)
+    {
+      std::ifstream file(folder + "/" + record_name);
+      const json    record = json::parse(file, nullptr, false);
+      return record.is_object() && record.value("of", "") == fingerprint &&
+                 record.value("failure", "?").empty() &&
+                 record.contains("values") ?
+               record :
+               json();
+    }
+
+
+
+    /// What is known of a rung before it is run.
+    RungResult
+    result_of(const LadderEntry &entry)
+    {
+      RungResult result;
+      result.name       = entry.name;
+      result.theory     = entry.theory;
+      result.axis       = entry.axis;
+      result.section    = entry.section;
+      result.overridden = !entry.overrides.empty();
+      return result;
+    }
+
+
+
+    void
+    prepare_directory(const std::string &directory)
+    {
+      std::error_code error;
+      fs::create_directories(directory + "/rungs", error);
+      // The lock needs a file; it is not emptied, should another have it.
+      if (error || !std::ofstream(directory + "/trade.lock", std::ios::app))
+        throw InputError("--output " + directory +
+                         ": results cannot be written there. Name a folder "
+                         "that can be created and written.");
+    }
+  } // namespace
+
+
+
+  Trade::Trade(const std::string              &scene_file,
+               const std::vector<std::string> &overrides,
+               const Scene                    &scene,
+               const unsigned int              threads,
+               std::ostream                   &out)
+    : scene_file(scene_file)
+    , overrides(overrides)
+    , scene(scene)
+    , threads(threads)
+    , out(out)
+    , base(fingerprint(overrides))
+    , quantities(scene.trade.quantities)
+  {
+    if (quantities.empty() && scene.trade.whole_probes.empty())
+      throw InputError(
+        "Trade/Quantities: there is nothing to compare, since "
+        "the scene has neither probes nor References of supports "
+        "and contacts. Add a probe.");
+    for (const LadderEntry &entry : scene.trade.ladder)
+      try
+        {
+          check_entries(
+            SceneText::read(scene_file, overrides + entry.overrides));
+        }
+      catch (const InputError &error)
+        {
+          throw InputError("Trade/Ladder, rung '" + entry.name +
+                           "': " + error.what());
+        }
+  }
+
+
+
+  std::string
+  Trade::fingerprint(const std::vector<std::string> &rung_overrides) const
+  {
+    std::string text;
+    try
+      {
+        const Scene rung =
+          read_scene(SceneText::read(scene_file, rung_overrides));
+        text = without_trade(rung.resolved);
+        for (const auto &[name, shape] : rung.sections)
+          if (const auto *file = std::get_if<SectionFile>(&shape))
+            text += "mesh " + state_of_file(file->path) + "\n";
+      }
+    catch (const InputError &error)
+      {
+        // The rung will say so itself.
+        for (const std::string &assignment : rung_overrides)
+          if (assignment.compare(0, 6, "Trade/") != 0)
+            text += assignment + "\n";
+        text += error.what() + std::string("\n");
+      }
+    return text + "program " + LAMELLA_VERSION + ", " +
+           state_of_file(own_program()) + ", threads " +
+           std::to_string(threads);
+  }
+
+
+
+  ProcessEnd
+  Trade::run_scene(const std::vector<std::string> &all,
+                   const std::string              &folder,
+                   const std::string              &output) const
+  {
+    const auto work = [&] {
+      int                 argc = 1;
+      std::string         name = "lamella";
+      std::vector<char *> words{name.data(), nullptr};
+      char              **argv = words.data();
+      const MpiSession    mpi(argc, argv);
+      limit_threads(threads);
+      const SceneText text =
+        SceneText::read(scene_file,
+                        std::vector<std::string>{"Write VTU=false"} + all);
+      const auto simulation =
+        make_simulation(read_scene(text), text, std::cout);
+      simulation->run(output);
+      return RungValues(simulation->results()).to_json().dump();
+    };
+    return run_forked(work,
+                      folder + "/output.txt",
+                      folder + "/errors.txt",
+                      scene.trade.time_limit);
+  }
+
+
+
+  json
+  Trade::new_record(const std::vector<std::string> &all,
+                    const std::string              &of,
+                    const std::string              &folder) const
+  {
+    fs::remove_all(folder);
+    fs::create_directories(folder);
+    const std::string kept = folder + "/run", other = folder + "/again";
+    ProcessEnd        best = run_scene(all, folder, kept);
+    const std::string failure =
+      failure_of(best, folder + "/errors.txt", scene.trade.time_limit);
+    // What else the machine does weighs most where a run is short.
+    for (unsigned int k = 1;
+         failure.empty() && k < tries && best.seconds < brief;
+         ++k)
+      {
+        const ProcessEnd end = run_scene(all, folder, other);
+        if (end.status == 0 && end.seconds < best.seconds)
+          {
+            best = end;
+            fs::remove_all(kept);
+            fs::rename(other, kept);
+          }
+        else
+          fs::remove_all(other);
+      }
+    // Each run reads the scene afresh.
+    if (fingerprint(all) != of || fingerprint(overrides) != base)
+      throw InputError(scene_file +
+                       ": the scene, a mesh file or the program changed while "
+                       "rungs of it were run. Start the trade again.");
+    json record{{"of", of}, {"seconds", best.seconds}, {"failure", failure}};
+    if (failure.empty())
+      record["values"] = json::parse(best.answer);
+    return record;
+  }
+
+
+
+  void
+  Trade::run_rung(const LadderEntry              &entry,
+                  const std::vector<std::string> &all,
+                  const std::string              &of,
+                  const std::string              &folder)
+  {
+    json       record = record_in(folder, of);
+    const bool had    = !record.is_null();
+    if (!had)
+      {
+        record = new_record(all, of, folder);
+        keep_record(record, folder);
+      }
+    RungResult result = result_of(entry);
+    RungValues values;
+    result.seconds = record.at("seconds");
+    result.failure = record.at("failure");
+    if (result.failure.empty())
+      {
+        values = RungValues(record.at("values"));
+        values.tell_cost(result);
+        // What no run can give shows in the first, not after the last.
+        for (const TradeQuantity &quantity : quantities)
+          values.value(quantity);
+      }
+    out << (result.failure.empty() ? std::to_string(result.dofs) + " DoFs, " +
+                                       to_text(result.seconds, 3) + " s" :
+                                     "failed: " + result.failure)
+        << (had ? " (of an earlier trade)" : "") << std::endl;
+    results.push_back(result);
+    numbers.push_back(values);
+  }
+
+
+
+  void
+  Trade::climb(const std::string &directory)
+  {
+    std::map<std::string, std::string> seen;
+    unsigned int                       number = 0;
+    for (const LadderEntry &entry : scene.trade.ladder)
+      {
+        ++number;
+        out << "Rung " << number << " of " << scene.trade.ladder.size() << ", "
+            << entry.name << ": " << std::flush;
+        std::vector<std::string> all;
+        try
+          {
+            all = overrides + make_rung(entry, scene).overrides;
+          }
+        catch (const InputError &error)
+          {
+            out << "failed: " << error.what() << std::endl;
+            results.push_back(result_of(entry));
+            results.back().failure = error.what();
+            numbers.emplace_back();
+            continue;
+          }
+        const std::string of      = fingerprint(all);
+        const auto [same, is_new] = seen.emplace(of, entry.name);
+        if (!is_new)
+          {
+            out << "the same as " << same->second << ", left out" << std::endl;
+            if (reference == entry.name)
+              reference = same->second;
+            continue;
+          }
+        run_rung(entry,
+                 all,
+                 of,
+                 directory + "/rungs/" + folder_name(number, entry.name));
+      }
+  }
+
+
+
+  void
+  Trade::complete_quantities()
+  {
+    for (unsigned int k = results.size(); k-- > 0;)
+      if (results[k].failure.empty())
+        {
+          for (const std::string &probe : scene.trade.whole_probes)
+            for (const TradeQuantity &quantity : numbers[k].largest_at(probe))
+              quantities.push_back(quantity);
+          return;
+        }
+  }
+
+
+
+  void
+  Trade::take_values()
+  {
+    for (unsigned int k = 0; k < results.size(); ++k)
+      if (results[k].failure.empty())
+        for (const TradeQuantity &quantity : quantities)
+          results[k].values.push_back(numbers[k].value(quantity));
+  }
+
+
+
+  void
+  Trade::run(const std::string &directory)
+  {
+    prepare_directory(directory);
+    boost::interprocess::file_lock lock((directory + "/trade.lock").c_str());
+    if (!lock.try_lock())
+      throw InputError("--output " + directory +
+                       ": another trade is at work there. Wait for it, or name "
+                       "another folder.");
+    // Those of an earlier trade would look like this one's.
+    for (const char *name : {"trade.csv", "trade.gp", "trade.png", "trade.svg"})
+      fs::remove(directory + "/" + name);
+    results.clear();
+    numbers.clear();
+    reference = scene.trade.reference;
+    climb(directory);
+    complete_quantities();
+    take_values();
+    const TradeTable table(results,
+                           quantities,
+                           reference,
+                           scene.trade.tolerances);
+    write_trade_csv(table, directory + "/trade.csv");
+    print_trade(out, table);
+    const std::string no_picture = draw_trade(table, scene.title, directory);
+    if (!no_picture.empty())
+      out << "\nNo pictures: " << no_picture << ".";
+    out << "\nThe trade is in " << directory << " (trade.csv"
+        << (no_picture.empty() ? ", trade.png, trade.svg" : "")
+        << "; the runs in rungs/)" << std::endl;
+  }
+} // namespace lamella

@@ -1,0 +1,385 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <lamella/base/exceptions.h>
+#include <lamella/base/text.h>
+#include <lamella/report/console.h>
+#include <lamella/report/fields_table.h>
+#include <lamella/section/theory.h>
+#include <lamella/trade/trade_table.h>
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <iomanip>
+#include <ostream>
+#include <sstream>
+#include <utility>
+
+namespace lamella
+{
+  TradeTable::TradeTable(std::vector<RungResult>    rungs,
+                         std::vector<TradeQuantity> quantities,
+                         const std::string         &reference,
+                         std::vector<double>        tolerances)
+    : all(std::move(rungs))
+    , asked(std::move(quantities))
+    , bounds(std::move(tolerances))
+  {
+    if (reference != "given")
+      against = find_reference(reference);
+  }
+
+
+
+  int
+  TradeTable::find_reference(const std::string &name) const
+  {
+    for (int k = all.size() - 1; k >= 0; --k)
+      {
+        const bool meant =
+          name == "finest" || all[k].name == name ||
+          (name == "solid" && all[k].theory.compare(0, 5, "solid") == 0);
+        if (meant && all[k].failure.empty())
+          return k;
+        if (meant && all[k].name == name)
+          throw NumericsError(
+            "the rung '" + name +
+            "', which is the reference, failed: " + all[k].failure);
+      }
+    throw NumericsError(
+      name == "solid" ?
+        "no rung with hexahedra succeeded, so there is no reference." :
+        "no rung of the ladder succeeded. The first failed because: " +
+          all.front().failure);
+  }
+
+
+
+  double
+  TradeTable::reference(const unsigned int q) const
+  {
+    return against < 0 ? asked[q].given.value() : all[against].values[q];
+  }
+
+
+
+  bool
+  TradeTable::has_error(const unsigned int k, const unsigned int q) const
+  {
+    return all[k].failure.empty() && static_cast<int>(k) != against &&
+           reference(q) != 0.;
+  }
+
+
+
+  double
+  TradeTable::error(const unsigned int k, const unsigned int q) const
+  {
+    return std::abs(all[k].values[q] / reference(q) - 1.);
+  }
+
+
+
+  double
+  TradeTable::cost(const unsigned int k, const Cost cost) const
+  {
+    return cost == Cost::seconds ? all[k].seconds : all[k].dofs;
+  }
+
+
+
+  std::vector<unsigned int>
+  TradeTable::front(const unsigned int q, const Cost kind) const
+  {
+    std::vector<unsigned int> result;
+    for (unsigned int k = 0; k < all.size(); ++k)
+      if (has_error(k, q))
+        result.push_back(k);
+    const auto price = [&](const unsigned int k) {
+      return std::make_pair(cost(k, kind), error(k, q));
+    };
+    std::sort(result.begin(),
+              result.end(),
+              [&](const unsigned int a, const unsigned int b) {
+                return price(a) < price(b);
+              });
+    // By rising cost, only what is closer than everything before it.
+    std::vector<unsigned int> front;
+    for (const unsigned int k : result)
+      if (front.empty() || error(k, q) < error(front.back(), q))
+        front.push_back(k);
+    return front;
+  }
+
+
+
+  int
+  TradeTable::cheapest(const unsigned int q, const double tolerance) const
+  {
+    std::vector<unsigned int> within;
+    for (unsigned int k = 0; k < all.size(); ++k)
+      if (has_error(k, q) && error(k, q) <= tolerance)
+        within.push_back(k);
+    if (within.empty())
+      return -1;
+    double least = cost(within.front(), Cost::seconds);
+    for (const unsigned int k : within)
+      least = std::min(least, cost(k, Cost::seconds));
+    int best = -1;
+    for (const unsigned int k : within)
+      if (cost(k, Cost::seconds) <= 1.05 * least + 0.1 &&
+          (best < 0 || all[k].dofs < all[best].dofs))
+        best = k;
+    return best;
+  }
+
+
+
+  namespace
+  {
+    std::string
+    per_cent(const double relative)
+    {
+      // Two digits, but no powers of ten.
+      const double value = 100. * relative;
+      return (value < 99.5 ? to_text(value, 2) :
+                             std::to_string(std::lround(value))) +
+             " %";
+    }
+
+
+
+    /// Which theories hold others: those of the same family and a lower rank.
+    struct Richness
+    {
+      Theory::Kind family = Theory::Kind::undefined;
+      double       rank   = 0.;
+    };
+
+    Richness
+    richness_of(const std::string &name)
+    {
+      const Theory theory = Theory::parse(name, "Theory");
+      if (theory.kind == Theory::Kind::EBBT)
+        return {Theory::Kind::TE, 0.};
+      if (theory.kind == Theory::Kind::TBT)
+        return {Theory::Kind::TE, 0.5};
+      return {theory.kind, static_cast<double>(theory.order)};
+    }
+  } // namespace
+
+
+
+  std::string
+  TradeTable::sentence(const unsigned int q, const double tolerance) const
+  {
+    const std::string within =
+      "For " + to_text(100. * tolerance, 3) + " % in " + asked[q].label();
+    if (reference(q) == 0.)
+      return within +
+             " there is no answer: the reference is zero, and no error "
+             "is relative to it.";
+    const int k = cheapest(q, tolerance);
+    if (k < 0)
+      return within + " no rung is enough" +
+             (against < 0 ? "." : " but the reference itself.");
+    std::string text = within + " the cheapest is " + all[k].name + ": " +
+                       std::to_string(all[k].dofs) + " DoFs, " +
+                       to_text(all[k].seconds, 2) + " s (off by " +
+                       per_cent(error(k, q)) + ").";
+    const Richness richness = richness_of(all[k].theory);
+    for (unsigned int other = 0; other < all.size(); ++other)
+      {
+        const Richness others = richness_of(all[other].theory);
+        const bool     holds  = others.family == richness.family &&
+                           others.rank >= richness.rank &&
+                           all[other].axis >= all[k].axis &&
+                           all[other].section >= all[k].section &&
+                           !all[other].overridden && !all[k].overridden;
+        if (holds && all[other].dofs > all[k].dofs && has_error(other, q) &&
+            error(other, q) > tolerance)
+          return text + " Do not count on it: " + all[other].name +
+                 ", which is richer, is off by " + per_cent(error(other, q)) +
+                 ".";
+      }
+    return text;
+  }
+
+
+
+  std::string
+  TradeTable::basis() const
+  {
+    if (against < 0)
+      return "Errors are against the values given in the scene.";
+    std::string text = "Errors are against " + all[against].name + ".";
+    for (int k = against - 1; k >= 0; --k)
+      if (all[k].failure.empty())
+        return text + " How sure that is, " + all[k].name +
+               " before it tells: errors smaller than its own say little.";
+    return text;
+  }
+
+
+
+  namespace
+  {
+    std::string
+    fixed(const double value, const int digits)
+    {
+      std::ostringstream text;
+      text << std::fixed << std::setprecision(digits) << value;
+      return text.str();
+    }
+
+
+
+    /// The first sentence.
+    std::string
+    brief(const std::string &message)
+    {
+      const std::string line = message.substr(0, message.find('\n'));
+      const auto        end  = line.find(". ");
+      return end == std::string::npos ? line : line.substr(0, end + 1);
+    }
+
+
+
+    TextTable
+    table_of_costs(const TradeTable &table)
+    {
+      TextTable                 text{{"rung", "DoFs", "seconds"}};
+      std::vector<std::string> &head = text.front();
+      head.insert(head.end(), phase_names().begin(), phase_names().end());
+      head.insert(head.end(), {"MB", ""});
+      for (const RungResult &rung : table.rungs())
+        {
+          const bool               failed = !rung.failure.empty();
+          std::vector<std::string> row{rung.name,
+                                       failed ? "-" : std::to_string(rung.dofs),
+                                       fixed(rung.seconds, 2)};
+          for (const std::string &phase : phase_names())
+            row.push_back(failed ? "-" : fixed(rung.phases.at(phase), 2));
+          row.push_back(failed ? "-" : fixed(rung.memory, 0));
+          row.push_back(failed ? "failed: " + brief(rung.failure) : "");
+          text.push_back(row);
+        }
+      return text;
+    }
+
+
+
+    TextTable
+    table_of_errors(const TradeTable &table)
+    {
+      TextTable text{{"rung"}};
+      for (const TradeQuantity &quantity : table.quantities())
+        text.front().push_back(quantity.label());
+      text.front().push_back("");
+      for (unsigned int k = 0; k < table.rungs().size(); ++k)
+        {
+          std::vector<std::string> row{table.rungs()[k].name};
+          for (unsigned int q = 0; q < table.quantities().size(); ++q)
+            row.push_back(table.has_error(k, q) ? per_cent(table.error(k, q)) :
+                                                  "-");
+          row.push_back(static_cast<int>(k) == table.reference_rung() ?
+                          "the reference" :
+                        table.rungs()[k].failure.empty() ? "" :
+                                                           "failed");
+          text.push_back(row);
+        }
+      std::vector<std::string> values{"reference value"};
+      for (unsigned int q = 0; q < table.quantities().size(); ++q)
+        values.push_back(to_text(table.reference(q)));
+      values.push_back("");
+      text.push_back(values);
+      return text;
+    }
+  } // namespace
+
+
+
+  void
+  print_trade(std::ostream &out, const TradeTable &table)
+  {
+    out << "\nWhat it costs (seconds of the whole process, then by phase; peak "
+           "memory)\n\n";
+    print_table(out, table_of_costs(table));
+    out << "\nHow far it is off\n\n";
+    print_table(out, table_of_errors(table));
+    out << "\n" << table.basis() << "\n\n";
+    for (const double tolerance : table.tolerances())
+      for (unsigned int q = 0; q < table.quantities().size(); ++q)
+        out << table.sentence(q, tolerance) << "\n";
+  }
+
+
+
+  namespace
+  {
+    /// As a CSV file has it: in quotes if it holds a comma or a quote.
+    std::string
+    quoted(std::string text)
+    {
+      std::replace(text.begin(), text.end(), '\n', ' ');
+      if (text.find_first_of(",\"") == std::string::npos)
+        return text;
+      for (auto at = text.find('"'); at != std::string::npos;
+           at      = text.find('"', at + 2))
+        text.insert(at, "\"");
+      return '"' + text + '"';
+    }
+
+
+
+    /// What a rung cost; empty cells of one that failed.
+    std::string
+    cost_cells(const RungResult &rung)
+    {
+      std::vector<std::string> cells{quoted(rung.name), rung.theory};
+      const bool               failed = !rung.failure.empty();
+      cells.push_back(failed ? "" : std::to_string(rung.dofs));
+      cells.push_back(csv(rung.seconds));
+      for (const std::string &phase : phase_names())
+        cells.push_back(failed ? "" : csv(rung.phases.at(phase)));
+      cells.push_back(failed ? "" : csv(rung.memory));
+      return joined(cells, ",");
+    }
+  } // namespace
+
+
+
+  void
+  write_trade_csv(const TradeTable &table, const std::string &path)
+  {
+    std::ofstream file(path);
+    file << "rung,theory,dofs,seconds," << joined(phase_names(), ",")
+         << ",memory_mb,quantity,value,reference,error,front_seconds,"
+            "front_dofs,failure\n";
+    using Cost          = TradeTable::Cost;
+    const auto contains = [](const std::vector<unsigned int> &front,
+                             const unsigned int               k) {
+      return std::find(front.begin(), front.end(), k) != front.end() ? "1" :
+                                                                       "0";
+    };
+    for (unsigned int k = 0; k < table.rungs().size(); ++k)
+      {
+        const RungResult &rung = table.rungs()[k];
+        const std::string cost = cost_cells(rung);
+        if (!rung.failure.empty())
+          {
+            file << cost << ",,,,,,," << quoted(rung.failure) << "\n";
+            continue;
+          }
+        for (unsigned int q = 0; q < table.quantities().size(); ++q)
+          file << cost << "," << table.quantities()[q].label() << ","
+               << csv(rung.values[q]) << "," << csv(table.reference(q)) << ","
+               << (table.has_error(k, q) ? csv(table.error(k, q)) : "") << ","
+               << contains(table.front(q, Cost::seconds), k) << ","
+               << contains(table.front(q, Cost::dofs), k) << ",\n";
+      }
+    file.close();
+    if (!file)
+      throw InputError("Cannot write " + path + ". Is the disk full?");
+  }
+} // namespace lamella

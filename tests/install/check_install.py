@@ -1,0 +1,55 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Installs Lamella into a scratch prefix, builds step-0 on it in a folder that
+knows nothing of the source tree, and runs it.
+
+Usage: check_install.py ROOT BUILD WORKDIR [DEAL_II_DIR]
+"""
+
+import os
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+
+def run(*words, **options):
+    done = subprocess.run(words, capture_output=True, text=True, **options)
+    if done.returncode != 0:
+        sys.exit(f"{' '.join(words)}\nends with {done.returncode}\n{done.stdout}{done.stderr}")
+    return done.stdout
+
+
+def main(root, build, workdir, deal_ii=""):
+    shutil.rmtree(workdir, ignore_errors=True)
+    prefix, project = workdir / "prefix", workdir / "project"
+    project.mkdir(parents=True)
+    run("cmake", "--install", str(build), "--prefix", str(prefix))
+    shutil.copy(root / "tests/install/CMakeLists.txt", project)
+    shutil.copy(root / "tutorials/step-0/step-0.cc", project)
+    for path in (prefix / "lib").rglob("cmake/Lamella/*.cmake"):
+        if str(root) in path.read_text():
+            sys.exit(f"{path} names the source tree")
+
+    words = ["cmake", "-G", "Ninja", "-S", str(project), "-B", str(project / "build"),
+             f"-DCMAKE_PREFIX_PATH={prefix}"]
+    if deal_ii:
+        words.append(f"-DDEAL_II_DIR={deal_ii}")
+    run(*words)
+    run("cmake", "--build", str(project / "build"))
+
+    # It is the tutorial: the same numbers are pinned.
+    print(run(sys.executable, str(root / "tests/tutorials/check_tutorial.py"),
+              str(project / "build/step-0"), str(root / "tutorials/step-0/step-0.expect")))
+    version = run(str(prefix / "bin/lamella"), "--version", env={
+        **os.environ, "OPENBLAS_NUM_THREADS": "1"})
+    if not version.startswith("lamella "):
+        sys.exit(f"the installed program says: {version}")
+    shutil.rmtree(workdir)
+    print("A program outside of the tree builds on what was installed.")
+
+
+if __name__ == "__main__":
+    if len(sys.argv) not in (4, 5):
+        sys.exit(__doc__)
+    main(*(Path(argument).resolve() for argument in sys.argv[1:4]), *sys.argv[4:])

@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+// Rows seen as one list, and rows on another discretisation of their bodies.
+
+#include "contact_fixtures.h"
+
+#include <lamella/base/exceptions.h>
+
+#include <boost/test/unit_test.hpp>
+
+using namespace lamella;
+
+namespace
+{
+  /// A strip on a wider one, 0.1 above it, the lower one in LE-@p degree on
+  /// @p elements.
+  Bodies
+  two_strips(const unsigned int degree, const unsigned int elements)
+  {
+    const Placement &placement = placements[1];
+    const auto       strip     = [](const double width) {
+      return Laminate{
+        width, {0., 90.}, {0.5, 0.5}, {"material", "material"}, {1}, {2}};
+    };
+    Bodies bodies;
+    bodies.push_back(
+      make_beam("upper",
+                strip(1.),
+                layer_wise(2),
+                3.,
+                2,
+                Placement::from_directions(placement.to_scene({0.25, 0.4, 1.1}),
+                                           placement.axes[1],
+                                           placement.axes[2])));
+    bodies.push_back(make_beam(
+      "lower", strip(2.), layer_wise(degree), 4., elements, placement));
+    return bodies;
+  }
+} // namespace
+
+BOOST_AUTO_TEST_SUITE(gap_rows)
+
+BOOST_AUTO_TEST_CASE(numbered_through)
+{
+  std::vector<ContactInterface> contacts(3);
+  contacts[0].rows.resize(2);
+  contacts[2].rows.resize(3);
+  const GapRows rows(contacts);
+  BOOST_REQUIRE(rows.size() == 5);
+  // A contact without rows lies between.
+  const std::vector<std::pair<unsigned int, unsigned int>> place{
+    {0, 0}, {0, 1}, {2, 0}, {2, 1}, {2, 2}};
+  for (unsigned int r = 0; r < 5; ++r)
+    {
+      const auto [contact, row] = rows.in_contact(r);
+      BOOST_TEST(contact == place[r].first);
+      BOOST_TEST(row == place[r].second);
+      // Seen, not copied.
+      BOOST_TEST(&rows[r] == &contacts[contact].rows[row]);
+    }
+  const std::vector<double> forces{1., 2., 3., 4., 5.};
+  BOOST_TEST(rows.of_contact(0, forces).size() == 2);
+  BOOST_TEST(rows.of_contact(1, forces).size() == 0);
+  BOOST_TEST(rows.of_contact(2, forces)[1] == 4.);
+  const std::vector<unsigned int> active{0, 3, 4};
+  BOOST_TEST((rows.of_contact(0, active) == std::vector<unsigned int>{0}));
+  BOOST_TEST((rows.of_contact(2, active) == std::vector<unsigned int>{1, 2}));
+}
+
+
+
+BOOST_AUTO_TEST_CASE(on_the_same_discretisation)
+{
+  // Each discretisation of a contact, made from its geometry again.
+  const Bodies bodies = two_strips(2, 2);
+  for (const auto kind :
+       {Discretisation::node_to_surface, Discretisation::surface_to_surface})
+    {
+      const auto contact =
+        make_interface(pair_of("bottom", "top", kind), bodies);
+      const auto again = rows_on(contact, bodies);
+      BOOST_REQUIRE(again.size() == contact.rows.size());
+      BlockVector u = zero(bodies);
+      for (unsigned int b = 0; b < 2; ++b)
+        u.block(b) = any_displacement(*bodies[b], b);
+      for (unsigned int r = 0; r < again.size(); ++r)
+        {
+          BOOST_TEST(again[r].gap(u, 1.) == contact.rows[r].gap(u, 1.),
+                     boost::test_tools::tolerance(1e-12));
+          BOOST_TEST(again[r].penalty == contact.rows[r].penalty);
+        }
+    }
+}
+
+
+
+BOOST_AUTO_TEST_CASE(on_a_richer_discretisation)
+{
+  // The same forces on cubic fields and other elements: the same resultant and
+  // moment, which rigid motions measure.
+  const Bodies coarse = two_strips(1, 2), fine = two_strips(3, 5);
+  const auto   contact =
+    make_interface(pair_of("bottom", "top", Discretisation::surface_to_surface),
+                   coarse);
+  const auto  rows      = rows_on(contact, fine);
+  BlockVector on_coarse = zero(coarse), on_fine = zero(fine);
+  for (unsigned int r = 0; r < rows.size(); ++r)
+    {
+      const double force = 1. + std::sin(double(r));
+      contact.rows[r].add_to(on_coarse, force);
+      rows[r].add_to(on_fine, force);
+    }
+  BOOST_TEST(on_fine.size() > 2 * on_coarse.size());
+  for (unsigned int b = 0; b < 2; ++b)
+    {
+      const auto rigid      = coarse[b]->rigid_motions(),
+                 rigid_fine = fine[b]->rigid_motions();
+      double size           = 0.;
+      for (unsigned int m = 0; m < 6; ++m)
+        size = std::max(size, std::abs(rigid[m] * on_coarse.block(b)));
+      for (unsigned int m = 0; m < 6; ++m)
+        BOOST_TEST(std::abs(rigid_fine[m] * on_fine.block(b) -
+                            rigid[m] * on_coarse.block(b)) < 1e-12 * size);
+    }
+}
+
+
+
+BOOST_AUTO_TEST_CASE(on_other_bodies)
+{
+  // Not the same bodies: the lower one is too short.
+  const Bodies bodies = two_strips(2, 2);
+  const auto   contact =
+    make_interface(pair_of("bottom", "top", Discretisation::node_to_surface),
+                   bodies);
+  Bodies other = two_strips(2, 2);
+  other[1]     = make_beam("lower",
+                       Laminate{2., {0.}, {1.}, {"material"}, {1}, {2}},
+                       layer_wise(2),
+                       1.,
+                       2,
+                       placements[1]);
+  BOOST_CHECK_EXCEPTION(
+    rows_on(contact, other), InputError, [](const InputError &error) {
+      return std::string(error.what()).find("body 'lower' has no point at") !=
+             std::string::npos;
+    });
+}
+
+BOOST_AUTO_TEST_SUITE_END()
