@@ -136,17 +136,21 @@ namespace lamella
 
 
 
-    void
+    /// Whether that went well.
+    bool
     write_all(const int descriptor, const std::string &text)
     {
       for (std::size_t done = 0; done < text.size();)
         {
           const ssize_t n =
             write(descriptor, text.data() + done, text.size() - done);
+          if (n < 0 && errno == EINTR)
+            continue;
           if (n <= 0)
-            return;
+            return false;
           done += n;
         }
+      return true;
     }
 
 
@@ -190,9 +194,9 @@ namespace lamella
       if (outcome.status != 0)
         std::cerr << outcome.message << std::endl;
       std::cout.flush();
-      write_all(answer_to, answer);
+      const bool told = write_all(answer_to, answer);
       // What this process would do at its end (files, MPI) is its parent's.
-      _exit(outcome.status);
+      _exit(told ? outcome.status : 2);
     }
   } // namespace
 
@@ -208,6 +212,9 @@ namespace lamella
     const auto         begin = Clock::now();
     std::array<int, 2> ends;
     std::cout.flush();
+    // Who started us may have it ignored, and then nobody tells how a child
+    // ended.
+    std::signal(SIGCHLD, SIG_DFL);
     if (pipe(ends.data()) != 0)
       throw InputError("cannot start a process: too many files are open.");
     const pid_t child = fork();
@@ -223,10 +230,15 @@ namespace lamella
     ProcessEnd end;
     end.answer = read_all(ends[0]);
     close(ends[0]);
-    int status = 0;
-    while (waitpid(child, &status, 0) < 0 && errno == EINTR)
-      ;
-    set_end(status, end);
+    int   status = 0;
+    pid_t ended;
+    do
+      ended = waitpid(child, &status, 0);
+    while (ended < 0 && errno == EINTR);
+    if (ended == child)
+      set_end(status, end);
+    else
+      end.status = -1;
     end.seconds = std::chrono::duration<double>(Clock::now() - begin).count();
     return end;
   }

@@ -38,6 +38,17 @@ namespace lamella
       void
       factorise();
 
+      /// Solving takes the factor alone.
+      void
+      drop_matrix()
+      {
+        matrix        = UpperTriangle();
+        mumps.nnz_loc = 0;
+        mumps.irn_loc = nullptr;
+        mumps.jcn_loc = nullptr;
+        mumps.a_loc   = nullptr;
+      }
+
       /// The values in their places.
       std::vector<double> &
       values()
@@ -411,6 +422,7 @@ namespace lamella
     if (monitor)
       monitor(solver->size());
     solver->factorise();
+    solver->drop_matrix();
     return solver;
   }
 } // namespace lamella

@@ -13,6 +13,7 @@
 #include <lamella/solve/multiplier_loop.h>
 #include <lamella/solve/penalty_newton.h>
 
+#include <optional>
 #include <ostream>
 
 namespace lamella
@@ -225,20 +226,18 @@ namespace lamella
   void
   Simulation::make_solvers(const MemoryBudget &budget)
   {
-    Structure::BodyMonitor monitor;
-    monitor.begins = [this](const Body &) {
-      timer.enter_subsection("assembly");
-    };
-    monitor.assembled = [this](const Body &) {
-      timer.leave_subsection("assembly");
-      timer.enter_subsection("factorisation");
+    // Phases that alternate from body to body, and end with whatever is thrown.
+    std::optional<TimerOutput::Scope> phase;
+    Structure::BodyMonitor            monitor;
+    monitor.begins    = [&](const Body &) { phase.emplace(timer, "assembly"); };
+    monitor.assembled = [&](const Body &) {
+      phase.reset();
+      phase.emplace(timer, "factorisation");
     };
     monitor.sized = [&](const Body &body, const FactorSize &size) {
       out << "Memory: " << budget.require_factor(body, size) << std::endl;
     };
-    monitor.ends = [this](const Body &) {
-      timer.leave_subsection("factorisation");
-    };
+    monitor.ends = [&](const Body &) { phase.reset(); };
     structure->make_solvers(scene.solve.solver, monitor);
   }
 
@@ -361,13 +360,15 @@ namespace lamella
     for (const auto &[phase, seconds] :
          timer.get_summary_data(TimerOutput::total_wall_time))
       found.seconds[phase] = seconds;
-    found.seconds["total"]   = wall.wall_time();
-    found.condition_estimate = solver->condition_estimate();
-    found.processes          = n_processes();
+    found.seconds["total"] = wall.wall_time();
+    // A run that is resumed may fail before there is one.
+    if (solver != nullptr)
+      found.condition_estimate = solver->condition_estimate();
+    found.processes   = n_processes();
     found.peak_memory = Utilities::MPI::max(peak_memory(), communicator());
     found.peak_memory_of_all =
       Utilities::MPI::sum(peak_memory(), communicator());
-    if (scene.solve.strategy == Strategy::condensed)
+    if (solver != nullptr && scene.solve.strategy == Strategy::condensed)
       for (unsigned int b = 0; b < found.bodies.size(); ++b)
         found.bodies[b].solver = structure->solver(b).statistics();
   }

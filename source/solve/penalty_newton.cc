@@ -54,10 +54,13 @@ namespace lamella
       return state;
 
     std::set<std::vector<unsigned int>> visited;
-    double before = std::numeric_limits<double>::max();
+    double before     = std::numeric_limits<double>::max();
+    State  before_set = state;
     while (true)
       {
-        const State before_step = state;
+        // The whole step on a set, for lowest_point(): corrections follow it.
+        if (state.contact_corrections.empty())
+          before_set = state;
         state.contact_corrections.push_back(correct(state, factor));
 
         const double size = size_of(state, factor);
@@ -70,10 +73,12 @@ namespace lamella
           watch(round, state.iterations);
         if (!round.changed.empty())
           {
+            // Also where a set looks right until it is refined.
+            check_iterations(state.iterations, round.changed);
             if (visited.insert(state.active).second)
               state.active = next_set(state, overlap, closed);
             else
-              state = lowest_point(before_step, state, factor);
+              state = lowest_point(before_set, state, factor);
             for (unsigned int r = 0; r < rows.size(); ++r)
               if (!std::binary_search(state.active.begin(),
                                       state.active.end(),
@@ -336,19 +341,35 @@ namespace lamella
 
   namespace
   {
-    /// The DoFs that remain of @p dofs, added to @p written.
+    /// The DoFs that remain of @p dofs, flagged in @p written.
     void
     add_free(const Constraints &constraints,
              const Dofs        &dofs,
-             IndexSet          &written)
+             std::vector<bool> &written)
     {
       for (const DofIndex dof : dofs)
         if (!constraints.is_constrained(dof))
-          written.add_index(dof);
+          written[dof] = true;
         else
           for (const auto &[other, weight] :
                *constraints.get_constraint_entries(dof))
-            written.add_index(other);
+            written[other] = true;
+    }
+
+
+
+    /// Those of @p owned, and those that are flagged.
+    IndexSet
+    united(const IndexSet &owned, const std::vector<bool> &written)
+    {
+      Dofs others;
+      for (DofIndex i = 0; i < written.size(); ++i)
+        if (written[i] && !owned.is_element(i))
+          others.push_back(i);
+      IndexSet result = owned;
+      result.add_indices(others.begin(), others.end());
+      result.compress();
+      return result;
     }
   } // namespace
 
@@ -357,17 +378,18 @@ namespace lamella
   void
   PenaltyNewton::assemble_stiffness()
   {
-    const DofIndex n = structure.n_dofs();
-    constraints      = constraints_of_all();
-    owned            = IndexSet(n);
-    owned.add_range(n * this_process() / n_processes(),
-                    n * (this_process() + 1) / n_processes());
+    const DofIndex n        = structure.n_dofs();
+    constraints             = constraints_of_all();
+    owned                   = IndexSet(n);
+    const std::uint64_t all = n;
+    owned.add_range(all * this_process() / n_processes(),
+                    all * (this_process() + 1) / n_processes());
 
-    IndexSet written = owned;
+    std::vector<bool> written(n, false);
     for_each_block(structure, false, [&](const Dofs &rows, auto &&, auto &&) {
       add_free(constraints, rows, written);
     });
-    DynamicSparsityPattern pattern(n, n, written);
+    DynamicSparsityPattern pattern(n, n, united(owned, written));
     for_each_block(
       structure, false, [&](const Dofs &rows, const Dofs &columns, auto &&) {
         constraints.add_entries_local_to_global(rows, columns, pattern, false);
@@ -440,7 +462,7 @@ namespace lamella
     known.insert(active.begin(), active.end());
     if (factor != nullptr && known.size() == before)
       return;
-    IndexSet          written = owned;
+    std::vector<bool> written(structure.n_dofs(), false);
     std::vector<Dofs> dofs;
     if (is_speaker())
       for (const unsigned int r : known)
@@ -450,7 +472,7 @@ namespace lamella
         }
     DynamicSparsityPattern pattern(structure.n_dofs(),
                                    structure.n_dofs(),
-                                   written);
+                                   united(owned, written));
     for_each_own_row(stiffness,
                      [&](const DofIndex      row,
                          const Dofs         &columns,

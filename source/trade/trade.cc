@@ -112,7 +112,7 @@ namespace lamella
         return "was ended by signal " + std::to_string(end.signal) +
                (end.signal == 9 ? ", perhaps because memory ran out." : ".");
       if (end.status == 0)
-        return "";
+        return json::accept(end.answer) ? "" : "ended without its numbers.";
       std::string       message = trimmed(whole_file(errors));
       const std::string prefix  = "lamella: ";
       if (message.compare(0, prefix.size(), prefix) == 0)
@@ -309,7 +309,7 @@ namespace lamella
                        "rungs of it were run. Start the trade again.");
     json record{{"of", of}, {"seconds", best.seconds}, {"failure", failure}};
     if (failure.empty())
-      record["values"] = json::parse(best.answer);
+      record["values"] = json::parse(best.answer, nullptr, false);
     return record;
   }
 

@@ -27,7 +27,10 @@ def main(root, build, workdir, deal_ii=""):
     run("cmake", "--install", str(build), "--prefix", str(prefix))
     shutil.copy(root / "tests/install/CMakeLists.txt", project)
     shutil.copy(root / "tutorials/step-0/step-0.cc", project)
-    for path in (prefix / "lib").rglob("cmake/Lamella/*.cmake"):
+    packages = list(prefix.rglob("cmake/Lamella/*.cmake"))
+    if not packages:
+        sys.exit(f"nothing for find_package() in {prefix}")
+    for path in packages:
         if str(root) in path.read_text():
             sys.exit(f"{path} names the source tree")
 

@@ -49,13 +49,18 @@ namespace lamella
     StrategyMemory
     memory() const override
     {
-      return {softness.stiffening, {}};
+      // Which rows have room decides in which order MUMPS eliminates.
+      return {softness.stiffening, {{known.begin(), known.end()}}};
     }
 
     void
     recall(const StrategyMemory &memory) override
     {
       softness.stiffening = memory.stiffening;
+      for (const auto &rows_of_memory : memory.rows)
+        known.insert(rows_of_memory.begin(), rows_of_memory.end());
+      factor.reset();
+      is_factorised = false;
     }
 
     std::vector<std::string>
