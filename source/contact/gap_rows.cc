@@ -603,9 +603,10 @@ namespace lamella
   std::vector<GapRow>
   rows_on(const ContactInterface &contact, const Bodies &bodies)
   {
-    std::vector<GapRow> rows = contact.rows;
-    for (GapRow &row : rows)
-      row.parts.clear();
+    std::vector<GapRow> rows;
+    for (const GapRow &row : contact.rows)
+      rows.push_back(
+        {{}, row.initial_gap, row.gap_rate, row.enforcement, row.penalty});
     const auto add = [&](const unsigned int index, const RowGeometry &side) {
       const auto parts =
         body_rows(index, *bodies[index], places_in(*bodies[index], side), side);

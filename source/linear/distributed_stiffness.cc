@@ -3,12 +3,11 @@
 #include <lamella/base/processes.h>
 #include <lamella/linear/conjugate_gradients.h>
 #include <lamella/linear/factorisation.h>
+#include <lamella/linear/own_rows.h>
 #include <lamella/linear/stiffness_matrix.h>
 
 #include <deal.II/lac/dynamic_sparsity_pattern.h>
 #include <deal.II/lac/trilinos_sparse_matrix.h>
-
-#include <Epetra_CrsMatrix.h>
 
 #include <set>
 
@@ -314,12 +313,13 @@ namespace lamella
     DistributedStiffness::for_each_entry(
       const std::function<void(DofIndex, DofIndex, double)> &use) const
     {
-      for (DofIndex row = first; row < end; ++row)
-        {
-          const OwnRow entries = own_row(row);
-          for (int k = 0; k < entries.size; ++k)
-            use(row, global_column[entries.columns[k]], entries.values[k]);
-        }
+      for_each_own_row(*matrix,
+                       [&](const DofIndex               row,
+                           const std::vector<DofIndex> &columns,
+                           const double *const          values) {
+                         for (unsigned int k = 0; k < columns.size(); ++k)
+                           use(row, columns[k], values[k]);
+                       });
     }
 
 

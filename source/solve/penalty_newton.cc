@@ -2,12 +2,11 @@
 
 #include <lamella/base/processes.h>
 #include <lamella/base/text.h>
+#include <lamella/linear/own_rows.h>
 #include <lamella/solve/penalty_newton.h>
 
 #include <deal.II/lac/dynamic_sparsity_pattern.h>
 #include <deal.II/lac/full_matrix.h>
-
-#include <Epetra_CrsMatrix.h>
 
 #include <algorithm>
 #include <cmath>
@@ -426,32 +425,6 @@ namespace lamella
     stiffness.compress(VectorOperation::insert);
     sum_over_processes(diagonal);
   }
-
-
-
-  namespace
-  {
-    /// Calls @p use(row, columns, values) with the rows of @p matrix that this
-    /// process keeps. (deal.II's iterators copy a row for each entry.)
-    template <typename Use>
-    void
-    for_each_own_row(const SharedMatrix &matrix, const Use &use)
-    {
-      const Epetra_CrsMatrix &entries = matrix.trilinos_matrix();
-      Dofs                    columns;
-      for (int local = 0; local < entries.NumMyRows(); ++local)
-        {
-          int     n      = 0;
-          double *values = nullptr;
-          int    *places = nullptr;
-          entries.ExtractMyRowView(local, n, values, places);
-          columns.resize(n);
-          for (int k = 0; k < n; ++k)
-            columns[k] = entries.GCID64(places[k]);
-          use(DofIndex(entries.GRID64(local)), columns, values);
-        }
-    }
-  } // namespace
 
 
 

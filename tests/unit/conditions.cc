@@ -757,6 +757,28 @@ BOOST_AUTO_TEST_CASE(tractions_and_point_forces)
 
 
 
+BOOST_AUTO_TEST_CASE(loads_as_numbers)
+{
+  // To the last digit, however small; std::to_string() ends at 1e-6.
+  for (const double force : {1e-7, 1. / 3., -2.5e300, 0.})
+    BOOST_TEST(std::stod(Formula(force).text()) == force);
+  BOOST_TEST(std::stod(Formula(3).text()) == 3.);
+  BOOST_TEST(Formula().empty());
+
+  const Bodies bodies = one_beam();
+  const Region at{0, Region::Kind::point, "", {{0., 0., 0.}}};
+  const Wrench found =
+    resultant_of({"load", {at}, {{1e-7, "2e-7", 3e-7}}, ""}, bodies);
+  check_wrench(
+    found,
+    Point<3>(1e-7, 2e-7, 3e-7),
+    resultant_of(force_load(at, {"1e-7", "2e-7", "3e-7"}), bodies).moment,
+    1e-19);
+  BOOST_TEST(found.force.norm() > 1e-7);
+}
+
+
+
 BOOST_AUTO_TEST_CASE(bad_loads)
 {
   const Bodies bodies  = one_beam();

@@ -66,11 +66,6 @@ namespace lamella
     std::vector<std::string>
     warnings() const override;
 
-    /// K^p of the rows @p active added to K, and factorised: what
-    /// solve_linear() does by itself.
-    void
-    factorise(const std::vector<unsigned int> &active);
-
     void
     solve_linear(const std::vector<unsigned int> &active,
                  const BlockVector               &r_u,
@@ -98,6 +93,9 @@ namespace lamella
     /// Adds what the gap row @p row makes of K^p at @p softness.
     void
     add_penalty(const GapRow &row, const double softness_of_row);
+    /// Makes `factor` that of K + K^p of the rows @p active, if it is not.
+    void
+    factorise(const std::vector<unsigned int> &active);
     /// The upper half of this process's entries of K + K^p.
     UpperTriangle
     upper_triangle() const;

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef lamella_linear_own_rows_h
+#define lamella_linear_own_rows_h
+
+#include <lamella/base/linear_algebra.h>
+
+#include <deal.II/base/exceptions.h>
+
+#include <deal.II/lac/trilinos_sparse_matrix.h>
+
+#include <Epetra_CrsMatrix.h>
+
+#include <vector>
+
+namespace lamella
+{
+  /**
+   * Calls @p use(row, columns, values) with each row of @p matrix that this
+   * process keeps: a number, a vector of numbers and a pointer to as many
+   * values, which lives as long as the call. (deal.II's iterators copy a row
+   * for each entry.)
+   */
+  template <typename Use>
+  void
+  for_each_own_row(const SharedMatrix &matrix, const Use &use)
+  {
+    const Epetra_CrsMatrix &entries = matrix.trilinos_matrix();
+    std::vector<DofIndex>   columns;
+    for (int local = 0; local < entries.NumMyRows(); ++local)
+      {
+        int       n      = 0;
+        double   *values = nullptr;
+        int      *places = nullptr;
+        const int error  = entries.ExtractMyRowView(local, n, values, places);
+        AssertThrow(error == 0, dealii::ExcInternalError());
+        columns.resize(n);
+        for (int k = 0; k < n; ++k)
+          columns[k] = entries.GCID64(places[k]);
+        use(DofIndex(entries.GRID64(local)), columns, values);
+      }
+  }
+} // namespace lamella
+
+#endif
