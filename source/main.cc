@@ -3,6 +3,7 @@
 #include <lamella/base/exceptions.h>
 #include <lamella/base/mpi_session.h>
 #include <lamella/base/processes.h>
+#include <lamella/base/version.h>
 #include <lamella/export/calculix_deck.h>
 #include <lamella/run/command_line.h>
 #include <lamella/run/simulation.h>
@@ -28,47 +29,10 @@ namespace
 
 
 
+  /// What @p command asks of @p scene.
   void
-  write_deck(const Scene       &scene,
-             const SceneText   &text,
-             const CommandLine &command)
+  run(const CommandLine &command, const SceneText &text, const Scene &scene)
   {
-    try
-      {
-        export_calculix(scene,
-                        {command.output,
-                         command.element,
-                         command.contact_stiffness},
-                        output());
-      }
-    catch (const InputError &error)
-      {
-        const std::string message = text.abbreviated(error.what());
-        throw InputError(
-          (message.compare(0, 2, "--") == 0 ? "" : text.place_of(message)) +
-          message);
-      }
-  }
-
-
-
-  void
-  run(const CommandLine &command)
-  {
-    if (command.help || command.version)
-      {
-        output() << (command.help ? usage() : "lamella " LAMELLA_VERSION "\n");
-        return;
-      }
-    if (command.scene.empty())
-      {
-        output() << parameter_documentation();
-        return;
-      }
-
-    limit_threads(command.threads);
-    const SceneText text  = SceneText::read(command.scene, command.overrides);
-    const Scene     scene = read_scene(text);
     if (command.task != CommandLine::Task::run && n_processes() > 1)
       throw InputError("trade and export are the work of one process: start "
                        "lamella without mpirun.");
@@ -81,7 +45,11 @@ namespace
         .run(command.output);
     if (command.task == CommandLine::Task::export_calculix)
       {
-        write_deck(scene, text, command);
+        export_calculix(scene,
+                        {command.output,
+                         command.element,
+                         command.contact_stiffness},
+                        output());
         return;
       }
     if (command.print_parameters)
@@ -94,6 +62,35 @@ namespace
       simulation->print_validation();
     else
       simulation->run(command.output, command.resume);
+  }
+
+
+
+  void
+  run(const CommandLine &command)
+  {
+    if (command.help || command.version)
+      {
+        output() << (command.help ? usage() : "lamella " + version() + "\n");
+        return;
+      }
+    if (command.scene.empty())
+      {
+        output() << parameter_documentation();
+        return;
+      }
+
+    limit_threads(command.threads);
+    const SceneText text  = SceneText::read(command.scene, command.overrides);
+    const Scene     scene = read_scene(text);
+    try
+      {
+        run(command, text, scene);
+      }
+    catch (const InputError &error)
+      {
+        throw text.placed(error);
+      }
   }
 
 

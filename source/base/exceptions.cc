@@ -39,6 +39,72 @@ namespace lamella
 
 
 
+  namespace
+  {
+    /// PATH = VALUE: RULE. REMEDY, without what is not given.
+    std::string
+    composed(const std::string &path,
+             const std::string &value,
+             const std::string &rule,
+             const std::string &remedy)
+    {
+      const std::string whole = path + (value.empty() ? "" : " = " + value) +
+                                (path.empty() ? "" : ": ") + rule + "." +
+                                (remedy.empty() ? "" : " " + remedy);
+      constexpr std::size_t longest = 120;
+      return value.size() <= longest ? whole :
+                                       replaced(whole, value, abridged(value));
+    }
+  } // namespace
+
+
+
+  InputError::InputError(const std::string &message)
+    : std::runtime_error(message)
+    , broken_rule(message)
+  {}
+
+
+
+  InputError::InputError(const std::string &path,
+                         const std::string &value,
+                         const std::string &rule,
+                         const std::string &remedy)
+    : std::runtime_error(composed(path, value, rule, remedy))
+    , entry_path(path)
+    , entry_value(value)
+    , broken_rule(rule)
+    , way_out(remedy)
+  {}
+
+
+
+  InputError
+  InputError::missing(const std::string &path, const std::string &remedy)
+  {
+    InputError error(path + " is missing: " + remedy);
+    error.entry_path  = path;
+    error.broken_rule = "is missing";
+    error.way_out     = remedy;
+    return error;
+  }
+
+
+
+  InputError
+  InputError::at(const std::string &place) const
+  {
+    InputError error(place + what());
+    error.entry_path  = entry_path;
+    error.entry_value = entry_value;
+    error.broken_rule = broken_rule;
+    error.way_out     = way_out;
+    error.placed      = true;
+    return error;
+  }
+
+
+
   Outcome
   outcome_of(const std::function<void()> &program)
   {

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include <lamella/base/exceptions.h>
 #include <lamella/base/memory.h>
 #include <lamella/base/processes.h>
 #include <lamella/base/text.h>
@@ -159,19 +158,17 @@ namespace lamella
 
 
   double
-  to_bytes(const std::string &text, const std::string &what)
+  to_bytes(const Entry &entry)
   {
-    if (trimmed(text) == "auto")
+    if (entry.text() == "auto")
       return 0.;
-    std::istringstream words(text);
+    std::istringstream words(entry.text());
     std::string        number, unit, more;
     words >> number >> unit >> more;
     const double factor = unit == "GB" ? 1e9 : unit == "MB" ? 1e6 : 0.;
-    if (factor == 0. || !more.empty() || !(to_number(number, what) > 0.))
-      throw InputError(what + " = " + text +
-                       ": must be auto or a positive number of GB or MB, as in "
-                       "2 GB.");
-    return factor * to_number(number, what);
+    if (factor == 0. || !more.empty() || !(entry.number(number) > 0.))
+      entry.refuse("must be auto or a positive number of GB or MB, as in 2 GB");
+    return factor * entry.number(number);
   }
 
 

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include <lamella/base/exceptions.h>
 #include <lamella/base/text.h>
 
 #include <cmath>
@@ -9,15 +8,6 @@
 
 namespace lamella
 {
-  namespace
-  {
-    // Fourth powers of numbers, and squares of their products, are still
-    // doubles.
-    constexpr double smallest = 1e-30, largest = 1e30;
-  } // namespace
-
-
-
   std::string
   trimmed(const std::string &text)
   {
@@ -34,6 +24,8 @@ namespace lamella
   abridged(const std::string &text)
   {
     constexpr std::size_t kept = 50;
+    if (text.size() <= 2 * kept)
+      return text;
     return text.substr(0, kept) + " ... (" + std::to_string(text.size()) +
            " characters) ... " + text.substr(text.size() - kept / 2);
   }
@@ -65,8 +57,19 @@ namespace lamella
 
 
 
-  double
-  to_number(const std::string &text, const std::string &what)
+  std::string
+  replaced(std::string text, const std::string &what, const std::string &by)
+  {
+    for (auto at = text.find(what); at != std::string::npos;
+         at      = text.find(what, at + by.size()))
+      text.replace(at, what.size(), by);
+    return text;
+  }
+
+
+
+  TextFault
+  fault_of_number(const std::string &text)
   {
     const std::string word  = trimmed(text);
     char             *end   = nullptr;
@@ -74,48 +77,27 @@ namespace lamella
     // strtod takes hexadecimal numbers, too; nobody means them.
     if (word.empty() || *end != '\0' || !std::isfinite(value) ||
         word.find_first_of("xX") != std::string::npos)
-      throw InputError(what + ": '" + word +
-                       "' is not a number. Write it plainly, without a unit, "
-                       "as in 0.05 or 5e-2.");
-    if (value != 0. &&
-        (std::abs(value) < smallest || std::abs(value) > largest))
-      throw InputError(what + ": '" + word +
-                       "' is beyond what can be computed with: other than 0, "
-                       "numbers lie between 1e-30 and 1e30. Take other units.");
-    return value;
+      return {"'" + word + "' is not a number",
+              "Write it plainly, without a unit, as in 0.05 or 5e-2."};
+    // What is too small for a double is 0 to strtod, but not to the user.
+    const bool is_zero =
+      word.substr(0, word.find_first_of("eE")).find_first_of("123456789") ==
+      std::string::npos;
+    if (!is_zero &&
+        (std::abs(value) < smallest_number || std::abs(value) > largest_number))
+      return {"'" + word +
+                "' is beyond what can be computed with: other than 0, numbers "
+                "lie between 1e-30 and 1e30",
+              "Take other units."};
+    return {};
   }
 
 
 
-  std::vector<double>
-  to_numbers(const std::string &text, const std::string &what)
+  double
+  to_number(const std::string &text)
   {
-    std::vector<double> values;
-    for (const std::string &piece : split(text, ','))
-      values.push_back(to_number(piece, what));
-    return values;
-  }
-
-
-
-  bool
-  to_bool(const std::string &text, const std::string &what)
-  {
-    if (text != "true" && text != "false")
-      throw InputError(what + " = " + text + ": must be true or false.");
-    return text == "true";
-  }
-
-
-  dealii::Point<3>
-  to_point(const std::string &text, const std::string &what)
-  {
-    const std::vector<double> x = to_numbers(text, what);
-    if (x.size() != 3)
-      throw InputError(what + ": '" + trimmed(text) +
-                       "' must be three numbers between commas, as in "
-                       "0.05, 1, 0.106.");
-    return {x[0], x[1], x[2]};
+    return std::strtod(trimmed(text).c_str(), nullptr);
   }
 
 

@@ -1,23 +1,21 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include <lamella/base/exceptions.h>
 #include <lamella/base/text.h>
 #include <lamella/base/units.h>
 
 namespace lamella
 {
   Units
-  Units::parse(const std::string &text)
+  Units::parse(const Entry &entry)
   {
-    const std::string words = joined(split(text, ','));
+    const std::string words = joined(entry.items());
     if (words == "m, N")
       return {"m", "N", "Pa", 1.};
     if (words == "mm, N")
       return {"mm", "N", "MPa", 1e-6};
     if (words == "none")
       return {"", "", "", 1.};
-    throw InputError("Units = " + text +
-                     ": must be 'm, N' (stress in Pa), 'mm, N' (stress in MPa) "
-                     "or 'none' (no labels, built-in materials in Pa).");
+    entry.refuse("must be 'm, N' (stress in Pa), 'mm, N' (stress in MPa) or "
+                 "'none' (no labels, built-in materials in Pa)");
   }
 } // namespace lamella

@@ -45,11 +45,12 @@ namespace lamella
     , dof_map(fields_of_node, beam_section->n_fields())
   {
     if (n_processes() > beam_axis->n_nodes())
-      throw InputError(
-        "Body '" + name + "' has " + std::to_string(beam_axis->n_nodes()) +
-        " nodes along its axis, too few to share among " +
-        std::to_string(n_processes()) +
-        " processes. Start fewer processes, or take more Axis elements.");
+      throw InputError("Body " + name,
+                       "",
+                       "has " + std::to_string(beam_axis->n_nodes()) +
+                         " nodes along its axis, too few to share among " +
+                         std::to_string(n_processes()) + " processes",
+                       "Start fewer processes, or take more Axis elements.");
     if (beam_section->theory().kind == Theory::Kind::EBBT)
       constrain_to_kirchhoff();
     kirchhoff.close();

@@ -67,16 +67,19 @@ namespace lamella
              alone                                       ? SolverKind::cholmod :
                                                            SolverKind::mumps;
     if (asked == SolverKind::cholmod && !alone)
-      throw InputError("Linear solver = cholmod works on one process, and "
-                       "there are " +
-                       std::to_string(n_processes()) +
-                       ". Choose auto or mumps, or start one process.");
+      throw InputError("Linear solver",
+                       name_of(asked),
+                       "works on one process, and there are " +
+                         std::to_string(n_processes()),
+                       "Choose auto or mumps, or start one process.");
     if (asked == SolverKind::cg && !is_nodal())
-      throw InputError("Linear solver = cg is not for body '" + name() + "' (" +
-                       theory() +
-                       "): multigrid needs DoFs that are displacements of "
-                       "nodes, and those of a beam are amplitudes of functions "
-                       "over its section. Choose auto or mumps.");
+      throw InputError("Linear solver",
+                       name_of(asked),
+                       "is not for body '" + name() + "' (" + theory() +
+                         "): multigrid needs DoFs that are displacements of "
+                         "nodes, and those of a beam are amplitudes of "
+                         "functions over its section",
+                       "Choose auto or mumps.");
     return asked;
   }
 

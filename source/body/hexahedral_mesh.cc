@@ -8,7 +8,7 @@
 
 #include <deal.II/dofs/dof_tools.h>
 
-#include <deal.II/fe/fe_values.h>
+#include <deal.II/fe/fe_q.h>
 #include <deal.II/fe/mapping_q.h>
 
 #include <deal.II/grid/grid_tools.h>
@@ -105,9 +105,11 @@ namespace lamella
   {
     const Triangulation<2> &plane = section_mesh->mesh;
     if (plane.has_hanging_nodes())
-      throw InputError(what + ": the section's mesh has hanging nodes, so it "
-                              "does not extrude into a conforming coarse mesh "
-                              "of hexahedra. Give the section a mesh without.");
+      throw InputError(what,
+                       "",
+                       "the section's mesh has hanging nodes, so it does not "
+                       "extrude into a conforming coarse mesh of hexahedra",
+                       "Give the section a mesh without.");
     std::vector<double> y{0.};
     for (const double length : element_lengths(axis))
       y.push_back(y.back() + length);
@@ -198,12 +200,16 @@ namespace lamella
       const double needed  = (matrix + cells) / n_processes();
       const double allowed = available_memory(limit);
       if (sum_over_machine(needed) > allowed)
-        throw InputError(
-          what + " refined to " + to_text(n_cells, 3) + " hexahedra has some " +
-          to_text(dofs, 2) + " DoFs and needs more than " +
-          gigabytes(matrix + cells) + ", and " + gigabytes(allowed) +
-          " are available on each machine. Refine less often, "
-          "or near a point only (Refine near).");
+        throw InputError(what,
+                         "",
+                         "refined to " + to_text(n_cells, 3) +
+                           " hexahedra it has some " + to_text(dofs, 2) +
+                           " DoFs and needs more than " +
+                           gigabytes(matrix + cells) + ", and " +
+                           gigabytes(allowed) +
+                           " are available on each machine",
+                         "Refine less often, or near a point only (Refine "
+                         "near).");
     }
 
 
@@ -250,12 +256,13 @@ namespace lamella
         {
           const unsigned int flagged = flag_cells(mesh, ball);
           if (flagged == 0)
-            throw InputError(what +
-                             "/Kinematics/Refine near: no hexahedron of "
-                             "the body reaches into the ball of radius " +
-                             to_text(ball.radius) +
-                             ". Its centre is in the "
-                             "scene's axes; is it near the body?");
+            throw InputError(what + "/Kinematics/Refine near",
+                             "",
+                             "no hexahedron of the body reaches into the ball "
+                             "of radius " +
+                               to_text(ball.radius),
+                             "Its centre is in the scene's axes; is it near "
+                             "the body?");
           require(mesh.n_global_active_cells() + 7. * flagged);
           mesh.execute_coarsening_and_refinement();
         }
@@ -265,49 +272,60 @@ namespace lamella
 
   namespace
   {
-    /// The cells of one process in plain numbers, as they travel.
-    struct Parcel
+    /// The cells of this process.
+    std::vector<HexahedralMesh::Cell>
+    own_part(const DoFHandler<3> &dof_handler)
     {
-      std::vector<unsigned int> plies, nodes;
-      std::vector<int>          sides;
-      std::vector<double>       coordinates;
-
-      template <typename Archive>
-      void
-      serialize(Archive &archive, const unsigned int)
-      {
-        archive &plies &nodes &sides &coordinates;
-      }
-    };
-
-
-
-    Parcel
-    pack_cells(const DoFHandler<3> &dof_handler, const MappingQ<3> &mapping)
-    {
-      const auto                          &fe = dof_handler.get_fe();
-      FEValues<3>                          values(mapping,
-                         fe,
-                         Quadrature<3>(fe.get_unit_support_points()),
-                         update_quadrature_points);
-      std::vector<types::global_dof_index> nodes(fe.n_dofs_per_cell());
-      Parcel                               parcel;
+      std::vector<types::global_dof_index> nodes(
+        dof_handler.get_fe().n_dofs_per_cell());
+      std::vector<HexahedralMesh::Cell> cells;
       for (const auto &cell : dof_handler.active_cell_iterators())
         if (cell->is_locally_owned())
           {
-            parcel.plies.push_back(cell->material_id());
+            cells.emplace_back();
+            cells.back().ply = cell->material_id();
             cell->get_dof_indices(nodes);
-            parcel.nodes.insert(parcel.nodes.end(), nodes.begin(), nodes.end());
+            cells.back().nodes.assign(nodes.begin(), nodes.end());
             for (const unsigned int f : cell->face_indices())
-              parcel.sides.push_back(cell->face(f)->at_boundary() ?
-                                       int(cell->face(f)->boundary_id()) :
-                                       HexahedralMesh::inside);
-            values.reinit(cell);
-            for (const Point<3> &x : values.get_quadrature_points())
-              for (unsigned int d = 0; d < 3; ++d)
-                parcel.coordinates.push_back(x[d]);
+              cells.back().sides[f] = cell->face(f)->at_boundary() ?
+                                        int(cell->face(f)->boundary_id()) :
+                                        HexahedralMesh::inside;
           }
-      return parcel;
+      return cells;
+    }
+
+
+
+    /// The places of this process's nodes, in their order.
+    std::vector<Point<3>>
+    own_positions(const DoFHandler<3> &dof_handler)
+    {
+      std::map<types::global_dof_index, Point<3>> places;
+      DoFTools::map_dofs_to_support_points(
+        MappingQ<3>(dof_handler.get_fe().degree), dof_handler, places);
+      std::vector<Point<3>> positions;
+      for (const auto node : dof_handler.locally_owned_dofs())
+        positions.push_back(places.at(node));
+      return positions;
+    }
+
+
+
+    /// Puts the parts of all processes one after the other into @p all; numbers
+    /// there of the first of @p own, and of the first beyond it.
+    template <typename T>
+    std::pair<unsigned int, unsigned int>
+    gather_in_order(const std::vector<T> &own, std::vector<T> &all)
+    {
+      std::pair<unsigned int, unsigned int> range;
+      const auto parts = Utilities::MPI::all_gather(communicator(), own);
+      for (unsigned int p = 0; p < parts.size(); ++p)
+        {
+          if (p == this_process())
+            range = {all.size(), all.size() + own.size()};
+          all.insert(all.end(), parts[p].begin(), parts[p].end());
+        }
+      return range;
     }
 
 
@@ -342,40 +360,14 @@ namespace lamella
   void
   HexahedralMesh::gather(const unsigned int degree)
   {
-    const FE_Q<3>     fe(degree);
-    const MappingQ<3> mapping(degree);
-    DoFHandler<3>     dof_handler(mesh);
+    // These are for numbering only: a DoFHandler kept would know the cells of
+    // this process alone, where Hexahedron maps any that is in the directory.
+    const FE_Q<3> fe(degree);
+    DoFHandler<3> dof_handler(mesh);
     dof_handler.distribute_dofs(fe);
-    const IndexSet &own = dof_handler.locally_owned_dofs();
-    own_nodes.first     = own.n_elements() == 0 ? 0 : own.nth_index_in_set(0);
-    own_nodes.second    = own_nodes.first + own.n_elements();
 
-    positions.resize(dof_handler.n_dofs());
-    const std::size_t n = fe.n_dofs_per_cell();
-    const auto        parcels =
-      Utilities::MPI::all_gather(communicator(),
-                                 pack_cells(dof_handler, mapping));
-    for (unsigned int p = 0; p < parcels.size(); ++p)
-      {
-        const Parcel &parcel = parcels[p];
-        if (p == this_process())
-          own_cells = {all_cells.size(),
-                       all_cells.size() + parcel.plies.size()};
-        for (std::size_t c = 0; c < parcel.plies.size(); ++c)
-          {
-            Cell cell;
-            cell.ply = parcel.plies[c];
-            cell.nodes.assign(parcel.nodes.begin() + c * n,
-                              parcel.nodes.begin() + (c + 1) * n);
-            std::copy_n(parcel.sides.begin() + 6 * c, 6, cell.sides.begin());
-            for (std::size_t i = 0; i < n; ++i)
-              for (unsigned int d = 0; d < 3; ++d)
-                positions[cell.nodes[i]][d] =
-                  parcel.coordinates[3 * (c * n + i) + d];
-            all_cells.push_back(std::move(cell));
-          }
-      }
-
+    own_cells = gather_in_order(own_part(dof_handler), all_cells);
+    own_nodes = gather_in_order(own_positions(dof_handler), positions);
     for (const auto &lines :
          Utilities::MPI::all_gather(communicator(), hanging_lines(dof_handler)))
       for (const auto &[node, masters] : lines)

@@ -2,6 +2,12 @@
 
 #include <lamella/body/hexahedron.h>
 
+#include <deal.II/base/quadrature_lib.h>
+
+#include <deal.II/fe/fe_values.h>
+
+#include <deal.II/grid/grid_generator.h>
+
 #include <deal.II/lac/lapack_full_matrix.h>
 
 namespace lamella
@@ -30,84 +36,126 @@ namespace lamella
         }
       return strain;
     }
+
+
+
+    /// The strains of the nine modes at @p point; @p middle is det J_0 J_0^-T.
+    std::vector<Voigt>
+    mode_strains(const HexahedronPoint &point, const Tensor<2, 3> &middle)
+    {
+      const Tensor<2, 3> to_physical = middle / determinant(point.jacobian);
+      std::vector<Voigt> strains;
+      for (unsigned int k = 0; k < 3; ++k)
+        {
+          // d (1 - (2 t - 1)^2) / dt.
+          Tensor<1, 3> gradient;
+          gradient[k] = 4. * (1. - 2. * point.unit[k]);
+          for (unsigned int c = 0; c < 3; ++c)
+            strains.push_back(strain_of(to_physical * gradient, c));
+        }
+      return strains;
+    }
   } // namespace
 
 
 
   Hexahedron::Hexahedron(const unsigned int degree)
     : fe(degree)
-    , gauss(degree + 1)
-  {}
+    , geometry(degree)
+    , at_point(geometry, fe, update_jacobians | update_inverse_jacobians)
+  {
+    GridGenerator::hyper_cube(any_cell);
+  }
+
+
+
+  Triangulation<3>::active_cell_iterator
+  Hexahedron::cell(const Nodes &nodes) const
+  {
+    geometry.initialize(any_cell, [&nodes](const auto &) {
+      Nodes relative;
+      for (const Point<3> &x : nodes)
+        relative.emplace_back(x - nodes[0]);
+      return relative;
+    });
+    return any_cell.begin_active();
+  }
 
 
 
   HexahedronPoint
   Hexahedron::evaluate(const Nodes &nodes, const Point<3> &unit) const
   {
-    HexahedronPoint point;
+    // FEValues, made anew for each point, takes 10 to 16 us instead of 1.
+    std::vector<Tensor<2, 3>> second;
+    std::vector<Tensor<3, 3>> third;
+    std::vector<Tensor<4, 3>> fourth;
+    HexahedronPoint           point;
     point.unit = unit;
-    point.N.resize(nodes.size());
-    point.gradients.resize(nodes.size());
-    for (unsigned int i = 0; i < nodes.size(); ++i)
-      {
-        point.N[i]         = fe.shape_value(i, unit);
-        point.gradients[i] = fe.shape_grad(i, unit);
-        // Of the differences to the first node: no digits lost far from the
-        // origin.
-        const Tensor<1, 3> x = nodes[i] - nodes[0];
-        point.position += point.N[i] * x;
-        point.jacobian += outer_product(x, point.gradients[i]);
-      }
-    point.position += Tensor<1, 3>(nodes[0]);
-    const Tensor<2, 3> to_physical = transpose(invert(point.jacobian));
+    point.N.resize(n_nodes());
+    point.gradients.resize(n_nodes());
+    fe.get_poly_space().evaluate(
+      unit, point.N, point.gradients, second, third, fourth);
+
+    at_point.reinit(cell(nodes), ArrayView<const Point<3>>(&unit, 1));
+    point.position = at_point.real_point(0) + nodes[0];
+    point.jacobian = at_point.jacobian(0);
     for (Tensor<1, 3> &gradient : point.gradients)
-      gradient = to_physical * gradient;
+      gradient = apply_transformation(at_point.inverse_jacobian(0).transpose(),
+                                      gradient);
     return point;
   }
 
 
 
-  std::vector<Voigt>
-  Hexahedron::mode_strains(const Nodes           &nodes,
-                           const HexahedronPoint &point) const
+  std::vector<HexahedronPoint>
+  Hexahedron::quadrature_points(const Nodes &nodes) const
   {
-    const Tensor<2, 3> middle =
-      evaluate(nodes, Point<3>(0.5, 0.5, 0.5)).jacobian;
-    const Tensor<2, 3> to_physical =
-      (determinant(middle) / determinant(point.jacobian)) *
-      transpose(invert(middle));
-    std::vector<Voigt> strains;
-    for (unsigned int k = 0; k < 3; ++k)
+    // Made anew each time: FEValues that are kept take a cell of degree 1 that
+    // is where it was for the same one.
+    FEValues<3> values(geometry,
+                       fe,
+                       QGauss<3>(degree() + 1),
+                       update_values | update_gradients | update_jacobians |
+                         update_quadrature_points | update_JxW_values);
+    values.reinit(cell(nodes));
+    std::vector<HexahedronPoint> points(values.n_quadrature_points);
+    for (const unsigned int q : values.quadrature_point_indices())
       {
-        // d (1 - (2 t - 1)^2) / dt.
-        Tensor<1, 3> gradient;
-        gradient[k] = 4. * (1. - 2. * point.unit[k]);
-        for (unsigned int c = 0; c < 3; ++c)
-          strains.push_back(strain_of(to_physical * gradient, c));
+        points[q].unit     = values.get_quadrature().point(q);
+        points[q].position = values.quadrature_point(q) + nodes[0];
+        points[q].jacobian = values.jacobian(q);
+        points[q].JxW      = values.JxW(q);
+        for (const unsigned int i : values.dof_indices())
+          {
+            points[q].N.push_back(values.shape_value(i, q));
+            points[q].gradients.push_back(values.shape_grad(i, q));
+          }
       }
-    return strains;
+    return points;
   }
 
 
 
-  FullMatrix<double>
+  IncompatibleModes
   Hexahedron::incompatible_modes(const Nodes         &nodes,
                                  const ElasticTensor &C) const
   {
     if (degree() > 1)
-      return FullMatrix<double>();
+      return IncompatibleModes();
+    const Tensor<2, 3> J = evaluate(nodes, Point<3>(0.5, 0.5, 0.5)).jacobian;
+    IncompatibleModes  modes;
+    modes.middle = determinant(J) * transpose(invert(J));
+
     const unsigned int       n = 3 * n_nodes();
     LAPACKFullMatrix<double> K_aa(9), K_au(9, n);
-    const FullMatrix<double> none;
-    for (unsigned int q = 0; q < gauss.size(); ++q)
+    for (const HexahedronPoint &point : quadrature_points(nodes))
       {
-        const HexahedronPoint    point = evaluate(nodes, gauss.point(q));
-        const std::vector<Voigt> of_u  = strains(nodes, point, none),
-                                 of_a  = mode_strains(nodes, point);
-        const double weight = gauss.weight(q) * determinant(point.jacobian);
+        const std::vector<Voigt> of_u = strains(point, IncompatibleModes()),
+                                 of_a = mode_strains(point, modes.middle);
         for (unsigned int k = 0; k < 9; ++k)
           {
-            const Voigt stress = weight * (C * of_a[k]);
+            const Voigt stress = point.JxW * (C * of_a[k]);
             for (unsigned int m = 0; m < 9; ++m)
               K_aa(k, m) += stress * of_a[m];
             for (unsigned int d = 0; d < n; ++d)
@@ -116,30 +164,29 @@ namespace lamella
       }
     K_aa.compute_lu_factorization();
     K_aa.solve(K_au);
-    FullMatrix<double> A(9, n);
+    modes.A.reinit(9, n);
     for (unsigned int k = 0; k < 9; ++k)
       for (unsigned int d = 0; d < n; ++d)
-        A(k, d) = -K_au(k, d);
-    return A;
+        modes.A(k, d) = -K_au(k, d);
+    return modes;
   }
 
 
 
   std::vector<Voigt>
-  Hexahedron::strains(const Nodes              &nodes,
-                      const HexahedronPoint    &point,
-                      const FullMatrix<double> &A) const
+  Hexahedron::strains(const HexahedronPoint   &point,
+                      const IncompatibleModes &modes) const
   {
     std::vector<Voigt> result;
     for (const Tensor<1, 3> &gradient : point.gradients)
       for (unsigned int c = 0; c < 3; ++c)
         result.push_back(strain_of(gradient, c));
-    if (A.m() > 0)
+    if (!modes.A.empty())
       {
-        const std::vector<Voigt> of_modes = mode_strains(nodes, point);
+        const std::vector<Voigt> of_modes = mode_strains(point, modes.middle);
         for (unsigned int d = 0; d < result.size(); ++d)
           for (unsigned int k = 0; k < 9; ++k)
-            result[d] += A(k, d) * of_modes[k];
+            result[d] += modes.A(k, d) * of_modes[k];
       }
     return result;
   }
@@ -147,21 +194,20 @@ namespace lamella
 
 
   FullMatrix<double>
-  Hexahedron::stiffness(const Nodes              &nodes,
-                        const ElasticTensor      &C,
-                        const FullMatrix<double> &A) const
+  Hexahedron::stiffness(const Nodes             &nodes,
+                        const ElasticTensor     &C,
+                        const IncompatibleModes &modes) const
   {
-    const unsigned int       n = 3 * n_nodes();
-    LAPACKFullMatrix<double> strain(6 * gauss.size(), n),
-      stress(6 * gauss.size(), n), product(n);
-    for (unsigned int q = 0; q < gauss.size(); ++q)
+    const unsigned int                 n      = 3 * n_nodes();
+    const std::vector<HexahedronPoint> points = quadrature_points(nodes);
+    LAPACKFullMatrix<double>           strain(6 * points.size(), n),
+      stress(6 * points.size(), n), product(n);
+    for (unsigned int q = 0; q < points.size(); ++q)
       {
-        const HexahedronPoint    point = evaluate(nodes, gauss.point(q));
-        const std::vector<Voigt> B     = strains(nodes, point, A);
-        const double weight = gauss.weight(q) * determinant(point.jacobian);
+        const std::vector<Voigt> B = strains(points[q], modes);
         for (unsigned int d = 0; d < n; ++d)
           {
-            const Voigt CB = weight * (C * B[d]);
+            const Voigt CB = points[q].JxW * (C * B[d]);
             for (unsigned int s = 0; s < 6; ++s)
               {
                 strain(6 * q + s, d) = B[d][s];

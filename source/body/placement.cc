@@ -14,9 +14,12 @@ namespace lamella
   {
     const Tensor<1, 3> across = cross_product_3d(axis, up);
     if (!(across.norm() > 1e-6 * axis.norm() * up.norm()))
-      throw InputError("Axis and Up must be two directions that are neither "
+      throw InputError("Placement",
+                       "",
+                       "Axis and Up must be two directions that are neither "
                        "zero nor parallel; they fix where the section's x and "
-                       "z point. Make Up a direction across the axis.");
+                       "z point",
+                       "Make Up a direction across the axis.");
     Placement placement;
     placement.origin  = origin;
     placement.axes[0] = across / across.norm();

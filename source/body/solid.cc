@@ -260,17 +260,11 @@ namespace lamella
       {
         if (kind.own_cells.empty())
           continue;
-        const Hexahedron::Nodes         nodes = nodes_of(kind.cell);
+        const std::vector<HexahedronPoint> points =
+          element.quadrature_points(nodes_of(kind.cell));
         std::vector<std::vector<Voigt>> B;
-        std::vector<double>             weights;
-        for (unsigned int q = 0; q < element.quadrature().size(); ++q)
-          {
-            const HexahedronPoint point =
-              element.evaluate(nodes, element.quadrature().point(q));
-            B.push_back(element.strains(nodes, point, kind.modes));
-            weights.push_back(element.quadrature().weight(q) *
-                              determinant(point.jacobian));
-          }
+        for (const HexahedronPoint &point : points)
+          B.push_back(element.strains(point, kind.modes));
         for (const unsigned int cell : kind.own_cells)
           {
             const std::vector<double>   v    = relative_displacements(cell, u);
@@ -280,7 +274,7 @@ namespace lamella
                 Voigt strain;
                 for (unsigned int d = 0; d < v.size(); ++d)
                   strain += v[d] * B[q][d];
-                const Voigt stress = weights[q] * law(cell).stress(strain);
+                const Voigt stress = points[q].JxW * law(cell).stress(strain);
                 for (unsigned int d = 0; d < v.size(); ++d)
                   share[dofs[d]] += B[q][d] * stress;
               }
@@ -298,17 +292,12 @@ namespace lamella
     Deformation result;
     for (const Kind &kind : kinds)
       {
-        const Hexahedron::Nodes nodes = nodes_of(kind.cell);
-        for (unsigned int q = 0;
-             q < element.quadrature().size() && !kind.own_cells.empty();
-             ++q)
+        if (kind.own_cells.empty())
+          continue;
+        for (const HexahedronPoint &point :
+             element.quadrature_points(nodes_of(kind.cell)))
           {
-            const HexahedronPoint point =
-              element.evaluate(nodes, element.quadrature().point(q));
-            const std::vector<Voigt> B =
-              element.strains(nodes, point, kind.modes);
-            const double weight =
-              element.quadrature().weight(q) * determinant(point.jacobian);
+            const std::vector<Voigt> B = element.strains(point, kind.modes);
             for (const unsigned int cell : kind.own_cells)
               {
                 const std::vector<double> v = relative_displacements(cell, u);
@@ -321,7 +310,7 @@ namespace lamella
                                            Point<3>(v[3 * i],
                                                     v[3 * i + 1],
                                                     v[3 * i + 2]));
-                result.energy += weight * law(cell).energy_density(strain);
+                result.energy += point.JxW * law(cell).energy_density(strain);
                 result.max_rotation =
                   std::max(result.max_rotation, 0.5 * curl.norm());
               }

@@ -18,7 +18,7 @@ namespace lamella
     const Hexahedron::Nodes  nodes = nodes_of(place.cell);
     const HexahedronPoint    point = element.evaluate(nodes, place.unit);
     const std::vector<Voigt> B =
-      element.strains(nodes, point, kinds[kind_of_cell[place.cell]].modes);
+      element.strains(point, kinds[kind_of_cell[place.cell]].modes);
     const std::vector<double> v     = relative_displacements(place.cell, u);
     const DofIndex            first = 3 * mesh.cells()[place.cell].nodes[0];
 

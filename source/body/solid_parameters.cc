@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include <lamella/base/exceptions.h>
-#include <lamella/base/text.h>
+#include <lamella/base/patterns.h>
 #include <lamella/body/solid_parameters.h>
 
 #include <cmath>
@@ -18,17 +17,34 @@ namespace lamella
 
 
 
+    /// How often @p piece of @p entry says to divide.
     unsigned int
-    times(const std::string &text, const std::string &entry)
+    times(const Entry &entry, const std::string &piece)
     {
-      const double n = to_number(text, entry);
+      const double n = entry.number(piece);
       if (!(n >= 0. && n <= most_refinements && n == std::floor(n)))
-        throw InputError(entry +
-                         ": how often must be a whole number from 0 "
-                         "to " +
-                         std::to_string(most_refinements) +
-                         ", each time divides cells in eight.");
+        entry.refuse("how often must be a whole number from 0 to " +
+                     std::to_string(most_refinements) +
+                     ", each time divides cells in eight");
       return static_cast<unsigned int>(n);
+    }
+
+
+
+    /// `x, y, z: radius: times`, the centre in the scene's axes.
+    SolidRefinement::Ball
+    parse_ball(const Entry &entry, const Placement &placement)
+    {
+      const std::vector<std::string> parts = entry.items(':');
+      if (parts.size() != 3)
+        entry.refuse("must be x, y, z: radius: times");
+      SolidRefinement::Ball ball;
+      ball.centre = placement.to_body(entry.point(parts[0]));
+      ball.radius = entry.number(parts[1]);
+      ball.times  = times(entry, parts[2]);
+      if (!(ball.radius > 0.))
+        entry.refuse("the radius must be positive");
+      return ball;
     }
   } // namespace
 
@@ -39,7 +55,7 @@ namespace lamella
   {
     prm.declare_entry("Refinements",
                       "0",
-                      Anything(),
+                      patterns::number(),
                       "Of solids: how often all hexahedra, a section cell "
                       "times an axis element each, are divided in eight. "
                       "Beams ignore it.");
@@ -53,35 +69,15 @@ namespace lamella
 
 
 
-  SolidParameters
-  SolidParameters::parse(const ParameterHandler &prm)
-  {
-    return {prm.get("Refinements"), prm.get("Refine near")};
-  }
-
-
-
   SolidRefinement
-  SolidParameters::refinement(const Placement   &placement,
-                              const std::string &what) const
+  SolidParameters::parse(const Entries &in, const Placement &placement)
   {
-    SolidRefinement result;
-    result.everywhere =
-      times(refinements, what + "/Refinements = " + refinements);
-    for (const std::string &text : split(near, '|'))
-      {
-        const std::string              entry = what + "/Refine near = " + text;
-        const std::vector<std::string> parts = split(text, ':');
-        if (parts.size() != 3)
-          throw InputError(entry + ": must be x, y, z: radius: times.");
-        SolidRefinement::Ball ball;
-        ball.centre = placement.to_body(to_point(parts[0], entry));
-        ball.radius = to_number(parts[1], entry);
-        ball.times  = times(parts[2], entry);
-        if (!(ball.radius > 0.))
-          throw InputError(entry + ": the radius must be positive.");
-        result.balls.push_back(ball);
-      }
-    return result;
+    SolidRefinement refinement;
+    const Entry     everywhere = in["Refinements"], near = in["Refine near"];
+    refinement.everywhere = times(everywhere, everywhere.text());
+    for (const std::string &ball : near.items('|'))
+      refinement.balls.push_back(
+        parse_ball(Entry(near.path(), ball), placement));
+    return refinement;
   }
 } // namespace lamella

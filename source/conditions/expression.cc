@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include <lamella/base/exceptions.h>
-#include <lamella/base/text.h>
 #include <lamella/conditions/expression.h>
 
 #include <deal.II/base/exceptions.h>
@@ -58,16 +56,14 @@ namespace lamella
 
 
 
-  Expression::Expression(const std::string &expression, const std::string &what)
+  Expression::Expression(const std::string &expression, const Entry &entry)
     : text(expression)
-    , what(what)
+    , entry(entry)
     , constant(!speaks_of_position(expression))
   {
     const auto fail = [&](const std::string &why) {
-      throw InputError(what + ": '" + expression +
-                       "' is not an expression of x, y, z" + why +
-                       ". Write it as for muParser, as in "
-                       "-1000*sin(pi*y/2).");
+      entry.refuse("'" + expression + "' is not an expression of x, y, z" + why,
+                   "Write it as for muParser, as in -1000*sin(pi*y/2).");
     };
     const std::string fault = fault_of(expression);
     if (!fault.empty())
@@ -99,9 +95,8 @@ namespace lamella
   {
     const double value = parser.value(x);
     if (!std::isfinite(value))
-      throw InputError(what + ": '" + text + "' is not a finite number at " +
-                       to_text(x) +
-                       ". Change the expression or where it applies.");
+      entry.refuse("'" + text + "' is not a finite number at " + to_text(x),
+                   "Change the expression or where it applies.");
     return value;
   }
 } // namespace lamella

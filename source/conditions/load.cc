@@ -2,6 +2,7 @@
 
 #include <lamella/base/exceptions.h>
 #include <lamella/base/text.h>
+#include <lamella/body/facet_map.h>
 #include <lamella/conditions/adaptive_moments.h>
 #include <lamella/conditions/expression.h>
 #include <lamella/conditions/load.h>
@@ -46,14 +47,19 @@ namespace lamella
     {
     public:
       explicit LoadValues(const Load &load)
-        : what("Load " + load.name)
+        : path("Load " + load.name)
         , is_pressure(!load.pressure.empty())
       {
+        const auto &[fx, fy, fz] = load.force;
+        const Entry entry =
+          is_pressure ?
+            Entry(path + "/Pressure", load.pressure.text()) :
+            Entry(path + "/Force", joined({fx.text(), fy.text(), fz.text()}));
         if (is_pressure)
-          expressions.emplace_back(load.pressure.text(), what + "/Pressure");
+          expressions.emplace_back(entry.text(), entry);
         else
           for (const Formula &component : load.force)
-            expressions.emplace_back(component.text(), what + "/Force");
+            expressions.emplace_back(component.text(), entry);
         is_constant =
           std::all_of(expressions.begin(),
                       expressions.end(),
@@ -92,81 +98,10 @@ namespace lamella
                  const Body   &body,
                  PointForces  &result) const;
 
-      const std::string      what;
+      const std::string      path;
       const bool             is_pressure;
       bool                   is_constant = false;
       std::deque<Expression> expressions;
-    };
-
-
-
-    /// Position, normal and area per unit of the square of the points of a
-    /// facet: those of the body, or, where the facet is a plane parallelogram
-    /// (most are), without asking it each time.
-    class FacetMap
-    {
-    public:
-      struct Place
-      {
-        Point<3>     position;
-        Tensor<1, 3> normal;
-        double       area;
-      };
-
-      FacetMap(const Body &body, const SurfaceFacet &facet)
-        : body(body)
-        , facet(facet)
-        , origin(place(Point<2>()))
-        , along_s(facet.corners[1] - facet.corners[0])
-        , along_t(facet.corners[2] - facet.corners[0])
-      {
-        // More points than a curve of any degree in use can agree in by chance.
-        const double    size = along_s.norm() + along_t.norm();
-        const QGauss<2> rule(4);
-        for (const Point<2> &st : rule.get_points())
-          {
-            const Place there = place(st);
-            is_affine =
-              is_affine &&
-              there.position.distance(affine(st).position) < 1e-12 * size &&
-              std::abs(there.area - origin.area) < 1e-11 * origin.area;
-          }
-      }
-
-      /// Whether the facet is a plane parallelogram under an affine map.
-      bool
-      affine() const
-      {
-        return is_affine;
-      }
-
-      Place
-      operator()(const Point<2> &st) const
-      {
-        return is_affine ? affine(st) : place(st);
-      }
-
-    private:
-      Place
-      place(const Point<2> &st) const
-      {
-        const SurfacePoint p = body.surface_point(facet, st);
-        return {p.position, p.normal, p.area};
-      }
-
-      Place
-      affine(const Point<2> &st) const
-      {
-        return {origin.position + st[0] * along_s + st[1] * along_t,
-                origin.normal,
-                origin.area};
-      }
-
-      const Body         &body;
-      const SurfaceFacet &facet;
-      Place               origin;
-      Tensor<1, 3>        along_s, along_t;
-      bool                is_affine = true;
     };
 
 
@@ -211,7 +146,7 @@ namespace lamella
                           const Body   &body,
                           PointForces  &result) const
     {
-      result.locations = locate_all(body, region.at, what + "/At");
+      result.locations = locate_all(body, region.at, path + "/At");
       for (const Point<3> &x : region.at)
         result.forces.push_back(force_at(x));
     }
@@ -224,7 +159,7 @@ namespace lamella
                            PointForces  &result) const
     {
       const Point<3> &a = region.at[0], &b = region.at[1];
-      locate_all(body, region.at, what + "/At");
+      locate_all(body, region.at, path + "/At");
       const std::vector<double> breaks = body.line_breaks(a, b);
       const unsigned int        degree = body.line_degree(a, b);
       const auto position = [&](const unsigned int piece, const double s) {
@@ -252,7 +187,7 @@ namespace lamella
             points.push_back(position(k, nodes.point(i)[0]));
             result.forces.push_back(moments.of_cells[k][i]);
           }
-      result.locations = locate_all(body, points, what);
+      result.locations = locate_all(body, points, path);
       if (!cells.empty())
         result.place = position(moments.cell, moments.place[0]);
     }
@@ -264,24 +199,27 @@ namespace lamella
                            const Body   &body,
                            PointForces  &result) const
     {
-      check_surface(body, region.surface, what + "/On");
+      check_surface(body, region.surface, path + "/On");
       const std::vector<SurfaceFacet> all = body.surface_facets(region.surface);
       std::vector<const SurfaceFacet *> facets;
       std::vector<Moments<2>::Cell>     cells;
       for (const SurfaceFacet &facet : all)
         {
           const FacetMap map(body, facet);
-          if (is_constant && map.affine())
+          // Force per unit of the square: |n| is the area per unit.
+          const auto force = [this, map](const Point<2> &st) {
+            const FacetMap::Place place = map(st);
+            const Tensor<1, 3>    n     = map.outward(place);
+            const double          area  = n.norm();
+            return area * traction(place.position, n / area);
+          };
+          if (is_constant && map.is_affine())
             {
-              const auto [x, normal, area] = map(Point<2>());
-              add_constant(body, facet, area * traction(x, normal), result);
+              add_constant(body, facet, force(Point<2>()), result);
               continue;
             }
           facets.push_back(&facet);
-          cells.push_back({[this, map](const Point<2> &st) {
-                             const auto [x, normal, area] = map(st);
-                             return area * traction(x, normal);
-                           },
+          cells.push_back({force,
                            {{facet.trace_degree_s, facet.trace_degree_t}},
                            {{facet.corners[0].distance(facet.corners[1]),
                              facet.corners[0].distance(facet.corners[2])}}});

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include <lamella/base/exceptions.h>
-#include <lamella/base/text.h>
+#include <lamella/base/patterns.h>
 #include <lamella/conditions/parameters.h>
 
 #include <algorithm>
@@ -12,101 +11,131 @@ namespace lamella
   using dealii::Patterns::Anything;
 
   std::pair<unsigned int, std::string>
-  parse_on_body(const std::string              &text,
-                const std::vector<std::string> &bodies,
-                const std::string              &what)
+  parse_on_body(const Entry &entry, const std::vector<std::string> &bodies)
   {
-    const auto colon = text.find(':');
+    const std::string &text  = entry.text();
+    const auto         colon = text.find(':');
     if (colon == std::string::npos)
-      throw InputError(what + " = " + text +
-                       ": write the body, a colon and the place on it, as in "
-                       "upper: ends.");
+      entry.refuse("write the body, a colon and the place on it, as in "
+                   "upper: ends");
     const std::string name  = trimmed(text.substr(0, colon));
     const auto        found = std::find(bodies.begin(), bodies.end(), name);
     if (found == bodies.end())
-      throw InputError(what + " = " + text + ": there is no body '" + name +
-                       "'. The nearest of Bodies is '" +
-                       nearest_name(name, bodies) + "'.");
+      entry.refuse("there is no body '" + name + "'",
+                   "The nearest of Bodies is '" + nearest_name(name, bodies) +
+                     "'.");
     return {found - bodies.begin(), trimmed(text.substr(colon + 1))};
   }
 
 
 
+  namespace
+  {
+    /// Throws InputError unless the positions @p points of the entry @p at suit
+    /// regions of the @p kind, point or line.
+    void
+    check_positions(const Entry                         &at,
+                    const std::vector<dealii::Point<3>> &points,
+                    const Region::Kind                   kind)
+    {
+      const bool is_point = kind == Region::Kind::point;
+      if (is_point ? points.empty() : points.size() != 2)
+        at.refuse(
+          "a " + name_of(kind) +
+          (is_point ? " needs at least one point" : " needs its two ends") +
+          ", three numbers each, with ';' between points");
+      if (!is_point && points[0].distance(points[1]) == 0.)
+        at.refuse("the two ends of the line are the same point",
+                  "Use On = BODY: point.");
+    }
+
+
+
+    /// `BODY: point`, `line`, `body` or the name of a surface.
+    Region
+    parse_region(const Entry                         &piece,
+                 const Entry                         &at,
+                 const std::vector<dealii::Point<3>> &points,
+                 const std::vector<std::string>      &bodies)
+    {
+      const auto [body, word] = parse_on_body(piece, bodies);
+      Region region;
+      region.body = body;
+      region.kind = named<Region::Kind>(word).value_or(Region::Kind::surface);
+      if (region.kind == Region::Kind::surface)
+        region.surface = word;
+      else if (region.kind != Region::Kind::body)
+        {
+          check_positions(at, points, region.kind);
+          region.at = points;
+        }
+      return region;
+    }
+
+
+
+    /// Throws InputError if @p region is one of @p others.
+    void
+    check_is_new(const Region                   &region,
+                 const std::vector<Region>      &others,
+                 const Entry                    &on,
+                 const std::vector<std::string> &bodies)
+    {
+      for (const Region &other : others)
+        if (other.body == region.body && other.kind == region.kind &&
+            other.surface == region.surface)
+          on.refuse("names '" + bodies[region.body] + ": " +
+                      (region.kind == Region::Kind::surface ?
+                         region.surface :
+                         name_of(region.kind)) +
+                      "' twice",
+                    region.kind == Region::Kind::line ?
+                      "At has the two ends of one line; write a second "
+                      "subsection for a second line." :
+                      "Keep one of the two.");
+    }
+  } // namespace
+
+
+
   std::vector<Region>
-  parse_regions(const std::string              &on,
-                const std::string              &at,
-                const std::vector<std::string> &bodies,
-                const std::string              &what)
+  parse_regions(const Entry                    &on,
+                const Entry                    &at,
+                const std::vector<std::string> &bodies)
   {
     std::vector<dealii::Point<3>> points;
-    for (const std::string &point : split(at, ';'))
-      points.push_back(to_point(point, what + "/At"));
+    for (const std::string &point : at.items(';'))
+      points.push_back(at.point(point));
 
     std::vector<Region> regions;
-    for (const std::string &piece : split(on, ';'))
+    for (const std::string &piece : on.items(';'))
       {
         // A semicolon at the end is no fault.
         if (piece.empty())
           continue;
-        const auto [body, word] = parse_on_body(piece, bodies, what + "/On");
-        Region region;
-        region.body = body;
-        if (word == "point" || word == "line")
-          {
-            region.kind =
-              word == "point" ? Region::Kind::point : Region::Kind::line;
-            region.at = points;
-            if (word == "point" ? points.empty() : points.size() != 2)
-              throw InputError(
-                what + "/At = " + at + ": a " + word +
-                (word == "point" ? " needs at least one point" :
-                                   " needs its two ends") +
-                ", three numbers each, with ';' between points.");
-            if (word == "line" && points[0].distance(points[1]) == 0.)
-              throw InputError(what + "/At = " + at +
-                               ": the two ends of the line are the same "
-                               "point. Use On = BODY: point.");
-          }
-        else if (word == "body")
-          region.kind = Region::Kind::body;
-        else
-          {
-            region.kind    = Region::Kind::surface;
-            region.surface = word;
-          }
-        const bool known =
-          std::any_of(regions.begin(), regions.end(), [&](const Region &r) {
-            return r.body == region.body && r.kind == region.kind &&
-                   r.surface == region.surface;
-          });
-        if (known)
-          throw InputError(what + "/On = " + on + ": names '" +
-                           bodies[region.body] + ": " + word + "' twice. " +
-                           (region.kind == Region::Kind::line ?
-                              "At has the two ends of one line; write a second "
-                              "subsection for a second line." :
-                              "Keep one of the two."));
+        const Region region =
+          parse_region(Entry(on.path(), piece), at, points, bodies);
+        check_is_new(region, regions, on, bodies);
         regions.push_back(region);
       }
     if (regions.empty())
-      throw InputError(what +
-                       "/On is missing: write BODY: point, line, body or "
-                       "the name of a surface such as ends or top.");
+      on.is_missing("write BODY: point, line, body or the name of a surface "
+                    "such as ends or top.");
     const bool uses_points =
       std::any_of(regions.begin(), regions.end(), [](const Region &r) {
         return !r.at.empty();
       });
     if (!points.empty() && !uses_points)
-      throw InputError(what + "/At = " + at +
-                       ": nothing in On uses it. Only a point and a line have "
-                       "positions; remove At or change On.");
+      at.refuse("nothing in On uses it",
+                "Only a point and a line have positions; remove At or change "
+                "On.");
     return regions;
   }
 
 
 
   void
-  declare_support(ParameterHandler &prm)
+  SupportParameters::declare(ParameterHandler &prm)
   {
     prm.declare_entry("On",
                       "",
@@ -127,7 +156,7 @@ namespace lamella
                       "free. Empty: 0, 0, 0 [length].");
     prm.declare_entry("Normal displacement",
                       "",
-                      Anything(),
+                      patterns::optional(patterns::number()),
                       "On surfaces, instead of u: the displacement along the "
                       "outward normal, the rest free; 0 is symmetry, whichever "
                       "way the body is turned [length].");
@@ -137,53 +166,59 @@ namespace lamella
 
   namespace
   {
-    double
-    parse_normal(const ParameterHandler    &prm,
-                 const std::vector<Region> &regions,
-                 const std::string         &what)
+    /// The scene components of a displacement, each a number or free.
+    std::array<std::optional<double>, 3>
+    parse_components(const Entry &entry)
     {
-      const std::string entry =
-        what + "/Normal displacement = " + prm.get("Normal displacement");
-      if (!prm.get("u").empty())
-        throw InputError(entry + ": u is given, too. Keep one of the two.");
+      std::array<std::optional<double>, 3> u{{0., 0., 0.}};
+      if (entry.is_empty())
+        return u;
+      const std::vector<std::string> components = entry.items();
+      if (components.size() != 3)
+        entry.refuse("must be three values between commas, each a number or "
+                     "'free'");
+      for (unsigned int c = 0; c < 3; ++c)
+        u[c] = components[c] == "free" ?
+                 std::optional<double>() :
+                 std::optional<double>(entry.number(components[c]));
+      if (!u[0] && !u[1] && !u[2])
+        entry.refuse("all components are free, so this is no support",
+                     "Remove it or prescribe one.");
+      return u;
+    }
+
+
+
+    double
+    parse_normal(const Entry               &entry,
+                 const Entry               &components,
+                 const std::vector<Region> &regions)
+    {
+      if (!components.is_empty())
+        entry.refuse("u is given, too", "Keep one of the two.");
       for (const Region &region : regions)
         if (region.kind != Region::Kind::surface)
-          throw InputError(entry +
-                           ": only surfaces have a normal. Name surfaces in "
-                           "On, or prescribe u.");
-      return to_number(prm.get("Normal displacement"), entry);
+          entry.refuse("only surfaces have a normal",
+                       "Name surfaces in On, or prescribe u.");
+      return entry.number();
     }
   } // namespace
 
 
 
   Support
-  parse_support(const ParameterHandler         &prm,
-                const std::string              &name,
-                const std::vector<std::string> &bodies)
+  SupportParameters::parse(const Entries                  &in,
+                           const std::string              &name,
+                           const std::vector<std::string> &bodies)
   {
-    const std::string what = "Support " + name;
-    Support           support;
-    support.name = name;
-    support.on   = parse_regions(prm.get("On"), prm.get("At"), bodies, what);
-    if (!prm.get("Normal displacement").empty())
-      {
-        support.normal = parse_normal(prm, support.on, what);
-        return support;
-      }
-    const std::string u = prm.get("u").empty() ? "0, 0, 0" : prm.get("u");
-    const auto        components = split(u, ',');
-    if (components.size() != 3)
-      throw InputError(what + "/u = " + u +
-                       ": must be three values between commas, each a number "
-                       "or 'free'.");
-    for (unsigned int c = 0; c < 3; ++c)
-      if (components[c] != "free")
-        support.u[c] = to_number(components[c], what + "/u");
-    if (!support.u[0] && !support.u[1] && !support.u[2])
-      throw InputError(what + "/u = " + u +
-                       ": all components are free, so this is no support. "
-                       "Remove it or prescribe one.");
+    Support support;
+    support.name       = name;
+    support.on         = parse_regions(in["On"], in["At"], bodies);
+    const Entry normal = in["Normal displacement"];
+    if (normal.is_empty())
+      support.u = parse_components(in["u"]);
+    else
+      support.normal = parse_normal(normal, in["u"], support.on);
     return support;
   }
 
@@ -191,12 +226,12 @@ namespace lamella
 
   namespace
   {
-    /// Throws InputError if two of @p regions are parts of each other: the load
-    /// would act twice there.
+    /// Throws InputError if two of the @p regions of the entry @p on are parts
+    /// of each other: the load would act twice there.
     void
-    check_no_overlap(const std::vector<Region>      &regions,
-                     const std::vector<std::string> &bodies,
-                     const std::string              &what)
+    check_no_overlap(const Entry                    &on,
+                     const std::vector<Region>      &regions,
+                     const std::vector<std::string> &bodies)
     {
       const auto contains = [](const std::string &whole,
                                const std::string &part) {
@@ -207,17 +242,17 @@ namespace lamella
         for (const Region &b : regions)
           if (&a != &b && a.body == b.body && a.kind == Region::Kind::surface &&
               b.kind == a.kind && contains(a.surface, b.surface))
-            throw InputError(what + ": '" + b.surface + "' of body '" +
-                             bodies[b.body] + "' is part of '" + a.surface +
-                             "', so the load would act twice there. Keep one "
-                             "of the two.");
+            on.refuse("'" + b.surface + "' of body '" + bodies[b.body] +
+                        "' is part of '" + a.surface +
+                        "', so the load would act twice there",
+                      "Keep one of the two.");
     }
   } // namespace
 
 
 
   void
-  declare_load(ParameterHandler &prm)
+  LoadParameters::declare(ParameterHandler &prm)
   {
     prm.declare_entry("On",
                       "",
@@ -246,31 +281,30 @@ namespace lamella
 
 
   Load
-  parse_load(const ParameterHandler         &prm,
-             const std::string              &name,
-             const std::vector<std::string> &bodies)
+  LoadParameters::parse(const Entries                  &in,
+                        const std::string              &name,
+                        const std::vector<std::string> &bodies)
   {
-    const std::string what = "Load " + name;
-    Load              load;
+    const Entry on = in["On"], force = in["Force"], pressure = in["Pressure"];
+    Load        load;
     load.name     = name;
-    load.on       = parse_regions(prm.get("On"), prm.get("At"), bodies, what);
-    load.pressure = trimmed(prm.get("Pressure"));
-    const std::vector<std::string> force = split(prm.get("Force"), ',');
-    if (load.pressure.empty() == force.empty())
-      throw InputError(what + ": give either Force or Pressure.");
-    if (!force.empty() && force.size() != 3)
-      throw InputError(what + "/Force = " + prm.get("Force") +
-                       ": must be three expressions between commas.");
-    std::copy(force.begin(), force.end(), load.force.begin());
-    check_no_overlap(load.on, bodies, what + "/On = " + prm.get("On"));
+    load.on       = parse_regions(on, in["At"], bodies);
+    load.pressure = pressure.text();
+    const std::vector<std::string> components = force.items();
+    if (pressure.is_empty() == components.empty())
+      in.refuse("give either Force or Pressure");
+    if (!components.empty() && components.size() != 3)
+      force.refuse("must be three expressions between commas");
+    std::copy(components.begin(), components.end(), load.force.begin());
+    check_no_overlap(on, load.on, bodies);
     for (const Region &region : load.on)
       {
         if (region.kind == Region::Kind::body)
-          throw InputError(what + "/On: a load acts on a point, a line or a "
-                                  "surface, not on a whole body.");
-        if (!load.pressure.empty() && region.kind != Region::Kind::surface)
-          throw InputError(what + "/Pressure acts on a surface only; use Force "
-                                  "at a point or along a line.");
+          on.refuse("a load acts on a point, a line or a surface, not on a "
+                    "whole body");
+        if (!pressure.is_empty() && region.kind != Region::Kind::surface)
+          pressure.refuse("acts on a surface only",
+                          "Use Force at a point or along a line.");
       }
     return load;
   }

@@ -11,17 +11,20 @@ namespace lamella
   std::vector<std::vector<Location>>
   locate_sides(const Body                  &body,
                const std::vector<Point<3>> &points,
-               const std::string           &what)
+               const std::string           &path)
   {
     std::vector<std::vector<Location>> found = body.locate(points);
     for (unsigned int i = 0; i < points.size(); ++i)
       if (found[i].empty())
         {
           const auto box = body.bounding_box().get_boundary_points();
-          throw InputError(
-            what + ": the point " + to_text(points[i]) + " is not in body '" +
-            body.name() + "', which extends from " + to_text(box.first) +
-            " to " + to_text(box.second) + ". Move the point into it.");
+          throw InputError(path,
+                           "",
+                           "the point " + to_text(points[i]) +
+                             " is not in body '" + body.name() +
+                             "', which extends from " + to_text(box.first) +
+                             " to " + to_text(box.second),
+                           "Move the point into it.");
         }
     return found;
   }
@@ -31,10 +34,10 @@ namespace lamella
   std::vector<Location>
   locate_all(const Body                  &body,
              const std::vector<Point<3>> &points,
-             const std::string           &what)
+             const std::string           &path)
   {
     std::vector<Location> locations;
-    for (const std::vector<Location> &sides : locate_sides(body, points, what))
+    for (const std::vector<Location> &sides : locate_sides(body, points, path))
       locations.push_back(sides.front());
     return locations;
   }
@@ -44,14 +47,16 @@ namespace lamella
   void
   check_surface(const Body        &body,
                 const std::string &surface,
-                const std::string &what)
+                const std::string &path)
   {
     const std::vector<std::string> names = body.surfaces();
     if (std::find(names.begin(), names.end(), surface) == names.end())
-      throw InputError(what + ": body '" + body.name() + "' has no surface '" +
-                       surface + "'. The nearest is '" +
-                       nearest_name(surface, names) +
-                       "'; all of them: " + joined(names) + ".");
+      throw InputError(path,
+                       "",
+                       "body '" + body.name() + "' has no surface '" + surface +
+                         "'",
+                       "The nearest is '" + nearest_name(surface, names) +
+                         "'; all of them: " + joined(names) + ".");
   }
 
 
@@ -59,22 +64,22 @@ namespace lamella
   std::vector<Location>
   region_locations(const Body        &body,
                    const Region      &region,
-                   const std::string &what)
+                   const std::string &path)
   {
     switch (region.kind)
       {
         case Region::Kind::point:
-          return locate_all(body, region.at, what);
+          return locate_all(body, region.at, path);
         case Region::Kind::line:
           // The ends first: a segment that leaves the body has no crossings.
-          locate_all(body, region.at, what);
+          locate_all(body, region.at, path);
           return locate_all(body,
                             body.line_points(region.at[0], region.at[1]),
-                            what);
+                            path);
         case Region::Kind::body:
           return body.body_points();
         case Region::Kind::surface:
-          check_surface(body, region.surface, what);
+          check_surface(body, region.surface, path);
           return body.fixing_points(region.surface);
         default:
           Assert(false, ExcMessage("The region was never filled in."));

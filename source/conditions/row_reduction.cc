@@ -294,10 +294,11 @@ namespace lamella
           if (std::abs(equation.value) >
               contradiction * elimination.largest_value)
             throw InputError(
-              "Support " + support_names[rows[equation.number].support] +
-              " contradicts the other supports of body '" + body.name() +
-              "' at " + to_text(rows[equation.number].position) +
-              ": they prescribe different displacements of the same points. "
+              "Support " + support_names[rows[equation.number].support],
+              "",
+              "contradicts the other supports of body '" + body.name() +
+                "' at " + to_text(rows[equation.number].position) +
+                ": they prescribe different displacements of the same points",
               "Remove one of them, make them agree, or put more elements "
               "between them.");
         }

@@ -28,21 +28,22 @@ namespace lamella
                     const Region               &region,
                     const double                value,
                     const unsigned int          support,
-                    const std::string          &what,
+                    const std::string          &path,
                     std::vector<PrescribedRow> &rows)
     {
-      check_surface(body, region.surface, what);
+      check_surface(body, region.surface, path);
       std::vector<Location>     places;
       std::vector<Tensor<1, 3>> normals;
       for (const SurfacePoint &point : body.surface_points(region.surface))
         {
           if (point.corner)
-            throw InputError(
-              what + "/Normal displacement: surface '" + region.surface +
-              "' of body '" + body.name() + "' has a corner at " +
-              to_text(point.position) +
-              ", where it has no normal. Name surfaces without corners, or "
-              "prescribe u.");
+            throw InputError(path + "/Normal displacement",
+                             "",
+                             "surface '" + region.surface + "' of body '" +
+                               body.name() + "' has a corner at " +
+                               to_text(point.position) +
+                               ", where it has no normal",
+                             "Name surfaces without corners, or prescribe u.");
           places.push_back(point.location);
           normals.push_back(point.normal);
         }
@@ -72,15 +73,15 @@ namespace lamella
     for (unsigned int s = 0; s < supports.size(); ++s)
       for (const Region &region : supports[s].on)
         {
-          const std::string what = "Support " + supports[s].name;
+          const std::string path = "Support " + supports[s].name;
           const Body       &body = *bodies[region.body];
           if (supports[s].normal)
             {
-              add_normal_rows(body, region, *supports[s].normal, s, what, rows);
+              add_normal_rows(body, region, *supports[s].normal, s, path, rows);
               continue;
             }
           const std::vector<Location> places =
-            region_locations(body, region, what);
+            region_locations(body, region, path);
           auto all = body.rows(places, Quantity::displacement);
           // The place of a given point comes out of its position, with
           // rounding: without what that leaves at other nodes the rows of a
@@ -129,6 +130,7 @@ namespace lamella
 
     /// Combines @p motions so that each has a rotation, or failing that a
     /// translation, that no other has: those are motions that a user can see.
+    /// (At most six rows in echelon form, which no factorisation is.)
     void
     reduce_to_echelon(std::vector<std::array<double, 6>> &motions)
     {

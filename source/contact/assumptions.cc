@@ -110,11 +110,12 @@ namespace lamella
                are_collinear(shared, 1e-6 * bodies[a.first_body]->size())))
             continue;
           throw InputError(
-            "Contact " + a.name + ": pairs the same points as Contact " +
-            b.name + ", " + std::to_string(shared.size()) +
-            " in all, the first on body '" + bodies[a.first_body]->name() +
-            "' at " + to_text(shared.front()) +
-            ". Name surfaces that have no nodes in common, or keep one of the "
+            "Contact " + a.name,
+            "",
+            "pairs the same points as Contact " + b.name + ", " +
+              std::to_string(shared.size()) + " in all, the first on body '" +
+              bodies[a.first_body]->name() + "' at " + to_text(shared.front()),
+            "Name surfaces that have no nodes in common, or keep one of the "
             "two contacts.");
         }
   }
@@ -127,10 +128,10 @@ namespace lamella
     displacements(const Body                  &body,
                   const std::vector<Point<3>> &points,
                   const Vector                &u,
-                  const std::string           &what)
+                  const std::string           &path)
     {
       const auto rows =
-        body.rows(locate_all(body, points, what), Quantity::displacement);
+        body.rows(locate_all(body, points, path), Quantity::displacement);
       std::vector<Tensor<1, 3>> result(points.size());
       for (unsigned int k = 0; k < points.size(); ++k)
         for (unsigned int c = 0; c < 3; ++c)
@@ -148,7 +149,7 @@ namespace lamella
                   const double                     factor,
                   const std::vector<unsigned int> &active)
   {
-    const std::string     what = "Contact " + interface.name;
+    const std::string     path = "Contact " + interface.name;
     std::vector<Point<3>> first, second;
     for (const unsigned int k : active)
       {
@@ -158,13 +159,13 @@ namespace lamella
     const auto                u_1 = displacements(*bodies[interface.first_body],
                                    first,
                                    u.block(interface.first_body),
-                                   what);
+                                   path);
     std::vector<Tensor<1, 3>> u_2(active.size());
     if (interface.second_body)
       u_2 = displacements(*bodies[*interface.second_body],
                           second,
                           u.block(*interface.second_body),
-                          what);
+                          path);
     else
       u_2.assign(active.size(), factor * interface.obstacle->displacement);
 

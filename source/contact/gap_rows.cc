@@ -177,37 +177,42 @@ namespace lamella
       const auto points = [&bodies](const Region &region) {
         return bodies[region.body]->surface_points(region.surface);
       };
-      std::string message = "Contact " + contact.name + ": ";
+      const std::string path = "Contact " + contact.name;
       if (contact.obstacle != nullptr)
-        throw InputError(message + "nothing of First faces the obstacle '" +
-                         contact.obstacle->name + "' within Search distance " +
-                         to_text(reach) +
-                         ". Check the surface's name and where the obstacle "
-                         "is.");
+        throw InputError(path,
+                         "",
+                         "nothing of First faces the obstacle '" +
+                           contact.obstacle->name +
+                           "' within Search distance " + to_text(reach),
+                         "Check the surface's name and where the obstacle is.");
       const bool to_node =
         contact.discretisation == Discretisation::node_to_node;
-      message += to_node ?
-                   "no nodes of First and Second face each other (node to "
-                   "node)" :
-                   "nothing of First and Second faces each other within Search "
-                   "distance " +
-                     to_text(reach);
       const Pairing pairing = pair_node_to_node(points(contact.first),
                                                 points(contact.second),
                                                 contact.tolerance);
-      message += ". The nearest two nodes are " +
-                 to_text(pairing.nearest_distance) + " apart";
+      std::string   nearest = "The nearest two nodes are " +
+                            to_text(pairing.nearest_distance) + " apart";
       if (to_node &&
           pairing.smallest_offset < std::numeric_limits<double>::max())
-        message += ", the best sideways offset between opposed surfaces is " +
+        nearest += ", the best sideways offset between opposed surfaces is " +
                    to_text(pairing.smallest_offset);
-      message += ". Check that First and Second name the surfaces that look at "
-                 "each other";
-      throw InputError(message +
-                       (to_node ?
-                          ", and give both the same nodes (cells across, axis "
-                          "elements, axis nodes), or use surface to surface." :
-                          "."));
+      const std::string check =
+        ". Check that First and Second name the surfaces that look at each "
+        "other";
+      if (to_node)
+        throw InputError(
+          path,
+          "",
+          "no nodes of First and Second face each other (node to node)",
+          nearest + check +
+            ", and give both the same nodes (cells across, axis elements, axis "
+            "nodes), or use surface to surface.");
+      throw InputError(
+        path,
+        "",
+        "nothing of First and Second faces each other within Search distance " +
+          to_text(reach),
+        nearest + check + ".");
     }
 
 
@@ -257,25 +262,34 @@ namespace lamella
                      const bool         on_second,
                      const Gaps        &gaps)
     {
-      const auto where = [&](const DeepPlace &place) {
-        return "Contact " + contact.name + ": the surface '" +
-               contact.first.surface + "' of First lies " +
-               to_text(place.behind) + " behind '" +
-               (contact.obstacle != nullptr ? contact.obstacle->name :
-                                              contact.second.surface) +
-               "' of Second, at " +
-               to_text(on_second ? place.opposite : place.position);
+      const auto refuse = [&](const DeepPlace   &place,
+                              const std::string &how,
+                              const std::string &remedy) {
+        throw InputError(
+          "Contact " + contact.name,
+          "",
+          "the surface '" + contact.first.surface + "' of First lies " +
+            to_text(place.behind) + " behind '" +
+            (contact.obstacle != nullptr ? contact.obstacle->name :
+                                           contact.second.surface) +
+            "' of Second, at " +
+            to_text(on_second ? place.opposite : place.position) + how,
+          remedy);
       };
       if (const DeepPlace *place =
             first_inside(contact, bodies, on_second, gaps.too_deep))
-        throw InputError(where(*place) +
-                         ", which is more than the cells there are deep: the "
-                         "bodies lie in each other. Move the bodies apart, or "
-                         "name the two surfaces that look at each other.");
+        refuse(
+          *place,
+          ", which is more than the cells there are deep: the bodies lie in "
+          "each other",
+          "Move the bodies apart, or name the two surfaces that look at each "
+          "other.");
       if (gaps.gaps.empty() && !gaps.too_deep.empty())
-        throw InputError(where(gaps.too_deep.front()) +
-                         ". Name the two surfaces that look at each other, or "
-                         "move the bodies apart.");
+        refuse(
+          gaps.too_deep.front(),
+          "",
+          "Name the two surfaces that look at each other, or move the bodies "
+          "apart.");
     }
 
 
@@ -363,6 +377,7 @@ namespace lamella
           const unsigned int k    = result.gaps.size();
           const double       area = std::min(a.area, b.area);
           WeightedGap        gap;
+          gap.node     = a.location;
           gap.position = a.position;
           gap.opposite = b.position;
           gap.normal   = pair.normal;
@@ -430,9 +445,11 @@ namespace lamella
              const Gaps        &gaps,
              ContactInterface  &interface)
     {
-      const bool   on_second = interface.points_on_second;
-      RowGeometry &carrying  = on_second ? interface.second : interface.first,
-                  &opposing  = on_second ? interface.first : interface.second;
+      const bool on_second = interface.points_on_second;
+      interface.carrying_surface =
+        (on_second ? contact.second : contact.first).surface;
+      RowGeometry &carrying = on_second ? interface.second : interface.first,
+                  &opposing = on_second ? interface.first : interface.second;
       carrying =
         geometry(gaps.carrying, gaps.gaps, &WeightedGap::carrying_weights, -1.);
       if (contact.obstacle == nullptr)
@@ -473,14 +490,16 @@ namespace lamella
                                         -gap.normal,
                                         gap.area,
                                         gap.angle,
-                                        gap.spacing});
+                                        gap.spacing,
+                                        gap.node});
           else
             interface.points.push_back({gap.position,
                                         gap.opposite,
                                         gap.normal,
                                         gap.area,
                                         gap.angle,
-                                        gap.spacing});
+                                        gap.spacing,
+                                        gap.node});
         }
     }
 
@@ -499,12 +518,12 @@ namespace lamella
           deepest = k;
       const double gap = interface.rows[deepest].initial_gap;
       if (gap < 0. && contact.overclosure == Overclosure::refuse)
-        throw InputError("Contact " + contact.name +
-                         "/Overclosure = error: the bodies overlap from the "
-                         "start by up to " +
-                         to_text(-gap) + ", at " +
-                         to_text(interface.points[deepest].first) +
-                         ". Move them apart, or choose push apart or adjust.");
+        throw InputError("Contact " + contact.name + "/Overclosure",
+                         name_of(contact.overclosure),
+                         "the bodies overlap from the start by up to " +
+                           to_text(-gap) + ", at " +
+                           to_text(interface.points[deepest].first),
+                         "Move them apart, or choose push apart or adjust.");
       for (GapRow &row : interface.rows)
         row.initial_gap = std::max(0., row.initial_gap);
     }
@@ -570,9 +589,12 @@ namespace lamella
 
   namespace
   {
-    /// Where @p side lies in @p body; the ply of each place as it was.
+    /// Where @p side of the contact @p name lies in @p body; the ply of each
+    /// place as it was.
     std::vector<Location>
-    places_in(const Body &body, const RowGeometry &side)
+    places_in(const Body        &body,
+              const RowGeometry &side,
+              const std::string &name)
     {
       std::vector<Point<3>> positions;
       for (const Location &place : side.places)
@@ -582,10 +604,12 @@ namespace lamella
       for (unsigned int k = 0; k < found.size(); ++k)
         {
           if (found[k].empty())
-            throw InputError("body '" + body.name() + "' has no point at " +
-                             to_text(positions[k]) +
-                             ", where a contact loads it. Give both "
-                             "discretisations the same geometry.");
+            throw InputError("Contact " + name,
+                             "",
+                             "body '" + body.name() + "' has no point at " +
+                               to_text(positions[k]) +
+                               ", where the contact loads it",
+                             "Give both discretisations the same geometry.");
           const auto same =
             std::find_if(found[k].begin(),
                          found[k].end(),
@@ -609,7 +633,10 @@ namespace lamella
         {{}, row.initial_gap, row.gap_rate, row.enforcement, row.penalty});
     const auto add = [&](const unsigned int index, const RowGeometry &side) {
       const auto parts =
-        body_rows(index, *bodies[index], places_in(*bodies[index], side), side);
+        body_rows(index,
+                  *bodies[index],
+                  places_in(*bodies[index], side, contact.name),
+                  side);
       for (unsigned int k = 0; k < rows.size(); ++k)
         rows[k].parts.push_back(parts[k]);
     };
@@ -636,14 +663,14 @@ namespace lamella
   ContactInterface
   make_interface(const ContactPair &contact, const Bodies &bodies)
   {
-    const std::string what = "Contact " + contact.name;
+    const std::string path = "Contact " + contact.name;
     check_surface(*bodies[contact.first.body],
                   contact.first.surface,
-                  what + "/First");
+                  path + "/First");
     if (contact.obstacle == nullptr)
       check_surface(*bodies[contact.second.body],
                     contact.second.surface,
-                    what + "/Second");
+                    path + "/Second");
     return interface_within(contact,
                             bodies,
                             contact.search_distance ?

@@ -26,15 +26,6 @@ namespace lamella
 
 
 
-    /// Points closer than this, a length, are one but for rounding.
-    double
-    same_place(const Body &body)
-    {
-      return 1e-12 * (10. * body.size() + body.centre().norm());
-    }
-
-
-
     /// (n_1 - n_2) / |n_1 - n_2|, unless the normals look the same way.
     std::optional<Tensor<1, 3>>
     averaged_normal(const Tensor<1, 3> &n1, const Tensor<1, 3> &n2)
@@ -128,30 +119,12 @@ namespace lamella
   MeshSurface::MeshSurface(const Body &body, const std::string &surface)
     : surface_body(body)
   {
-    PointNumbering numbering(same_place(body));
-    for (const SurfaceFacet &side : body.surface_facets(surface))
-      {
-        all_facets.emplace_back();
-        Facet &facet  = all_facets.back();
-        facet.side    = side;
-        facet.grid_s  = &GaussLobattoBasis::of_degree(side.degree_s);
-        facet.grid_t  = &GaussLobattoBasis::of_degree(side.degree_t);
-        facet.trace_s = &GaussLobattoBasis::of_degree(side.trace_degree_s);
-        facet.trace_t = &GaussLobattoBasis::of_degree(side.trace_degree_t);
-        make_map(facet);
-
-        const SurfacePoint middle =
-          body.surface_point(side, Point<2>(0.5, 0.5));
-        facet.normal         = middle.normal;
-        facet.normal_modulus = middle.normal_modulus;
-        facet.depth          = middle.depth;
-        const Place place    = map(facet, Point<2>(0.5, 0.5));
-        facet.orientation =
-          cross_product_3d(place.d_s, place.d_t) * middle.normal > 0. ? 1. :
-                                                                        -1.;
-        number_trace_nodes(facet, numbering);
-      }
-    number_grid_nodes();
+    const SurfaceTopology topology = body.surface_topology(surface);
+    trace_places.resize(topology.n_trace,
+                        {numbers::invalid_unsigned_int, Point<2>()});
+    for (const SurfaceTopology::Facet &facet : topology.facets)
+      make_facet(facet);
+    split_at_edges(topology);
     average_normals();
     make_search();
   }
@@ -159,90 +132,104 @@ namespace lamella
 
 
   void
-  MeshSurface::number_trace_nodes(Facet &facet, PointNumbering &numbering)
+  MeshSurface::make_facet(const SurfaceTopology::Facet &from)
   {
-    for (unsigned int j = 0; j < facet.trace_t->size(); ++j)
-      for (unsigned int i = 0; i < facet.trace_s->size(); ++i)
+    const SurfaceFacet &side   = from.side;
+    const auto          basis  = GaussLobattoBasis::of_degree;
+    const SurfacePoint  middle = surface_body.surface_point(side, {0.5, 0.5});
+    all_facets.emplace_back(side, FacetMap(surface_body, side));
+    Facet &facet         = all_facets.back();
+    facet.grid_s         = &basis(side.degree_s);
+    facet.grid_t         = &basis(side.degree_t);
+    facet.trace_s        = &basis(side.trace_degree_s);
+    facet.trace_t        = &basis(side.trace_degree_t);
+    facet.trace_nodes    = from.trace;
+    facet.normal         = middle.normal;
+    facet.normal_modulus = middle.normal_modulus;
+    facet.depth          = middle.depth;
+
+    const auto &x = side.corners;
+    facet.centre =
+      x[0] + 0.25 * ((x[1] - x[0]) + (x[2] - x[0]) + (x[3] - x[0]));
+    for (const Point<3> &node : facet.map.control_points())
+      facet.radius = std::max(facet.radius, node.distance(facet.centre));
+    // Between its nodes a curve may leave their ball a little.
+    facet.radius *= facet.map.is_straight() ? 1. + 1e-6 : 1.1;
+
+    const GaussLobattoBasis &s = *facet.trace_s, &t = *facet.trace_t;
+    for (unsigned int k = 0; k < from.trace.size(); ++k)
+      if (auto &[at, st] = trace_places[from.trace[k]];
+          at == numbers::invalid_unsigned_int)
         {
-          const Point<2> st(facet.trace_s->point(i), facet.trace_t->point(j));
-          const unsigned int number = numbering.number(map(facet, st).position);
-          if (number == trace_places.size())
-            trace_places.emplace_back(all_facets.size() - 1, st);
-          facet.trace_nodes.push_back(number);
+          at = all_facets.size() - 1;
+          st = {s.point(k % s.size()), t.point(k / s.size())};
         }
   }
 
 
 
   void
-  MeshSurface::number_grid_nodes()
+  MeshSurface::split_at_edges(const SurfaceTopology &topology)
   {
-    PointNumbering numbering(same_place(surface_body));
-    for (Facet &facet : all_facets)
-      for (unsigned int j = 0; j < facet.grid_t->size(); ++j)
-        for (unsigned int i = 0; i < facet.grid_s->size(); ++i)
+    // Our nodes, one for each side of a sharp edge, of a node of the body.
+    std::vector<std::vector<unsigned int>> sides(topology.n_grid);
+    // The one of them whose normal is like @p normal; the normal is that of the
+    // first facet there, until it is averaged.
+    const auto on_side = [&](const unsigned int  node,
+                             const Tensor<1, 3> &normal) {
+      const auto found = std::find_if(sides[node].begin(),
+                                      sides[node].end(),
+                                      [&](unsigned int k) {
+                                        return nodes[k].normal * normal > sharp;
+                                      });
+      return found == sides[node].end() ? numbers::invalid_unsigned_int :
+                                          *found;
+    };
+    for (unsigned int f = 0; f < all_facets.size(); ++f)
+      {
+        Facet                   &facet = all_facets[f];
+        const GaussLobattoBasis &s = *facet.grid_s, &t = *facet.grid_t;
+        const auto              &of_body = topology.facets[f].grid;
+        for (unsigned int k = 0; k < of_body.size(); ++k)
           {
             const Place place =
-              map(facet,
-                  Point<2>(facet.grid_s->point(i), facet.grid_t->point(j)));
+              facet.map({s.point(k % s.size()), t.point(k / s.size())});
             const Tensor<1, 3> normal = outward_normal(facet, place);
-            unsigned int       number = numbers::invalid_unsigned_int;
-            // The normal of the first facet there, until it is averaged.
-            for (const unsigned int k : numbering.at(place.position))
-              if (nodes[k].normal * normal > sharp)
-                number = std::min(number, k);
+            unsigned int       number = on_side(of_body[k], normal);
             if (number == numbers::invalid_unsigned_int)
               {
-                number = numbering.add(place.position);
+                number = nodes.size();
                 nodes.push_back({place.position, normal});
+                grid_places.emplace_back(f,
+                                         Point<2>(s.point(k % s.size()),
+                                                  t.point(k / s.size())));
+                sides[of_body[k]].push_back(number);
               }
             facet.grid_nodes.push_back(number);
           }
-    find_hanging_nodes(numbering);
-  }
-
-
-
-  void
-  MeshSurface::find_hanging_nodes(const PointNumbering &numbering)
-  {
-    // With the length of the edge: short ones first, since a node may hang on
-    // one that hangs on a longer edge itself.
-    std::vector<std::pair<double, HangingNode>> found;
-    for (const Facet &facet : all_facets)
-      {
-        const GaussLobattoBasis &s = *facet.grid_s, &t = *facet.grid_t;
-        const auto look = [&](const unsigned int a, const unsigned int b) {
-          const auto place = [&](const unsigned int k) {
-            return Point<2>(s.point(k % s.size()), t.point(k / s.size()));
-          };
-          const Place middle =
-            map(facet, place(a) + 0.5 * (place(b) - place(a)));
-          const unsigned int p = facet.grid_nodes[a], q = facet.grid_nodes[b];
-          for (const unsigned int k : numbering.at(middle.position))
-            if (nodes[k].normal * outward_normal(facet, middle) > sharp)
-              found.push_back(
-                {nodes[p].position.distance(nodes[q].position), {k, {{p, q}}}});
-        };
-        for (unsigned int i = 0; i + 1 < s.size(); ++i)
-          for (const unsigned int j : {0u, t.size() - 1})
-            look(j * s.size() + i, j * s.size() + i + 1);
-        for (unsigned int j = 0; j + 1 < t.size(); ++j)
-          for (const unsigned int i : {0u, s.size() - 1})
-            look(j * s.size() + i, (j + 1) * s.size() + i);
       }
-    std::sort(found.begin(), found.end(), [](const auto &a, const auto &b) {
-      return std::make_pair(a.first, a.second.node) <
-             std::make_pair(b.first, b.second.node);
-    });
-    // Two facets may share the long edge.
-    std::vector<bool> known(nodes.size(), false);
-    for (const auto &[length, node] : found)
-      if (!known[node.node])
+
+    for (const HangingNode &node : topology.hanging)
+      for (const unsigned int k : sides[node.node])
         {
-          hanging.push_back(node);
-          known[node.node] = true;
+          const unsigned int a = on_side(node.ends[0], nodes[k].normal),
+                             b = on_side(node.ends[1], nodes[k].normal);
+          if (a != numbers::invalid_unsigned_int &&
+              b != numbers::invalid_unsigned_int)
+            hanging.push_back({k, {{a, b}}});
         }
+    // Short edges first, since a node may hang on one that hangs on a longer
+    // edge itself.
+    const auto length = [&](const HangingNode &node) {
+      return nodes[node.ends[0]].position.distance(
+        nodes[node.ends[1]].position);
+    };
+    std::sort(hanging.begin(),
+              hanging.end(),
+              [&](const HangingNode &a, const HangingNode &b) {
+                return std::make_pair(length(a), a.node) <
+                       std::make_pair(length(b), b.node);
+              });
   }
 
 
@@ -260,9 +247,8 @@ namespace lamella
           {
             facet.grid_s->evaluate(rule.point(q)[0], s.data(), nullptr);
             facet.grid_t->evaluate(rule.point(q)[1], t.data(), nullptr);
-            const Place        place = map(facet, rule.point(q));
-            const Tensor<1, 3> n     = facet.orientation * rule.weight(q) *
-                                   cross_product_3d(place.d_s, place.d_t);
+            const Tensor<1, 3> n =
+              rule.weight(q) * facet.map.outward(facet.map(rule.point(q)));
             for (unsigned int k = 0; k < facet.grid_nodes.size(); ++k)
               sums[facet.grid_nodes[k]] +=
                 s[k % facet.grid_s->size()] * t[k / facet.grid_s->size()] * n;
@@ -279,7 +265,7 @@ namespace lamella
       }
     for (Facet &facet : all_facets)
       {
-        facet.is_flat = facet.is_affine;
+        facet.is_flat = facet.map.is_affine();
         for (const unsigned int k : facet.grid_nodes)
           facet.is_flat =
             facet.is_flat && (nodes[k].normal - facet.normal).norm() < 1e-13;
@@ -289,70 +275,11 @@ namespace lamella
 
 
   void
-  MeshSurface::make_map(Facet &facet)
-  {
-    // The map in the trace nodes; along t it may be linear, and along s.
-    const GaussLobattoBasis &s = *facet.trace_s, &t = *facet.trace_t;
-    std::vector<Point<3>>    x;
-    double                   size = 0.;
-    for (unsigned int j = 0; j < t.size(); ++j)
-      for (unsigned int i = 0; i < s.size(); ++i)
-        {
-          x.push_back(
-            surface_body
-              .surface_point(facet.side, Point<2>(s.point(i), t.point(j)))
-              .position);
-          size = std::max(size, x.back().distance(x.front()));
-        }
-    const double       tolerance = 1e-12 * size + 1e-15 * x.front().norm();
-    const unsigned int last_s = s.size() - 1, last_t = t.size() - 1;
-    const auto         at = [&](const unsigned int i, const unsigned int j) {
-      return x[j * s.size() + i];
-    };
-    bool linear_s = true, linear_t = true;
-    for (unsigned int j = 0; j <= last_t; ++j)
-      for (unsigned int i = 0; i <= last_s; ++i)
-        {
-          const Point<3> along_s =
-            at(0, j) + s.point(i) * (at(last_s, j) - at(0, j));
-          const Point<3> along_t =
-            at(i, 0) + t.point(j) * (at(i, last_t) - at(i, 0));
-          linear_s = linear_s && at(i, j).distance(along_s) < tolerance;
-          linear_t = linear_t && at(i, j).distance(along_t) < tolerance;
-        }
-    for (unsigned int j = 0; j <= last_t; ++j)
-      for (unsigned int i = 0; i <= last_s; ++i)
-        if ((!linear_s || i == 0 || i == last_s) &&
-            (!linear_t || j == 0 || j == last_t))
-          facet.map_nodes.push_back(at(i, j));
-    facet.map_s = linear_s ? &GaussLobattoBasis::of_degree(1) : facet.trace_s;
-    facet.map_t = linear_t ? &GaussLobattoBasis::of_degree(1) : facet.trace_t;
-
-    facet.origin.position = at(0, 0);
-    facet.origin.d_s      = at(last_s, 0) - at(0, 0);
-    facet.origin.d_t      = at(0, last_t) - at(0, 0);
-    facet.is_affine =
-      linear_s && linear_t &&
-      (at(last_s, last_t) - at(last_s, 0) - facet.origin.d_t).norm() <
-        tolerance;
-
-    // Between its nodes a curve may leave their ball a little.
-    facet.centre = at(0, 0) + 0.25 * ((at(last_s, 0) - at(0, 0)) +
-                                      (at(0, last_t) - at(0, 0)) +
-                                      (at(last_s, last_t) - at(0, 0)));
-    for (const Point<3> &node : x)
-      facet.radius = std::max(facet.radius, node.distance(facet.centre));
-    facet.radius *= linear_s && linear_t ? 1. + 1e-6 : 1.1;
-  }
-
-
-
-  void
   MeshSurface::make_search()
   {
     Assert(!all_facets.empty(), ExcMessage("The surface has no facets."));
     const Facet       &first = all_facets.front();
-    const Tensor<1, 3> along = map(first, Point<2>(0.5, 0.5)).d_s;
+    const Tensor<1, 3> along = first.map(Point<2>(0.5, 0.5)).d_s;
     frame[0]                 = along / along.norm();
     frame[1]                 = first.normal;
     frame[2]                 = cross_product_3d(frame[0], frame[1]);
@@ -360,10 +287,11 @@ namespace lamella
     std::vector<BoundingBox<3>> of_facets;
     for (const Facet &facet : all_facets)
       {
-        const bool   curved = facet.map_nodes.size() > 4;
-        const double margin = (curved ? 0.1 : 1e-6) * facet.radius;
-        Point<3>     low = to_frame(facet.map_nodes[0]), high = low;
-        for (const Point<3> &node : facet.map_nodes)
+        const auto  &x = facet.map.control_points();
+        const double margin =
+          (facet.map.is_straight() ? 1e-6 : 0.1) * facet.radius;
+        Point<3> low = to_frame(x[0]), high = low;
+        for (const Point<3> &node : x)
           for (unsigned int c = 0; c < 3; ++c)
             {
               low[c]  = std::min(low[c], to_frame(node)[c]);
@@ -386,38 +314,10 @@ namespace lamella
 
 
 
-  MeshSurface::Place
-  MeshSurface::map(const Facet &facet, const Point<2> &st) const
-  {
-    Place place;
-    if (facet.is_affine)
-      {
-        place = facet.origin;
-        place.position += st[0] * place.d_s + st[1] * place.d_t;
-        return place;
-      }
-    std::array<double, max_size> s, d_s, t, d_t;
-    facet.map_s->evaluate(st[0], s.data(), d_s.data());
-    facet.map_t->evaluate(st[1], t.data(), d_t.data());
-    const Point<3> *node = facet.map_nodes.data();
-    for (unsigned int j = 0; j < facet.map_t->size(); ++j)
-      for (unsigned int i = 0; i < facet.map_s->size(); ++i, ++node)
-        for (unsigned int c = 0; c < 3; ++c)
-          {
-            place.position[c] += s[i] * t[j] * (*node)[c];
-            place.d_s[c] += d_s[i] * t[j] * (*node)[c];
-            place.d_t[c] += s[i] * d_t[j] * (*node)[c];
-          }
-    return place;
-  }
-
-
-
   Tensor<1, 3>
   MeshSurface::outward_normal(const Facet &facet, const Place &place) const
   {
-    const Tensor<1, 3> n =
-      facet.orientation * cross_product_3d(place.d_s, place.d_t);
+    const Tensor<1, 3> n = facet.map.outward(place);
     return n / n.norm();
   }
 
@@ -458,6 +358,15 @@ namespace lamella
 
 
   Location
+  MeshSurface::grid_location(const unsigned int node) const
+  {
+    const auto &[facet, st] = grid_places[node];
+    return surface_body.surface_point(all_facets[facet].side, st).location;
+  }
+
+
+
+  Location
   MeshSurface::trace_location(const unsigned int node) const
   {
     const auto &[facet, st] = trace_places[node];
@@ -489,7 +398,7 @@ namespace lamella
     const Tensor<1, 3> b = cross_product_3d(d, a);
 
     const auto missing = [&](const Point<2> &st) {
-      const Place  place = map(facet, st);
+      const Place  place = facet.map(st);
       const auto   r     = x - place.position;
       Tensor<2, 2> across;
       across[0][0] = a * place.d_s;
@@ -500,14 +409,16 @@ namespace lamella
     };
     // Written so that what is not a number is lost.
     const auto is_near = [](const Point<2> &st) { return st.norm() < lost; };
-    const auto [st, change] =
-      inverse_image(Point<2>(0.5, 0.5), facet.is_affine, missing, is_near);
+    const auto [st, change] = inverse_image(Point<2>(0.5, 0.5),
+                                            facet.map.is_affine(),
+                                            missing,
+                                            is_near);
     if (!is_near(st) || change > accepted)
       return {};
     for (unsigned int c = 0; c < 2; ++c)
       if (st[c] < -outside || st[c] > 1. + outside)
         return {};
-    const Place place = map(facet, st);
+    const Place place = facet.map(st);
     SurfaceHit  hit;
     hit.position = place.position;
     hit.normal   = smooth_normal(facet, st);

@@ -198,6 +198,7 @@ namespace lamella
             continue;
           }
         WeightedGap gap;
+        gap.node             = point.location;
         gap.position         = point.position;
         gap.opposite         = hit.position;
         gap.normal           = facing->normal;

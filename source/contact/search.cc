@@ -37,48 +37,6 @@ namespace lamella
 
 
 
-  PointNumbering::PointNumbering(const double tolerance)
-    : tolerance(tolerance)
-  {}
-
-
-
-  std::vector<unsigned int>
-  PointNumbering::at(const Point<3> &x) const
-  {
-    const Point<3>            reach(tolerance, tolerance, tolerance);
-    std::vector<Numbered>     found;
-    std::vector<unsigned int> numbers;
-    tree.query(boost::geometry::index::intersects(
-                 BoundingBox<3>({Point<3>(x - reach), x + reach})),
-               std::back_inserter(found));
-    for (const Numbered &point : found)
-      numbers.push_back(point.second);
-    std::sort(numbers.begin(), numbers.end());
-    return numbers;
-  }
-
-
-
-  unsigned int
-  PointNumbering::add(const Point<3> &x)
-  {
-    const unsigned int next = tree.size();
-    tree.insert(Numbered(x, next));
-    return next;
-  }
-
-
-
-  unsigned int
-  PointNumbering::number(const Point<3> &x)
-  {
-    const std::vector<unsigned int> known = at(x);
-    return known.empty() ? add(x) : known.front();
-  }
-
-
-
   BoxSearch::BoxSearch(const std::vector<BoundingBox<3>> &boxes)
   {
     std::vector<Numbered> numbered;

@@ -213,10 +213,9 @@ namespace lamella
     Integrator::CarryingPoint
     Integrator::evaluate(const Cell &cell, const Point<2> &st) const
     {
-      const auto    place = carrying.map(*cell.facet, st);
-      const Vector3 normal =
-        cell.facet->orientation * cross_product_3d(place.d_s, place.d_t);
-      const double density = normal.norm();
+      const auto    place   = cell.facet->map(st);
+      const Vector3 normal  = cell.facet->map.outward(place);
+      const double  density = normal.norm();
       return {st,
               place.position,
               carrying.smooth_normal(*cell.facet, st),
@@ -260,10 +259,9 @@ namespace lamella
     {
       std::array<Point<3>, 4> corners;
       for (unsigned int k = 0; k < 4; ++k)
-        corners[k] = carrying
-                       .map(*cell.facet,
-                            Point<2>((k % 2 == 0 ? cell.low : cell.high)[0],
-                                     (k / 2 == 0 ? cell.low : cell.high)[1]))
+        corners[k] = cell.facet
+                       ->map(Point<2>((k % 2 == 0 ? cell.low : cell.high)[0],
+                                      (k / 2 == 0 ? cell.low : cell.high)[1]))
                        .position;
       const CarryingPoint middle =
         evaluate(cell, cell.low + 0.5 * (cell.high - cell.low));
@@ -335,7 +333,9 @@ namespace lamella
         2 +
         std::max(a.trace_degree_s + a.trace_degree_t,
                  b.trace_degree_s + b.trace_degree_t) +
-        (cell.facet->is_affine && other.is_affine ? 0 : degrees_for_curves);
+        (cell.facet->map.is_affine() && other.map.is_affine() ?
+           0 :
+           degrees_for_curves);
       const Quadrature<2> &rule    = triangle_rule(degree);
       const Polygon       &corners = segment.polygon;
       // A segment faces the other side as a whole or not at all, as its middle
@@ -379,7 +379,7 @@ namespace lamella
                             const Point<2>   &p) const
     {
       const auto missing = [&](const Point<2> &st) {
-        const auto   place = carrying.map(*cell.facet, st);
+        const auto   place = cell.facet->map(st);
         Tensor<2, 2> in_plane;
         in_plane[0][0] = place.d_s * plane.e1;
         in_plane[0][1] = place.d_t * plane.e1;
@@ -389,7 +389,7 @@ namespace lamella
                               in_plane);
       };
       const Point<2> st = inverse_image(cell.low + 0.5 * (cell.high - cell.low),
-                                        cell.facet->is_affine,
+                                        cell.facet->map.is_affine(),
                                         missing,
                                         [](const Point<2> &) { return true; })
                             .unit;
@@ -575,6 +575,7 @@ namespace lamella
           ++result.unpaired;
           return;
         }
+      gap.node     = carrying.grid_location(number);
       gap.position = carrying.grid_nodes()[number].position;
       gap.spacing  = std::sqrt(node.full_area);
       gap.gap /= gap.area;

@@ -32,21 +32,20 @@ namespace lamella
     check_bodies_are_held(const Scene &scene, const CalculixMesh &mesh)
     {
       for (const BodyDescription &body : scene.bodies)
-        if (body.stabilisation.share != 0.)
-          throw InputError(
-            "Body " + body.name +
-            "/Stabilisation = " + to_text(body.stabilisation.share) +
-            ": the springs that it makes are not exported. Hold the body by a "
-            "Support and set it to 0.");
+        if (body.stabilisation != 0.)
+          throw InputError("Body " + body.name + "/Stabilisation",
+                           to_text(body.stabilisation),
+                           "the springs that it makes are not exported",
+                           "Hold the body by a Support and set it to 0.");
       const std::vector<PrescribedRow> rows =
         prescribed_rows(scene.supports, mesh.bodies());
       for (unsigned int body = 0; body < scene.bodies.size(); ++body)
         for (const FreeMotion &motion :
              free_rigid_motions(*mesh.bodies()[body], body, rows))
-          throw InputError("Body " + scene.bodies[body].name +
-                           ": nothing but contact prevents its " +
-                           motion.words +
-                           ", and CalculiX then solves a singular system. "
+          throw InputError("Body " + scene.bodies[body].name,
+                           "",
+                           "nothing but contact prevents its " + motion.words +
+                             ", and CalculiX then solves a singular system",
                            "Hold it by a Support.");
     }
   } // namespace
@@ -88,7 +87,7 @@ namespace lamella
                                   const CalculixMesh &mesh)
   {
     const Support    &support = scene.supports[s];
-    const std::string what    = "Support " + support.name;
+    const std::string path    = "Support " + support.name;
     for (const Region &region : support.on)
       if (support.normal)
         for (const auto &[node, normal] : node_normals(mesh, region))
@@ -98,15 +97,18 @@ namespace lamella
               ++c;
             if (c == 3)
               throw InputError(
-                what + "/Normal displacement: at " + to_text(mesh.node(node)) +
-                " the normal is oblique to the scene's axes, and the deck "
-                "prescribes components along these only. Turn the bodies so "
-                "that it is along one of them, or prescribe u.");
+                path + "/Normal displacement",
+                "",
+                "at " + to_text(mesh.node(node)) +
+                  " the normal is oblique to the scene's axes, and the deck "
+                  "prescribes components along these only",
+                "Turn the bodies so that it is along one of them, or prescribe "
+                "u.");
             hold(
               node, c, std::copysign(1., normal[c]) * *support.normal, s, mesh);
           }
       else
-        for (const unsigned int node : mesh.region_nodes(region, what))
+        for (const unsigned int node : mesh.region_nodes(region, path))
           for (unsigned int c = 0; c < 3; ++c)
             if (support.u[c])
               hold(node, c, *support.u[c], s, mesh);
@@ -126,11 +128,12 @@ namespace lamella
       held[s][component].insert(node);
     else if (std::abs(place->second - value) >
              1e-12 * std::max(std::abs(value), std::abs(place->second)))
-      throw InputError("Support " + scene.supports[s].name + ": at " +
-                       to_text(mesh.node(node)) + " it prescribes " +
-                       to_text(value) + " where another one prescribes " +
-                       to_text(place->second) +
-                       ". Let them agree, or leave one of them free.");
+      throw InputError("Support " + scene.supports[s].name,
+                       "",
+                       "at " + to_text(mesh.node(node)) + " it prescribes " +
+                         to_text(value) + " where another one prescribes " +
+                         to_text(place->second),
+                       "Let them agree, or leave one of them free.");
   }
 
 

@@ -79,12 +79,12 @@ namespace lamella
               places.push_back(hit->position);
           }
       if (places.empty())
-        throw InputError("Contact " + contact.name +
-                         ": nothing of First faces the obstacle '" +
-                         contact.obstacle->name + "' within Search distance " +
-                         to_text(reach) +
-                         ". Check the surface's name and where the obstacle "
-                         "is.");
+        throw InputError("Contact " + contact.name,
+                         "",
+                         "nothing of First faces the obstacle '" +
+                           contact.obstacle->name +
+                           "' within Search distance " + to_text(reach),
+                         "Check the surface's name and where the obstacle is.");
       return places;
     }
 
@@ -138,15 +138,16 @@ namespace lamella
   CalculixContacts::add(const unsigned int k, const CalculixMesh &mesh)
   {
     const ContactPair &pair = scene.contacts[k];
-    const std::string  what = "Contact " + pair.name;
+    const std::string  path = "Contact " + pair.name;
     if (pair.overclosure == Overclosure::adjust)
-      throw InputError(what +
-                       "/Overclosure = adjust: gaps without their overlap have "
-                       "no counterpart in a CalculiX deck. Move the bodies "
-                       "apart, or use push apart.");
+      throw InputError(path + "/Overclosure",
+                       name_of(pair.overclosure),
+                       "gaps without their overlap have no counterpart in a "
+                       "CalculiX deck",
+                       "Move the bodies apart, or use push apart.");
     const auto side = [&](const Region &region) -> const Body & {
       const Body &body = *mesh.bodies()[region.body];
-      check_surface(body, region.surface, what);
+      check_surface(body, region.surface, path);
       return body;
     };
 

@@ -3,6 +3,7 @@
 #include <lamella/base/exceptions.h>
 #include <lamella/base/output_file.h>
 #include <lamella/base/text.h>
+#include <lamella/base/version.h>
 #include <lamella/export/calculix_conditions.h>
 #include <lamella/export/calculix_contact.h>
 #include <lamella/export/calculix_deck.h>
@@ -128,8 +129,8 @@ namespace lamella
     Deck::write(std::ostream &deck) const
     {
       deck << "** " << (scene.title.empty() ? "A scene" : scene.title)
-           << "\n** written by lamella " LAMELLA_VERSION
-              ": linear kinematics, frictionless contact, units "
+           << "\n** written by lamella " << version()
+           << ": linear kinematics, frictionless contact, units "
            << scene.units.length << ", " << scene.units.force << ", "
            << scene.units.stress << '\n';
       mesh.write(deck);
@@ -225,7 +226,7 @@ namespace lamella
     Deck::meaning() const
     {
       Json json;
-      json["version"]  = LAMELLA_VERSION;
+      json["version"]  = version();
       json["title"]    = scene.title;
       json["element"]  = mesh.element().name();
       json["units"]    = {{"length", scene.units.length},
@@ -260,11 +261,15 @@ namespace lamella
     {
       if (text.empty() || text == "auto")
         return {};
-      const double value = to_number(text, "--contact-stiffness");
+      const std::string place = "--contact-stiffness " + text + ": ";
+      const TextFault   fault = fault_of_number(text);
+      if (!fault.rule.empty())
+        throw InputError(fault.rule + ". " + fault.remedy).at(place);
+      const double value = to_number(text);
       if (!(value > 0.))
-        throw InputError("--contact-stiffness " + text +
-                         ": it must be positive, a pressure over a "
-                         "penetration, or auto.");
+        throw InputError("it must be positive, a pressure over a penetration, "
+                         "or auto.")
+          .at(place);
       return value;
     }
 
@@ -277,19 +282,20 @@ namespace lamella
                 const std::filesystem::path &meaning,
                 const std::string           &meaning_text)
     {
+      const std::string place = "--output " + deck.string() + ": ";
       if (std::filesystem::is_directory(meaning) ||
           std::filesystem::is_directory(deck))
-        throw InputError("--output " + deck.string() + ": " + deck.string() +
-                         " or " + meaning.string() +
-                         " is a folder. Name another file.");
+        throw InputError(deck.string() + " or " + meaning.string() +
+                         " is a folder. Name another file.")
+          .at(place);
       OutputFile first(deck.string()), second(meaning.string());
       const bool written = (first.stream() << deck_text << std::flush) &&
                            (second.stream() << meaning_text << std::flush) &&
                            first.put_in_place() && second.put_in_place();
       if (!written)
-        throw InputError("--output " + deck.string() +
-                         ": it cannot be written. Name a file in a folder that "
-                         "can be created and written.");
+        throw InputError("it cannot be written. Name a file in a folder that "
+                         "can be created and written.")
+          .at(place);
     }
   } // namespace
 
@@ -302,8 +308,8 @@ namespace lamella
   {
     const std::filesystem::path name = request.output;
     if (name.extension() != ".inp")
-      throw InputError("--output " + request.output +
-                       ": the name of a CalculiX deck ends in .inp.");
+      throw InputError("the name of a CalculiX deck ends in .inp.")
+        .at("--output " + request.output + ": ");
     const Deck         deck(scene,
                     request.element.empty() ? "C3D20R" : request.element,
                     parse_stiffness(request.contact_stiffness));

@@ -16,9 +16,9 @@ namespace lamella
   {
     const std::vector<std::string> names{"C3D20R", "C3D8I", "C3D8R"};
     if (std::find(names.begin(), names.end(), name) == names.end())
-      throw InputError("--element " + name +
-                       ": the deck's elements are one of " + joined(names) +
-                       "; the nearest is " + nearest_name(name, names) + ".");
+      throw InputError("the deck's elements are one of " + joined(names) +
+                       "; the nearest is " + nearest_name(name, names) + ".")
+        .at("--element " + name + ": ");
     // Corners around the bottom, then around the top.
     for (const double z : {0., 1.})
       for (const auto &[x, y] : std::array<std::array<double, 2>, 4>{

@@ -29,14 +29,14 @@ namespace lamella
       for (BodyDescription &body : solid.bodies)
         {
           if (!body.refinement.balls.empty())
-            throw InputError("Body " + body.name +
-                             "/Kinematics/Refine near: it makes hanging nodes, "
-                             "which a CalculiX deck cannot hold. Remove it "
-                             "(--set \"Body " +
-                             body.name +
-                             "/Kinematics/Refine near=\") and refine with "
-                             "Refinements, the section's cells and Axis "
-                             "elements.");
+            throw InputError("Body " + body.name + "/Kinematics/Refine near",
+                             "",
+                             "it makes hanging nodes, which a CalculiX deck "
+                             "cannot hold",
+                             "Remove it (--set \"Body " + body.name +
+                               "/Kinematics/Refine near=\") and refine with "
+                               "Refinements, the section's cells and Axis "
+                               "elements.");
           if (body.theory.kind != Theory::Kind::solid)
             body.refinement = {};
           body.theory       = {};
@@ -127,7 +127,9 @@ namespace lamella
     , element_type(element)
   {
     const Scene solid = with_solids(scene, element.degree());
-    solids            = build_bodies(solid, build_section_meshes(solid));
+    solids            = make_bodies(solid.bodies,
+                         build_section_meshes(solid),
+                         solid.solve.memory_limit);
     for (unsigned int body = 0; body < solids.size(); ++body)
       number(body);
     firsts.emplace_back(nodes.size() + 1, elements.size() + 1);
@@ -203,7 +205,7 @@ namespace lamella
 
 
   std::set<unsigned int>
-  CalculixMesh::line_nodes(const Region &region, const std::string &what) const
+  CalculixMesh::line_nodes(const Region &region, const std::string &path) const
   {
     const Body               &body = *solids[region.body];
     const std::vector<double> breaks =
@@ -213,7 +215,7 @@ namespace lamella
     };
     std::set<unsigned int> result;
     const auto             add = [&](const double t, const bool corner) {
-      const Location location = locate_all(body, {at(t)}, what)[0];
+      const Location location = locate_all(body, {at(t)}, path)[0];
       // On an edge two unit coordinates, at a corner all three are 0 or 1.
       unsigned int at_sides = 0;
       for (const Location::Place &place : location.places)
@@ -225,10 +227,12 @@ namespace lamella
         }
       if (at_sides < (corner ? 3 : 2))
         throw InputError(
-          what + ": the line does not run along edges of the deck's " +
-          "hexahedra at " + to_text(at(t)) +
-          ", so its nodes cannot stand for it. Choose the section's cells and "
-                      "the Axis elements (or Axis breaks) so that it does.");
+          path,
+          "",
+          "the line does not run along edges of the deck's hexahedra at " +
+            to_text(at(t)) + ", so its nodes cannot stand for it",
+          "Choose the section's cells and the Axis elements (or Axis breaks) "
+                      "so that it does.");
       if (const unsigned int number = node_at(region.body, location))
         result.insert(number);
     };
@@ -245,28 +249,30 @@ namespace lamella
 
   std::set<unsigned int>
   CalculixMesh::region_nodes(const Region      &region,
-                             const std::string &what) const
+                             const std::string &path) const
   {
     std::set<unsigned int> result;
     switch (region.kind)
       {
         case Region::Kind::point:
           for (const Location &location :
-               locate_all(*solids[region.body], region.at, what))
+               locate_all(*solids[region.body], region.at, path))
             {
               const unsigned int number = node_at(region.body, location);
               if (number == 0)
                 throw InputError(
-                  what + ": the point " + to_text(location.position) +
-                  " is no node of the deck's hexahedra. Choose the section's "
-                  "cells and the Axis elements (or Axis breaks) so that it is "
-                  "a corner of them.");
+                  path,
+                  "",
+                  "the point " + to_text(location.position) +
+                    " is no node of the deck's hexahedra",
+                  "Choose the section's cells and the Axis elements (or Axis "
+                  "breaks) so that it is a corner of them.");
               result.insert(number);
             }
           return result;
         case Region::Kind::line:
-          locate_all(*solids[region.body], region.at, what);
-          return line_nodes(region, what);
+          locate_all(*solids[region.body], region.at, path);
+          return line_nodes(region, path);
         case Region::Kind::body:
           for (unsigned int n = firsts[region.body].first;
                n < firsts[region.body + 1].first;
@@ -274,7 +280,7 @@ namespace lamella
             result.insert(n);
           return result;
         default:
-          check_surface(*solids[region.body], region.surface, what);
+          check_surface(*solids[region.body], region.surface, path);
           for (const auto &[number, face] : faces(region.body, region.surface))
             for (const unsigned int i : element_type.face_nodes(face))
               result.insert(nodes_of(number)[i]);

@@ -174,7 +174,7 @@ namespace lamella
           rows[i].add_to(x, 1.);
           solve(x);
           for (const Row &row : rows)
-            result.push_back(row(x));
+            result.push_back(row(x) - row.constant());
         }
       return result;
     }

@@ -7,25 +7,6 @@
 namespace lamella
 {
   std::string
-  name_of(const SolverKind kind)
-  {
-    switch (kind)
-      {
-        case SolverKind::cholmod:
-          return "cholmod";
-        case SolverKind::mumps:
-          return "mumps";
-        case SolverKind::cg:
-          return "cg";
-        case SolverKind::automatic:
-          break;
-      }
-    return "auto";
-  }
-
-
-
-  std::string
   to_text(const SolverStatistics &statistics)
   {
     const std::string shared =

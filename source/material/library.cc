@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include <lamella/base/exceptions.h>
-#include <lamella/base/text.h>
 #include <lamella/material/library.h>
 
 #include <algorithm>
@@ -49,15 +47,23 @@ namespace lamella
   Material
   library_material(const std::string &name, const Units &units)
   {
+    return library_material(Entry("Library", name), units);
+  }
+
+
+
+  Material
+  library_material(const Entry &entry, const Units &units)
+  {
     const auto found =
       std::find_if(materials().begin(),
                    materials().end(),
-                   [&name](const auto &m) { return m.name == name; });
+                   [&entry](const auto &m) { return m.name == entry.text(); });
     if (found == materials().end())
-      throw InputError("Library = " + name +
-                       ": no such built-in material. The nearest is '" +
-                       nearest_name(name, library_materials()) +
-                       "'; all of them: " + joined(library_materials()) + ".");
+      entry.refuse("no such built-in material",
+                   "The nearest is '" +
+                     nearest_name(entry.text(), library_materials()) +
+                     "'; all of them: " + joined(library_materials()) + ".");
     EngineeringConstants c = found->constants;
     if (found->in_pascals)
       for (double *modulus : {&c.E1, &c.E2, &c.E3, &c.G12, &c.G13, &c.G23})

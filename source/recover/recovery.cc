@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include <lamella/base/exceptions.h>
-#include <lamella/base/text.h>
 #include <lamella/recover/recovery.h>
 
 #include <deal.II/base/quadrature_lib.h>
@@ -46,23 +44,6 @@ namespace lamella
           (*part)[c] = values[k++];
     }
   } // namespace
-
-
-
-  StressValues
-  parse_stress_values(const std::string &text, const std::string &what)
-  {
-    for (const auto &[name, values] :
-         {std::make_pair("element", StressValues::element),
-          std::make_pair("nodal", StressValues::nodal),
-          std::make_pair("recovered", StressValues::recovered)})
-      if (trimmed(text) == name)
-        return values;
-    throw InputError(what + " = " + text +
-                     ": must be element (the mean of the elements there), "
-                     "nodal (averaged at nodes, within a ply) or recovered "
-                     "(superconvergent patch recovery, within a ply).");
-  }
 
 
 

@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include <lamella/base/exceptions.h>
-#include <lamella/base/text.h>
+#include <lamella/base/patterns.h>
 #include <lamella/body/fields.h>
 #include <lamella/conditions/parameters.h>
 #include <lamella/recover/requests.h>
 
 #include <algorithm>
-#include <cmath>
 
 namespace lamella
 {
@@ -15,26 +13,24 @@ namespace lamella
   using dealii::Patterns::Anything;
 
   std::vector<Reference>
-  parse_references(const std::string              &text,
-                   const std::vector<std::string> &quantities,
-                   const std::string              &what)
+  parse_references(const Entry                    &entry,
+                   const std::vector<std::string> &quantities)
   {
     std::vector<Reference> references;
-    for (const std::string &piece : split(text, '|'))
+    for (const std::string &piece : entry.items('|'))
       {
         const auto parts = split(piece, ':');
         if (parts.size() < 3)
-          throw InputError(what + "/References: '" + piece +
-                           "' must be quantity: value: source, with '|' "
-                           "between references.");
+          entry.refuse("'" + piece +
+                       "' must be quantity: value: source, with '|' between "
+                       "references");
         if (std::find(quantities.begin(), quantities.end(), parts[0]) ==
             quantities.end())
-          throw InputError(what + "/References: there is no quantity '" +
-                           parts[0] + "'. The nearest is '" +
-                           nearest_name(parts[0], quantities) +
-                           "'; all of them: " + joined(quantities) + ".");
+          entry.refuse("there is no quantity '" + parts[0] + "'",
+                       "The nearest is '" + nearest_name(parts[0], quantities) +
+                         "'; all of them: " + joined(quantities) + ".");
         references.push_back({parts[0],
-                              to_number(parts[1], what + "/References"),
+                              entry.number(parts[1]),
                               joined({parts.begin() + 2, parts.end()}, ": ")});
       }
     return references;
@@ -44,68 +40,40 @@ namespace lamella
 
   namespace
   {
+    constexpr unsigned int most_on_line = 100000, most_in_cut = 100;
+
+
+
     std::pair<unsigned int, dealii::Point<3>>
-    parse_place(const ParameterHandler         &prm,
-                const std::string              &entry,
-                const std::vector<std::string> &bodies,
-                const std::string              &what)
+    parse_place(const Entry &entry, const std::vector<std::string> &bodies)
     {
-      const std::string name = what + "/" + entry;
-      if (trimmed(prm.get(entry)).empty())
-        throw InputError(name + " is missing: write BODY: x, y, z.");
-      const auto [body, rest] = parse_on_body(prm.get(entry), bodies, name);
-      return {body, to_point(rest, name)};
+      if (entry.is_empty())
+        entry.is_missing("write BODY: x, y, z.");
+      const auto [body, place] = parse_on_body(entry, bodies);
+      return {body, entry.point(place)};
     }
 
 
 
-    unsigned int
-    parse_samples(const ParameterHandler &prm,
-                  const unsigned int      least,
-                  const unsigned int      most,
-                  const std::string      &what)
-    {
-      const double n = to_number(prm.get("Samples"), what + "/Samples");
-      if (!(n >= least && n <= most && n == std::floor(n)))
-        throw InputError(what + "/Samples = " + prm.get("Samples") +
-                         ": must be a whole number from " +
-                         std::to_string(least) + " to " + std::to_string(most) +
-                         ".");
-      return static_cast<unsigned int>(n);
-    }
-  } // namespace
-
-
-
-  namespace
-  {
     void
     declare_stress(ParameterHandler &prm)
     {
       prm.declare_entry(
         "Stress",
-        "element",
-        Anything(),
+        name_of(StressValues::element),
+        selection<StressValues>(),
         "Strains and stresses where elements of one ply meet. element: their "
         "mean, elsewhere the element's own. nodal: means at nodes, "
         "interpolated. recovered: superconvergent patch recovery, an order "
         "more accurate on smooth fields. All within a ply, never across an "
         "interface.");
     }
-
-
-
-    StressValues
-    parse_stress(const ParameterHandler &prm, const std::string &what)
-    {
-      return parse_stress_values(prm.get("Stress"), what + "/Stress");
-    }
   } // namespace
 
 
 
   void
-  declare_probe(ParameterHandler &prm)
+  ProbeParameters::declare(ParameterHandler &prm)
   {
     prm.declare_entry("At",
                       "",
@@ -123,30 +91,29 @@ namespace lamella
 
 
   Probe
-  parse_probe(const ParameterHandler         &prm,
-              const std::string              &name,
-              const std::vector<std::string> &bodies)
+  ProbeParameters::parse(const Entries                  &in,
+                         const std::string              &name,
+                         const std::vector<std::string> &bodies)
   {
-    const std::string what      = "Probe " + name;
-    const auto [body, position] = parse_place(prm, "At", bodies, what);
+    const auto [body, position] = parse_place(in["At"], bodies);
     return {name,
             body,
             position,
-            parse_stress(prm, what),
-            parse_references(prm.get("References"), field_names(), what)};
+            in["Stress"].choice<StressValues>(),
+            parse_references(in["References"], field_names())};
   }
 
 
 
   void
-  declare_line(ParameterHandler &prm)
+  LineParameters::declare(ParameterHandler &prm)
   {
     prm.declare_entry("From", "", Anything(), "BODY: x, y, z [length].");
     prm.declare_entry("To", "", Anything(), "The same body: x, y, z [length].");
     declare_stress(prm);
     prm.declare_entry("Samples",
                       "10",
-                      Anything(),
+                      patterns::Whole(2, most_on_line),
                       "Points in each ply that the line crosses, both sides of "
                       "each interface among them.");
   }
@@ -154,30 +121,28 @@ namespace lamella
 
 
   Line
-  parse_line(const ParameterHandler         &prm,
-             const std::string              &name,
-             const std::vector<std::string> &bodies)
+  LineParameters::parse(const Entries                  &in,
+                        const std::string              &name,
+                        const std::vector<std::string> &bodies)
   {
-    const std::string what   = "Line " + name;
-    const auto [first, from] = parse_place(prm, "From", bodies, what);
-    const auto [second, to]  = parse_place(prm, "To", bodies, what);
+    const auto [first, from] = parse_place(in["From"], bodies);
+    const auto [second, to]  = parse_place(in["To"], bodies);
     if (first != second)
-      throw InputError(what + ": From and To must be on the same body.");
+      in.refuse("From and To must be on the same body");
     if (from.distance(to) == 0.)
-      throw InputError(what +
-                       ": From and To are the same point. Move one of them.");
+      in.refuse("From and To are the same point", "Move one of them.");
     return {name,
             first,
             from,
             to,
-            parse_stress(prm, what),
-            parse_samples(prm, 2, 100000, what)};
+            in["Stress"].choice<StressValues>(),
+            in["Samples"].whole(2, most_on_line)};
   }
 
 
 
   void
-  declare_cut(ParameterHandler &prm)
+  CutParameters::declare(ParameterHandler &prm)
   {
     prm.declare_entry("At",
                       "",
@@ -186,24 +151,25 @@ namespace lamella
     declare_stress(prm);
     prm.declare_entry("Samples",
                       "8",
-                      Anything(),
+                      patterns::Whole(1, most_in_cut),
                       "Intervals in each direction of a section cell.");
   }
 
 
 
   Cut
-  parse_cut(const ParameterHandler         &prm,
-            const std::string              &name,
-            const std::vector<std::string> &bodies)
+  CutParameters::parse(const Entries                  &in,
+                       const std::string              &name,
+                       const std::vector<std::string> &bodies)
   {
-    const std::string what = "Cut " + name;
-    const auto [body, text] =
-      parse_on_body(prm.get("At"), bodies, what + "/At");
+    const Entry at = in["At"];
+    if (at.is_empty())
+      at.is_missing("write BODY: distance from the start of its axis.");
+    const auto [body, distance] = parse_on_body(at, bodies);
     return {name,
             body,
-            to_number(text, what + "/At"),
-            parse_stress(prm, what),
-            parse_samples(prm, 1, 100, what)};
+            at.number(distance),
+            in["Stress"].choice<StressValues>(),
+            in["Samples"].whole(1, most_in_cut)};
   }
 } // namespace lamella

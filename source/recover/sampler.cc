@@ -38,10 +38,11 @@ namespace lamella
   {
     const Body &body = *bodies[cut.body];
     if (body.cut(cut.position, 1, Vector(body.n_dofs())).empty())
-      throw InputError("Cut " + cut.name + "/At: the axis of body '" +
-                       body.name() + "' does not reach " +
-                       to_text(cut.position) +
-                       ". Give a distance from its start, up to its Length.");
+      throw InputError("Cut " + cut.name + "/At",
+                       "",
+                       "the axis of body '" + body.name() +
+                         "' does not reach " + to_text(cut.position),
+                       "Give a distance from its start, up to its Length.");
   }
 
 
@@ -50,11 +51,11 @@ namespace lamella
   Sampler::places_of(const Line &line) const
   {
     const Body       &body  = *bodies[line.body];
-    const std::string what  = "Line " + line.name;
+    const std::string path  = "Line " + line.name;
     const auto        point = [&line](const double t) {
       return line.from + t * (line.to - line.from);
     };
-    locate_all(body, {line.from, line.to}, what);
+    locate_all(body, {line.from, line.to}, path);
 
     // Pieces of one ply each: elements of the same ply are merged. A line in an
     // interface has two sides, the lower ply first, then all of the upper one.
@@ -68,7 +69,7 @@ namespace lamella
     std::vector<Point<3>>     middles;
     for (unsigned int k = 0; k + 1 < breaks.size(); ++k)
       middles.push_back(point(0.5 * (breaks[k] + breaks[k + 1])));
-    const auto found = locate_sides(body, middles, what);
+    const auto found = locate_sides(body, middles, path);
     for (unsigned int k = 0; k < middles.size(); ++k)
       for (unsigned int side = 0;
            side < std::min<std::size_t>(2, found[k].size());

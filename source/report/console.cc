@@ -3,7 +3,6 @@
 #include <lamella/base/text.h>
 #include <lamella/body/fields.h>
 #include <lamella/report/console.h>
-#include <lamella/report/summary.h>
 
 #include <algorithm>
 #include <cmath>

@@ -2,16 +2,17 @@
 
 #include <lamella/base/exceptions.h>
 #include <lamella/base/output_file.h>
+#include <lamella/body/surface_topology.h>
 #include <lamella/report/contact_surface.h>
 #include <lamella/report/fields_table.h>
 
 #include <deal.II/base/utilities.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <map>
 #include <set>
-#include <tuple>
 
 namespace lamella
 {
@@ -19,86 +20,60 @@ namespace lamella
 
   namespace
   {
-    /// A face of an element: element, unit coordinate across it, which side.
-    using Face = std::tuple<unsigned int, unsigned int, bool>;
-
-    /// The points of a face by their unit coordinates in it.
-    using FaceGrid = std::map<std::pair<long, long>, unsigned int>;
-
-
-
-    std::map<Face, FaceGrid>
-    points_on_faces(const std::vector<std::vector<Location>> &locations)
+    /// Of the points in @p at_node the one whose normal is most like the
+    /// @p normal of a facet; at an edge each side has its own.
+    unsigned int
+    point_on(const std::vector<unsigned int> &at_node,
+             const Tensor<1, 3>              &normal,
+             const ContactInterface          &contact)
     {
-      // Unit coordinates without the rounding of an inverted map.
-      const auto rounded = [](const double t) { return std::lround(t * 1e6); };
-      const long zero = rounded(0.), one = rounded(1.);
-
-      std::map<Face, FaceGrid> faces;
-      for (unsigned int k = 0; k < locations.size(); ++k)
-        for (const Location &location : locations[k])
-          for (const Location::Place &place : location.places)
-            for (unsigned int d = 0; d < 3; ++d)
-              {
-                const long across = rounded(place.unit[d]);
-                if (across == zero || across == one)
-                  faces[{place.cell, d, across == one}].insert(
-                    {{rounded(place.unit[(d + 1) % 3]),
-                      rounded(place.unit[(d + 2) % 3])},
-                     k});
-              }
-      return faces;
+      const auto along = [&](const unsigned int k) {
+        return std::abs(contact.points[k].normal * normal);
+      };
+      return *std::max_element(at_node.begin(),
+                               at_node.end(),
+                               [&](const unsigned int a, const unsigned int b) {
+                                 return along(a) < along(b);
+                               });
     }
 
 
 
-    /// Whether the normals of @p contact's points are those of a quadrilateral
-    /// between @p positions: a face inside of the body may have points on its
-    /// edges, too.
-    bool
-    lies_in_surface(const ContactSurface::Quadrilateral &quad,
-                    const std::vector<Point<3>>         &positions,
-                    const ContactInterface              &contact)
+    /// The cells of the grids of @p topology that have points of @p contact at
+    /// all four corners; @p points are their numbers by node.
+    std::vector<ContactSurface::Quadrilateral>
+    quadrilaterals_between(const SurfaceTopology &topology,
+                           const std::vector<std::vector<unsigned int>> &points,
+                           const Body                                   &body,
+                           const ContactInterface &contact)
     {
-      const Tensor<1, 3> normal =
-        cross_product_3d(positions[quad[2]] - positions[quad[0]],
-                         positions[quad[3]] - positions[quad[1]]);
-      for (const unsigned int k : quad)
-        if (std::abs(normal * contact.points[k].normal) < 0.5 * normal.norm())
-          return false;
-      return true;
-    }
-
-
-
-    /// Adds the quadrilaterals between neighbouring points of @p grid.
-    void
-    add_quadrilaterals(const FaceGrid                             &grid,
-                       const std::vector<Point<3>>                &positions,
-                       const ContactInterface                     &contact,
-                       std::vector<ContactSurface::Quadrilateral> &quads)
-    {
-      std::set<long> s_values, t_values;
-      for (const auto &[at, k] : grid)
+      std::vector<ContactSurface::Quadrilateral> quads;
+      for (const SurfaceTopology::Facet &facet : topology.facets)
         {
-          s_values.insert(at.first);
-          t_values.insert(at.second);
+          const Tensor<1, 3> normal =
+            body.surface_point(facet.side, {0.5, 0.5}).normal;
+          const unsigned int n = facet.side.degree_s + 1;
+          for (unsigned int j = 0; j < facet.side.degree_t; ++j)
+            for (unsigned int i = 0; i + 1 < n; ++i)
+              {
+                const std::array<unsigned int, 4> ring{{j * n + i,
+                                                        j * n + i + 1,
+                                                        (j + 1) * n + i + 1,
+                                                        (j + 1) * n + i}};
+                ContactSurface::Quadrilateral     quad;
+                bool                              is_whole = true;
+                for (unsigned int c = 0; c < 4 && is_whole; ++c)
+                  {
+                    const auto &there = points[facet.grid[ring[c]]];
+                    is_whole          = !there.empty();
+                    if (is_whole)
+                      quad[c] = point_on(there, normal, contact);
+                  }
+                if (is_whole)
+                  quads.push_back(quad);
+              }
         }
-      for (auto s = s_values.begin(); std::next(s) != s_values.end(); ++s)
-        for (auto t = t_values.begin(); std::next(t) != t_values.end(); ++t)
-          {
-            const auto a = grid.find({*s, *t}),
-                       b = grid.find({*std::next(s), *t}),
-                       c = grid.find({*std::next(s), *std::next(t)}),
-                       d = grid.find({*s, *std::next(t)});
-            if (a == grid.end() || b == grid.end() || c == grid.end() ||
-                d == grid.end())
-              continue;
-            const ContactSurface::Quadrilateral quad{
-              {a->second, b->second, c->second, d->second}};
-            if (lies_in_surface(quad, positions, contact))
-              quads.push_back(quad);
-          }
+      return quads;
     }
 
 
@@ -131,24 +106,22 @@ namespace lamella
         first.push_back(point.first);
         second.push_back(point.second);
       }
-    const Bodies &bodies        = structure.bodies();
-    const auto    first_located = bodies[contact.first_body]->locate(first);
-    first_places                = first_of(first_located);
-    auto carrying               = first_located;
+    const Bodies &bodies = structure.bodies();
+    first_places         = first_of(bodies[contact.first_body]->locate(first));
     if (contact.second_body)
-      {
-        const auto second_located =
-          bodies[*contact.second_body]->locate(second);
-        second_places = first_of(second_located);
-        if (contact.points_on_second)
-          carrying = second_located;
-      }
+      second_places = first_of(bodies[*contact.second_body]->locate(second));
 
-    for (const auto &[face, grid] : points_on_faces(carrying))
-      add_quadrilaterals(grid,
-                         contact.points_on_second ? second : first,
-                         contact,
-                         quads);
+    const Body &carrying =
+      *bodies[contact.points_on_second ? *contact.second_body :
+                                         contact.first_body];
+    const SurfaceTopology topology =
+      carrying.surface_topology(contact.carrying_surface);
+    std::vector<std::vector<unsigned int>> at_node(topology.n_grid);
+    for (unsigned int k = 0; k < contact.points.size(); ++k)
+      if (const auto node =
+            topology.grid_node(contact.points[k].node.places.at(0)))
+        at_node[*node].push_back(k);
+    quads = quadrilaterals_between(topology, at_node, carrying, contact);
     std::set<unsigned int> in_quads;
     for (const Quadrilateral &quad : quads)
       in_quads.insert(quad.begin(), quad.end());

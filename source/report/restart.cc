@@ -2,6 +2,7 @@
 
 #include <lamella/base/exceptions.h>
 #include <lamella/base/output_file.h>
+#include <lamella/base/version.h>
 #include <lamella/report/restart.h>
 
 #include <boost/archive/binary_iarchive.hpp>
@@ -103,11 +104,13 @@ namespace lamella
   Restart
   read_restart(const std::string &directory, const std::string &scene)
   {
-    const std::string what = "--resume --output " + directory + ": ";
-    std::ifstream     file(directory + name, std::ios::binary);
+    const auto fail = [&directory](const std::string &message) {
+      throw InputError(message).at("--resume --output " + directory + ": ");
+    };
+    std::ifstream file(directory + name, std::ios::binary);
     if (!file)
-      throw InputError(what + "there is no run of Lamella to go on with. Leave "
-                              "out --resume, or name its folder.");
+      fail("there is no run of Lamella to go on with. Leave out --resume, or "
+           "name its folder.");
     Restart restart;
     try
       {
@@ -116,21 +119,19 @@ namespace lamella
       }
     catch (const std::exception &)
       {
-        throw InputError(what + "its file 'restart' is damaged, or of another "
-                                "program. Run the scene from the start, "
-                                "without --resume.");
+        fail("its file 'restart' is damaged, or of another program. Run the "
+             "scene from the start, without --resume.");
       }
-    if (restart.version != LAMELLA_VERSION)
-      throw InputError(what + "the run is of version " + restart.version +
-                       " of Lamella, this is " LAMELLA_VERSION
-                       ". Run the scene from the start, without --resume.");
+    if (restart.version != version())
+      fail("the run is of version " + restart.version +
+           " of Lamella, this is " + version() +
+           ". Run the scene from the start, without --resume.");
     if (restart.scene != scene)
-      throw InputError(
-        what + "the run is of another scene; what it is of stands in " +
-        directory + "/scene.prm. Give that scene, or leave out --resume.");
+      fail("the run is of another scene; what it is of stands in " + directory +
+           "/scene.prm. Give that scene, or leave out --resume.");
     if (restart.finished)
-      throw InputError(what + "the run is finished; nothing is left to resume. "
-                              "Leave out --resume to run it anew.");
+      fail("the run is finished; nothing is left to resume. Leave out --resume "
+           "to run it anew.");
     return restart;
   }
 } // namespace lamella

@@ -72,13 +72,13 @@ namespace lamella
         alone = descriptor >= 0 || !writes;
       }
     if (!on_all_processes(writes))
-      throw InputError("--output " + folder +
-                       ": results cannot be written there. Name a folder that "
-                       "can be created and written.");
+      throw InputError("results cannot be written there. Name a folder that "
+                       "can be created and written.")
+        .at("--output " + folder + ": ");
     if (!on_all_processes(alone))
-      throw InputError("--output " + folder +
-                       ": another run is at work there. Wait for it, or name "
-                       "another folder.");
+      throw InputError("another run is at work there. Wait for it, or name "
+                       "another folder.")
+        .at("--output " + folder + ": ");
   }
 
 
@@ -134,10 +134,10 @@ namespace lamella
   ResultsFolder::make_room()
   {
     if (!on_all_processes(is_still_there()))
-      throw InputError("--output " + folder +
-                       ": the folder was removed or renamed while the run was "
-                       "at work, and what it had written with it. Run the "
-                       "scene again.");
+      throw InputError("the folder was removed or renamed while the run was at "
+                       "work, and what it had written with it. Run the scene "
+                       "again.")
+        .at("--output " + folder + ": ");
     if (has_room)
       return;
     has_room = true;

@@ -3,6 +3,7 @@
 #include <lamella/base/exceptions.h>
 #include <lamella/base/output_file.h>
 #include <lamella/base/processes.h>
+#include <lamella/base/version.h>
 #include <lamella/report/results_writer.h>
 #include <lamella/report/section_table.h>
 #include <lamella/report/summary.h>
@@ -17,7 +18,7 @@ namespace lamella
     : scenery(scenery)
     , place(directory)
   {
-    standing.version = LAMELLA_VERSION;
+    standing.version = version();
     standing.scene   = scenery.resolved;
     if (scenery.write_vtu)
       for (const ContactInterface &contact : scenery.contacts)
@@ -37,9 +38,9 @@ namespace lamella
           std::error_code   error;
           const std::string path = place.path() + "/" + name;
           if (std::filesystem::file_size(path, error) < size || error)
-            throw InputError("--resume --output " + place.path() + ": " + name +
-                             " has become shorter since. Run the scene from "
-                             "the start, without --resume.");
+            throw InputError(name + " has become shorter since. Run the scene "
+                                    "from the start, without --resume.")
+              .at("--resume --output " + place.path() + ": ");
           std::filesystem::resize_file(path, size);
         }
     place.keep();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <lamella/base/memory.h>
+#include <lamella/base/version.h>
 #include <lamella/report/summary.h>
 
 #include <nlohmann/json.hpp>
@@ -8,44 +9,6 @@
 namespace lamella
 {
   using Json = nlohmann::ordered_json;
-
-  std::string
-  name_of(const Discretisation discretisation)
-  {
-    switch (discretisation)
-      {
-        case Discretisation::node_to_node:
-          return "node to node";
-        case Discretisation::node_to_surface:
-          return "node to surface";
-        case Discretisation::surface_to_surface:
-          return "surface to surface";
-        case Discretisation::undefined:
-          break;
-      }
-    return "undefined";
-  }
-
-
-
-  std::string
-  name_of(const Enforcement enforcement)
-  {
-    switch (enforcement)
-      {
-        case Enforcement::penalty:
-          return "penalty";
-        case Enforcement::augmented_lagrangian:
-          return "augmented lagrangian";
-        case Enforcement::exact:
-          return "exact";
-        case Enforcement::undefined:
-          break;
-      }
-    return "undefined";
-  }
-
-
 
   namespace
   {
@@ -104,12 +67,15 @@ namespace lamella
         json["factor_non_zeros"] = solver.non_zeros;
       return json;
     }
+
+
+
     /// What is known before a step is solved, and what the run cost.
     Json
     run_json(const Results &results)
     {
       Json json;
-      json["version"] = LAMELLA_VERSION;
+      json["version"] = version();
       json["title"]   = results.title;
       json["units"]   = {{"length", results.units.length},
                          {"force", results.units.force},

@@ -44,7 +44,8 @@ Exit status: 0 done, 1 a fault of the input, 2 a failure of the numerics.
     unsigned int
     n_threads(const std::string &text)
     {
-      const double n = to_number(text, "--threads");
+      const bool   is_number = fault_of_number(text).rule.empty();
+      const double n         = is_number ? to_number(text) : 0.;
       if (!(n >= 1. && n <= 1024. && n == std::floor(n)))
         throw InputError("--threads must be a whole number from 1 to 1024.");
       return static_cast<unsigned int>(n);
@@ -108,12 +109,11 @@ Exit status: 0 done, 1 a fault of the input, 2 a failure of the numerics.
     CommandLine  result;
     bool         calculix = false;
     unsigned int i        = 0;
-    if (!words.empty() && words[0] == "trade")
-      result.task = Task::trade;
-    else if (!words.empty() && words[0] == "export")
-      result.task = Task::export_calculix;
-    if (result.task != Task::run)
-      ++i;
+    if (const auto task = named<Task>(words.empty() ? "" : words[0]))
+      {
+        result.task = *task;
+        ++i;
+      }
 
     const std::map<std::string, std::string *> texts{
       {"--output", &result.output},

@@ -82,14 +82,14 @@ namespace lamella
     , timer(out, TimerOutput::never, TimerOutput::wall_times)
   {
     {
-      TimerOutput::Scope scope(timer, "setup");
+      TimerOutput::Scope scope(timer, name_of(Phase::setup));
       build_structure();
     }
     {
-      TimerOutput::Scope scope(timer, "contact");
+      TimerOutput::Scope scope(timer, name_of(Phase::contact));
       build_contacts();
     }
-    TimerOutput::Scope scope(timer, "setup");
+    TimerOutput::Scope scope(timer, name_of(Phase::setup));
     sampler = std::make_unique<Sampler>(structure->bodies(),
                                         scene.probes,
                                         scene.lines,
@@ -110,11 +110,12 @@ namespace lamella
     tell_large_sections(sections, out);
     std::vector<Stabilisation> stabilisations;
     for (const BodyDescription &body : scene.bodies)
-      stabilisations.push_back(body.stabilisation);
-    structure = std::make_unique<Structure>(build_bodies(scene, sections),
-                                            scene.supports,
-                                            scene.loads,
-                                            stabilisations);
+      stabilisations.push_back({body.stabilisation});
+    structure = std::make_unique<Structure>(
+      make_bodies(scene.bodies, sections, scene.solve.memory_limit),
+      scene.supports,
+      scene.loads,
+      stabilisations);
     for (const auto &body : structure->bodies())
       body->solver_kind(scene.solve.solver);
   }
@@ -199,7 +200,7 @@ namespace lamella
     out << "Memory: " << memory << std::endl;
     if (scene.solve.strategy == Strategy::full)
       {
-        TimerOutput::Scope scope(timer, "assembly");
+        TimerOutput::Scope scope(timer, name_of(Phase::assembly));
         solver = std::make_unique<PenaltyNewton>(*structure,
                                                  gap_rows,
                                                  scene.solve.loop);
@@ -229,10 +230,12 @@ namespace lamella
     // Phases that alternate from body to body, and end with whatever is thrown.
     std::optional<TimerOutput::Scope> phase;
     Structure::BodyMonitor            monitor;
-    monitor.begins    = [&](const Body &) { phase.emplace(timer, "assembly"); };
+    monitor.begins = [&](const Body &) {
+      phase.emplace(timer, name_of(Phase::assembly));
+    };
     monitor.assembled = [&](const Body &) {
       phase.reset();
-      phase.emplace(timer, "factorisation");
+      phase.emplace(timer, name_of(Phase::factorisation));
     };
     monitor.sized = [&](const Body &body, const FactorSize &size) {
       out << "Memory: " << budget.require_factor(body, size) << std::endl;
@@ -262,18 +265,18 @@ namespace lamella
   {
     const State previous = state;
     {
-      TimerOutput::Scope scope(timer, "solve");
+      TimerOutput::Scope scope(timer, name_of(Phase::solve));
       state = solver->solve_free(factor);
     }
     if (!gap_rows.empty())
       {
-        TimerOutput::Scope scope(timer, "contact");
+        TimerOutput::Scope scope(timer, name_of(Phase::contact));
         state = solver->release_springs(
           solver->solve_contact(state, factor, previous), factor);
       }
     Checks checks;
     {
-      TimerOutput::Scope scope(timer, "solve");
+      TimerOutput::Scope scope(timer, name_of(Phase::solve));
       checks =
         check_state(*structure, contacts, scene.supports.size(), state, factor);
       require_sound(state, checks, scene.solve.rotation_limit);
@@ -284,13 +287,13 @@ namespace lamella
                                gap_rows.of_contact(k, state.active));
     }
     {
-      TimerOutput::Scope scope(timer, "output");
+      TimerOutput::Scope scope(timer, name_of(Phase::output));
       found.steps.push_back(take_results(step, factor, checks, previous));
     }
     if (!observer)
       return;
     count_costs();
-    TimerOutput::Scope scope(timer, "output");
+    TimerOutput::Scope scope(timer, name_of(Phase::output));
     observer(found);
     if (step > 1)
       found.steps[step - 2].drop_fields();
@@ -381,9 +384,12 @@ namespace lamella
     ResultsWriter writer(
       directory,
       {*structure, contacts, sections, scene.resolved, scene.write_vtu});
+    // Steps of an earlier run, which are not looked at again.
+    std::size_t earlier = 0;
     if (resume)
       {
         found.steps = writer.resume();
+        earlier     = found.steps.size();
         state       = found.steps.back().state;
         out << "Going on after load step " << found.steps.size() << " of "
             << found.load_steps << std::endl;
@@ -394,7 +400,7 @@ namespace lamella
       }
     catch (const NumericsError &error)
       {
-        if (!found.steps.empty())
+        if (found.steps.size() > earlier)
           {
             count_costs();
             writer.write_end(found);
@@ -457,8 +463,7 @@ namespace lamella
       }
     catch (const InputError &error)
       {
-        const std::string message = text.abbreviated(error.what());
-        throw InputError(text.place_of(message) + message);
+        throw text.placed(error);
       }
   }
 } // namespace lamella

@@ -1,16 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include <lamella/axis/parameters.h>
-#include <lamella/base/exceptions.h>
-#include <lamella/base/text.h>
-#include <lamella/body/beam.h>
-#include <lamella/body/solid.h>
-#include <lamella/body/solid_parameters.h>
+#include <lamella/base/entry.h>
 #include <lamella/conditions/parameters.h>
 #include <lamella/contact/parameters.h>
 #include <lamella/material/parameters.h>
 #include <lamella/scene/scene.h>
 #include <lamella/scene/size_check.h>
+#include <lamella/scene/theory_notes.h>
 #include <lamella/shape/parameters.h>
 #include <lamella/shape/properties.h>
 
@@ -25,6 +21,7 @@ namespace lamella
 {
   using dealii::ParameterHandler;
   using dealii::Patterns::Anything;
+  using dealii::Patterns::Bool;
 
   namespace
   {
@@ -46,8 +43,8 @@ namespace lamella
       return all;
     }
 
-    /// Names by list.
-    using Names = std::map<std::string, std::vector<std::string>>;
+    /// The names in each of these lists.
+    using NameLists = std::map<std::string, std::vector<std::string>>;
 
 
 
@@ -72,7 +69,7 @@ namespace lamella
       prm.declare_entry(
         "Write VTU",
         "true",
-        Anything(),
+        Bool(),
         "Whether to write the deformed bodies for ParaView: true "
         "or false.");
       for (const auto &[list, kind] : kinds())
@@ -81,42 +78,6 @@ namespace lamella
                           Anything(),
                           "Names between commas; each has a subsection '" +
                             kind + " NAME'.");
-    }
-
-
-
-    void
-    declare_body(ParameterHandler &prm)
-    {
-      prm.declare_entry("Section", "", Anything(), "A name of Sections.");
-      prm.declare_entry("Origin",
-                        "0, 0, 0",
-                        Anything(),
-                        "Scene position of the section's lower left corner (of "
-                        "a mesh file: of its own origin) at the start of the "
-                        "axis [length].");
-      prm.declare_entry("Axis",
-                        "0, 1, 0",
-                        Anything(),
-                        "Direction of the axis, the body's y.");
-      prm.declare_entry("Up",
-                        "0, 0, 1",
-                        Anything(),
-                        "Direction that the section's z leans towards.");
-      prm.declare_entry("Length", "", Anything(), "Of the axis [length].");
-      prm.declare_entry(
-        "Stabilisation",
-        "0",
-        Anything(),
-        "For a body that contact alone holds, e.g. a roller under a force: "
-        "springs to the ground in its free rigid motions, of this share of its "
-        "axial stiffness E A / L (1e-6, say), which are iterated out of the "
-        "result. 0: none; a body that can move freely is an error.");
-      prm.enter_subsection("Kinematics");
-      TheoryParameters::declare(prm);
-      AxisParameters::declare(prm);
-      SolidParameters::declare(prm);
-      prm.leave_subsection();
     }
 
 
@@ -135,7 +96,7 @@ namespace lamella
 
 
     void
-    declare_all(ParameterHandler &prm, const Names &names)
+    declare_all(ParameterHandler &prm, const NameLists &names)
     {
       declare_scene(prm);
       for (const auto &[list, kind] : kinds())
@@ -147,21 +108,21 @@ namespace lamella
             else if (kind == "Section")
               SectionParameters::declare(prm);
             else if (kind == "Body")
-              declare_body(prm);
+              BodyParameters::declare(prm);
             else if (kind == "Support")
-              declare_support(prm);
+              SupportParameters::declare(prm);
             else if (kind == "Load")
-              declare_load(prm);
+              LoadParameters::declare(prm);
             else if (kind == "Obstacle")
-              declare_obstacle(prm);
+              ObstacleParameters::declare(prm);
             else if (kind == "Contact")
-              declare_contact(prm);
+              ContactParameters::declare(prm);
             else if (kind == "Probe")
-              declare_probe(prm);
+              ProbeParameters::declare(prm);
             else if (kind == "Line")
-              declare_line(prm);
+              LineParameters::declare(prm);
             else if (kind == "Cut")
-              declare_cut(prm);
+              CutParameters::declare(prm);
             if (kind == "Support" || kind == "Contact")
               declare_references(prm);
             prm.leave_subsection();
@@ -174,7 +135,7 @@ namespace lamella
 
 
     /// The first pass.
-    Names
+    NameLists
     read_names(const SceneText &text)
     {
       static const std::regex form("[A-Za-z][A-Za-z0-9_-]*");
@@ -182,35 +143,31 @@ namespace lamella
       declare_scene(prm);
       text.check_declared(prm, /*top_level_only=*/true);
       text.fill(prm, /*top_level_only=*/true);
-      Names names;
+      const Entries in(prm, "");
+      NameLists     names;
       for (const auto &[list, kind] : kinds())
         {
-          names[list] = split(prm.get(list), ',');
+          const Entry entry = in[list];
+          names[list]       = entry.items();
           std::set<std::string> seen;
           for (const std::string &name : names[list])
             {
-              const std::string entry = list + " = " + prm.get(list);
               if (!std::regex_match(name, form))
-                throw InputError(
-                  entry + ": '" + name +
-                  "' is not a name. Names begin with a letter "
-                  "and go on with letters, digits, '_' and '-'.");
+                entry.refuse("'" + name + "' is not a name",
+                             "NameLists begin with a letter and go on with "
+                             "letters, digits, '_' and '-'.");
               if (!seen.insert(name).second)
-                throw InputError(entry + ": '" + name +
-                                 "' stands there twice.");
+                entry.refuse("'" + name + "' stands there twice");
             }
         }
       for (const std::string &name : names["Obstacles"])
         for (const std::string &body : names["Bodies"])
           if (name == body)
-            throw InputError("Obstacles = " + prm.get("Obstacles") + ": '" +
-                             name +
-                             "' is the name of a body, too. Rename one of "
-                             "the two.");
+            in["Obstacles"].refuse("'" + name + "' is the name of a body, too",
+                                   "Rename one of the two.");
       for (const char *list : {"Materials", "Sections", "Bodies"})
         if (names[list].empty())
-          throw InputError(std::string(list) +
-                           " is empty: a scene needs at least one name there.");
+          in[list].is_missing("a scene needs at least one name there.");
       return names;
     }
 
@@ -218,80 +175,16 @@ namespace lamella
 
     SectionShape
     parse_section(ParameterHandler               &prm,
+                  const Entries                  &in,
                   const std::vector<std::string> &materials,
-                  const std::string              &folder,
-                  const std::string              &what)
+                  const std::string              &folder)
     {
       const SectionShape shape =
-        SectionParameters::parse(prm).shape(materials, folder, what);
+        SectionParameters::parse(in, materials, folder);
       // The resolved scene must find the mesh from its own folder, too.
       if (const auto *file = std::get_if<SectionFile>(&shape))
         prm.set("File", std::filesystem::absolute(file->path).string());
       return shape;
-    }
-
-
-
-    BodyDescription
-    parse_body(ParameterHandler               &prm,
-               const std::string              &name,
-               const std::string              &scene_theory,
-               const std::vector<std::string> &sections)
-    {
-      const std::string what = "Body " + name;
-      BodyDescription   body;
-      body.name    = name;
-      body.section = prm.get("Section");
-      if (std::find(sections.begin(), sections.end(), body.section) ==
-          sections.end())
-        throw InputError(what + "/Section = " + body.section +
-                         ": there is no such section. The nearest of Sections "
-                         "is '" +
-                         nearest_name(body.section, sections) + "'.");
-
-      const std::string length = prm.get("Length");
-      if (length.empty())
-        throw InputError(what + "/Length is missing: give a positive length.");
-      const double value = to_number(length, what + "/Length = " + length);
-      if (!(value > 0.))
-        throw InputError(what + "/Length = " + length + ": must be positive.");
-      try
-        {
-          body.placement = Placement::from_directions(
-            to_point(prm.get("Origin"), what + "/Origin"),
-            to_point(prm.get("Axis"), what + "/Axis"),
-            to_point(prm.get("Up"), what + "/Up"));
-        }
-      catch (const InputError &error)
-        {
-          const std::string message = error.what();
-          throw InputError(message.compare(0, what.size(), what) == 0 ?
-                             message :
-                             what + ": " + message);
-        }
-
-      body.stabilisation.share =
-        to_number(prm.get("Stabilisation"), what + "/Stabilisation");
-      if (!(body.stabilisation.share >= 0. && body.stabilisation.share <= 1e-2))
-        throw InputError(what + "/Stabilisation = " + prm.get("Stabilisation") +
-                         ": must lie between 0 (none) and 0.01; 1e-6 holds a "
-                         "body without changing the result.");
-
-      prm.enter_subsection("Kinematics");
-      body.theory = TheoryParameters::parse(prm).resolve(scene_theory,
-                                                         what + "/Kinematics");
-      body.axis = AxisParameters::parse(prm).mesh(value, what + "/Kinematics");
-      if (body.theory.kind == Theory::Kind::EBBT && body.axis.degree != 3)
-        throw InputError(what + "/Kinematics/Axis element = B" +
-                         std::to_string(body.axis.degree + 1) +
-                         ": EBBT needs B4, whose cubic deflections Kirchhoff's "
-                         "constraint makes smooth from element to element. Use "
-                         "B4, or TBT.");
-      body.refinement =
-        SolidParameters::parse(prm).refinement(body.placement,
-                                               what + "/Kinematics");
-      prm.leave_subsection();
-      return body;
     }
 
 
@@ -311,117 +204,128 @@ namespace lamella
               (last.obstacle != nullptr || same(other->second, last.second))) ||
              (last.obstacle == nullptr && same(other->first, last.second) &&
               same(other->second, last.first))))
-          throw InputError("Contact " + last.name +
-                           ": pairs the same surfaces as Contact " +
-                           other->name + ". Keep one of the two.");
+          throw InputError("Contact " + last.name,
+                           "",
+                           "pairs the same surfaces as Contact " + other->name,
+                           "Keep one of the two.");
     }
 
 
 
-    /// What low orders get wrong, in words.
-    std::vector<std::string>
-    warnings_of_orders(const std::vector<BodyDescription> &bodies)
+    /// Enters the subsections of a scene one after the other.
+    class Subsections
     {
-      std::vector<std::string> warnings;
-      for (const BodyDescription &body : bodies)
-        {
-          if (body.theory.kind != Theory::Kind::solid && body.axis.degree < 3 &&
-              !body.axis.assumed_shear)
-            warnings.push_back(
-              "body " + body.name + ": B" +
-              std::to_string(body.axis.degree + 1) +
-              " elements with full Shear strains are too stiff in bending "
-              "where they are longer than the section is high (shear "
-              "locking); use B4, or Shear strains = auto");
-          if (body.theory.kind == Theory::Kind::LE && body.theory.order == 1)
-            warnings.push_back("body " + body.name +
-                               ": LE-1 (L4) cells cannot contract linearly "
-                               "through their height and are too stiff in "
-                               "bending (Poisson locking); use LE-2");
-        }
-      return warnings;
+    public:
+      Subsections(ParameterHandler &prm,
+                  const NameLists  &names,
+                  const SceneText  &text)
+        : prm(prm)
+        , names(names)
+        , text(text)
+      {}
+
+      /// Calls @p parse with each name of @p list and the entries of its
+      /// subsection `KIND NAME`. Throws InputError if a name has none.
+      template <typename Parse>
+      void
+      each(const std::string &list, const std::string &kind, const Parse &parse)
+      {
+        for (const std::string &name : names.at(list))
+          {
+            const std::string path = kind + " " + name;
+            if (!text.has_subsection(path))
+              throw InputError(list,
+                               joined(names.at(list)),
+                               "there is no 'subsection " + path +
+                                 "' for the name in the list",
+                               "Add it, or remove the name.");
+            prm.enter_subsection(path);
+            parse(name, Entries(prm, path));
+            prm.leave_subsection();
+          }
+      }
+
+    private:
+      ParameterHandler &prm;
+      const NameLists  &names;
+      const SceneText  &text;
+    };
+
+
+
+    /// Materials, sections and bodies.
+    void
+    resolve_bodies(ParameterHandler &prm,
+                   Subsections      &subsections,
+                   const NameLists  &names,
+                   const SceneText  &text,
+                   Scene            &scene)
+    {
+      const Entry theory = Entries(prm, "")["Theory"];
+      subsections.each("Materials", "Material", [&](const auto &name, auto in) {
+        scene.materials[name] = MaterialParameters::parse(in, scene.units);
+      });
+      subsections.each("Sections", "Section", [&](const auto &name, auto in) {
+        scene.sections[name] =
+          parse_section(prm, in, names.at("Materials"), text.folder());
+      });
+      subsections.each("Bodies", "Body", [&](const auto &name, auto) {
+        scene.bodies.push_back(
+          BodyParameters::parse(prm, name, theory, names.at("Sections")));
+      });
+      scene.warnings = notes_on_choices(scene);
     }
 
 
 
-    /// Where incompatible modes do not do what they are for, in words.
-    std::vector<std::string>
-    warnings_of_hexahedra(const Scene &scene)
+    /// Supports, loads, obstacles and contacts.
+    void
+    resolve_conditions(Subsections                    &subsections,
+                       const std::vector<std::string> &bodies,
+                       Scene                          &scene)
     {
-      std::vector<std::string> warnings;
-      for (const BodyDescription &body : scene.bodies)
-        {
-          const SectionShape &shape = scene.sections.at(body.section);
-          if (body.theory.kind == Theory::Kind::solid &&
-              body.theory.order == 1 &&
-              !std::holds_alternative<Laminate>(shape) &&
-              !std::holds_alternative<ThinWalled>(shape))
-            warnings.push_back(
-              "body " + body.name +
-              ": hexahedra of solid-1 have straight edges and are too stiff in "
-              "bending where section cells are no rectangles and elements "
-              "long, tens of per cent on a section of this shape (" +
-              name_of(shape) + "); use solid-2");
-        }
-      return warnings;
-    }
-
-
-
-    /// What theories without free twist miss on off-axis plies, in words.
-    std::vector<std::string>
-    warnings_of_coupling(const Scene &scene)
-    {
-      std::vector<std::string> warnings;
-      for (const BodyDescription &body : scene.bodies)
-        {
-          const Laminate *laminate =
-            std::get_if<Laminate>(&scene.sections.at(body.section));
-          if (laminate == nullptr || (!body.theory.is_classical() &&
-                                      !(body.theory.kind == Theory::Kind::TE &&
-                                        body.theory.order == 1)))
-            continue;
-          const LaminateStiffness stiffness =
-            laminate_stiffness(laminate->plies(scene.materials),
-                               laminate->width);
-          const double ratio = stiffness.EI_untwisted / stiffness.EI;
-          if (ratio > 1.01)
-            warnings.push_back(
-              "body " + body.name + ": the layup twists when it bends, which " +
-              body.theory.name() +
-              " cannot follow; by lamination theory it is " +
-              to_text(ratio, 3) +
-              " times too stiff in bending. Use TE-2 or more, or LE-N");
-        }
-      return warnings;
+      const std::vector<std::string> resultant{"fx", "fy", "fz"};
+      subsections.each("Supports", "Support", [&](const auto &name, auto in) {
+        scene.supports.push_back(SupportParameters::parse(in, name, bodies));
+        scene.support_references[name] =
+          parse_references(in["References"], resultant);
+      });
+      subsections.each("Loads", "Load", [&](const auto &name, auto in) {
+        scene.loads.push_back(LoadParameters::parse(in, name, bodies));
+      });
+      subsections.each("Obstacles", "Obstacle", [&](const auto &name, auto in) {
+        scene.obstacles.push_back(ObstacleParameters::parse(in, name));
+      });
+      subsections.each("Contacts", "Contact", [&](const auto &name, auto in) {
+        scene.contacts.push_back(
+          ContactParameters::parse(in, name, bodies, scene.obstacles));
+        check_contact_is_new(scene.contacts);
+        scene.contact_references[name] =
+          parse_references(in["References"], resultant);
+      });
     }
 
 
 
     /// Probes, lines, cuts, and the trade of what these and the resultants
-    /// give; @p in enters a subsection and parses it.
-    template <typename In>
+    /// give.
     void
-    resolve_requests(ParameterHandler &prm,
-                     const In         &in,
-                     const Names      &names,
-                     Scene            &scene)
+    resolve_requests(ParameterHandler               &prm,
+                     Subsections                    &subsections,
+                     const std::vector<std::string> &bodies,
+                     Scene                          &scene)
     {
-      const auto &bodies = names.at("Bodies");
-      for (const std::string &name : names.at("Probes"))
-        in("Probe " + name, [&](const std::string &) {
-          scene.probes.push_back(parse_probe(prm, name, bodies));
-        });
-      for (const std::string &name : names.at("Lines"))
-        in("Line " + name, [&](const std::string &) {
-          scene.lines.push_back(parse_line(prm, name, bodies));
-        });
-      for (const std::string &name : names.at("Cuts"))
-        in("Cut " + name, [&](const std::string &) {
-          scene.cuts.push_back(parse_cut(prm, name, bodies));
-        });
+      subsections.each("Probes", "Probe", [&](const auto &name, auto in) {
+        scene.probes.push_back(ProbeParameters::parse(in, name, bodies));
+      });
+      subsections.each("Lines", "Line", [&](const auto &name, auto in) {
+        scene.lines.push_back(LineParameters::parse(in, name, bodies));
+      });
+      subsections.each("Cuts", "Cut", [&](const auto &name, auto in) {
+        scene.cuts.push_back(CutParameters::parse(in, name, bodies));
+      });
       prm.enter_subsection("Trade");
-      scene.trade = TradeParameters::parse(prm,
+      scene.trade = TradeParameters::parse(Entries(prm, "Trade"),
                                            {bodies,
                                             scene.probes,
                                             scene.support_references,
@@ -433,70 +337,21 @@ namespace lamella
 
     /// The second pass, over what @p prm has parsed.
     Scene
-    resolve(ParameterHandler &prm, const Names &names, const SceneText &text)
+    resolve(ParameterHandler &prm,
+            const NameLists  &names,
+            const SceneText  &text)
     {
-      const auto in = [&](const std::string &subsection, const auto &parse) {
-        if (!text.has_subsection(subsection))
-          throw InputError("there is no 'subsection " + subsection +
-                           "' for the name in the list. Add it, or remove the "
-                           "name.");
-        prm.enter_subsection(subsection);
-        parse(subsection);
-        prm.leave_subsection();
-      };
-      const std::vector<std::string> resultant{"fx", "fy", "fz"};
+      const Entries in(prm, "");
+      Scene         scene;
+      scene.title     = in["Title"].text();
+      scene.units     = Units::parse(in["Units"]);
+      scene.solve     = SolveParameters::parse(in);
+      scene.write_vtu = in["Write VTU"].truth();
 
-      Scene scene;
-      scene.title              = prm.get("Title");
-      scene.units              = Units::parse(prm.get("Units"));
-      scene.solve              = SolveParameters::parse(prm);
-      scene.write_vtu          = to_bool(prm.get("Write VTU"), "Write VTU");
-      const std::string theory = prm.get("Theory");
-      const auto       &bodies = names.at("Bodies");
-
-      for (const std::string &name : names.at("Materials"))
-        in("Material " + name, [&](const std::string &what) {
-          scene.materials[name] =
-            MaterialParameters::parse(prm).material(scene.units, what);
-        });
-      for (const std::string &name : names.at("Sections"))
-        in("Section " + name, [&](const std::string &what) {
-          scene.sections[name] =
-            parse_section(prm, names.at("Materials"), text.folder(), what);
-        });
-      for (const std::string &name : bodies)
-        in("Body " + name, [&](const std::string &) {
-          scene.bodies.push_back(
-            parse_body(prm, name, theory, names.at("Sections")));
-        });
-      scene.warnings = warnings_of_orders(scene.bodies);
-      for (const std::string &warning : warnings_of_hexahedra(scene))
-        scene.warnings.push_back(warning);
-      for (const std::string &warning : warnings_of_coupling(scene))
-        scene.warnings.push_back(warning);
-      for (const std::string &name : names.at("Supports"))
-        in("Support " + name, [&](const std::string &what) {
-          scene.supports.push_back(parse_support(prm, name, bodies));
-          scene.support_references[name] =
-            parse_references(prm.get("References"), resultant, what);
-        });
-      for (const std::string &name : names.at("Loads"))
-        in("Load " + name, [&](const std::string &) {
-          scene.loads.push_back(parse_load(prm, name, bodies));
-        });
-      for (const std::string &name : names.at("Obstacles"))
-        in("Obstacle " + name, [&](const std::string &) {
-          scene.obstacles.push_back(parse_obstacle(prm, name));
-        });
-      for (const std::string &name : names.at("Contacts"))
-        in("Contact " + name, [&](const std::string &what) {
-          scene.contacts.push_back(
-            parse_contact(prm, name, bodies, scene.obstacles));
-          check_contact_is_new(scene.contacts);
-          scene.contact_references[name] =
-            parse_references(prm.get("References"), resultant, what);
-        });
-      resolve_requests(prm, in, names, scene);
+      Subsections subsections(prm, names, text);
+      resolve_bodies(prm, subsections, names, text, scene);
+      resolve_conditions(subsections, names.at("Bodies"), scene);
+      resolve_requests(prm, subsections, names.at("Bodies"), scene);
       check_sizes(scene);
       return scene;
     }
@@ -507,10 +362,10 @@ namespace lamella
   namespace
   {
     /// @p text without what --set leaves out of a list, and the names.
-    std::pair<SceneText, Names>
+    std::pair<SceneText, NameLists>
     listed(SceneText text)
     {
-      Names names = read_names(text);
+      NameLists names = read_names(text);
       for (const auto &[list, kind] : kinds())
         {
           text.drop_unlisted(list, kind, names.at(list));
@@ -539,7 +394,7 @@ namespace lamella
     SceneText text = given;
     try
       {
-        Names names;
+        NameLists names;
         std::tie(text, names) = listed(given);
         ParameterHandler prm;
         declare_all(prm, names);
@@ -552,11 +407,7 @@ namespace lamella
       }
     catch (const InputError &error)
       {
-        // Messages of the text itself know their place already.
-        const std::string message = text.abbreviated(error.what());
-        const bool        placed  = message.find(": ") < message.find(' ') ||
-                            message.compare(0, 5, "--set") == 0;
-        throw InputError(placed ? message : text.place_of(message) + message);
+        throw text.placed(error);
       }
   }
 
@@ -565,7 +416,7 @@ namespace lamella
   std::string
   parameter_documentation()
   {
-    Names names;
+    NameLists names;
     for (const auto &[list, kind] : kinds())
       names[list] = {"NAME"};
     ParameterHandler prm;
@@ -592,39 +443,4 @@ namespace lamella
     return meshes;
   }
 
-
-
-  Bodies
-  build_bodies(const Scene &scene, const SectionMeshes &meshes)
-  {
-    std::map<std::pair<std::string, Theory>, std::shared_ptr<const Section>>
-           sections;
-    Bodies bodies;
-    for (const BodyDescription &description : scene.bodies)
-      {
-        const auto &mesh = meshes.at(description.section);
-        check_slenderness(description, *mesh);
-        if (description.theory.kind == Theory::Kind::solid)
-          {
-            SolidRefinement refinement = description.refinement;
-            refinement.memory_limit    = scene.solve.memory_limit;
-            bodies.push_back(std::make_unique<Solid>(description.name,
-                                                     mesh,
-                                                     description.axis,
-                                                     description.placement,
-                                                     description.theory.order,
-                                                     refinement));
-            continue;
-          }
-        auto &section = sections[{description.section, description.theory}];
-        if (section == nullptr)
-          section = make_section(mesh, description.theory);
-        bodies.push_back(
-          std::make_unique<Beam>(description.name,
-                                 section,
-                                 std::make_shared<Axis>(description.axis),
-                                 description.placement));
-      }
-    return bodies;
-  }
 } // namespace lamella

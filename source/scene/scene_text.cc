@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include <lamella/base/exceptions.h>
-#include <lamella/base/text.h>
+#include <lamella/base/patterns.h>
 #include <lamella/scene/scene_text.h>
 
 #include <algorithm>
@@ -46,8 +45,8 @@ namespace lamella
 
 
     /// That of @p items which has the path @p path, if there is one.
-    const SceneText::Entry *
-    find(const std::vector<SceneText::Entry> &items, const std::string &path)
+    const SceneText::Item *
+    find(const std::vector<SceneText::Item> &items, const std::string &path)
     {
       const auto item =
         std::find_if(items.begin(), items.end(), [&path](const auto &i) {
@@ -60,14 +59,21 @@ namespace lamella
 
     /// The names of those of @p items that stand in the subsection @p path.
     std::vector<std::string>
-    children(const std::vector<SceneText::Entry> &items,
-             const std::string                   &path)
+    children(const std::vector<SceneText::Item> &items, const std::string &path)
     {
       std::vector<std::string> names;
-      for (const SceneText::Entry &item : items)
+      for (const SceneText::Item &item : items)
         if (parent(item.path) == path)
           names.push_back(last_part(item.path));
       return names;
+    }
+
+
+
+    std::string
+    place(const std::string &file, const unsigned int line)
+    {
+      return file + ":" + std::to_string(line) + ": ";
     }
 
 
@@ -111,19 +117,21 @@ namespace lamella
         return text.rfind(mark, 0) == 0;
       };
       if (begins("\xff\xfe") || begins("\xfe\xff"))
-        throw InputError(file + ": the file is text in UTF-16. Save it as "
-                                "UTF-8 (or ASCII).");
+        throw InputError("the file is text in UTF-16. Save it as UTF-8 (or "
+                         "ASCII).")
+          .at(file + ": ");
       const std::string result = begins("\xef\xbb\xbf") ? text.substr(3) : text;
       for (std::size_t i = 0; i < result.size();)
         {
           const std::size_t n = length_of_character(result, i);
           if (n == 0)
             throw InputError(
-              file + ":" +
-              std::to_string(
-                1 + std::count(result.begin(), result.begin() + i, '\n')) +
-              ": the line has a byte that no text in UTF-8 has there. Save the "
-              "file as UTF-8 (or ASCII), or write the line anew.");
+              "the line has a byte that no text in UTF-8 has there. Save the "
+              "file as UTF-8 (or ASCII), or write the line anew.")
+              .at(
+                place(file,
+                      1 +
+                        std::count(result.begin(), result.begin() + i, '\n')));
           i += n;
         }
       return result;
@@ -140,18 +148,6 @@ namespace lamella
         if (line[i] == '#' && (i == 0 || line[i - 1] != '\\'))
           return i;
       return std::string::npos;
-    }
-
-
-
-    /// @p text with each @p what replaced.
-    std::string
-    replaced(std::string text, const std::string &what, const std::string &by)
-    {
-      for (std::size_t at = 0; (at = text.find(what, at)) != std::string::npos;
-           at += by.size())
-        text.replace(at, what.size(), by);
-      return text;
     }
 
 
@@ -188,9 +184,10 @@ namespace lamella
         {
           if (begin_of_comment(line) != std::string::npos)
             throw InputError(
-              place + "a comment ends with a backslash, which would make "
-                      "the next line a part of it. Remove the "
-                      "backslash, or write something behind it.");
+              "a comment ends with a backslash, which would make the next line "
+              "a part of it. Remove the backslash, or write something behind "
+              "it.")
+              .at(place);
           std::string next;
           std::getline(lines, next);
           ++number;
@@ -198,10 +195,10 @@ namespace lamella
           if ((next.compare(0, 4, "set ") == 0 &&
                next.find('=') != std::string::npos) ||
               next.compare(0, 11, "subsection ") == 0)
-            throw InputError(place +
-                             "the line ends with a backslash, which makes "
-                             "the next, '" +
-                             next + "', a part of it. Remove the backslash.");
+            throw InputError("the line ends with a backslash, which makes the "
+                             "next, '" +
+                             next + "', a part of it. Remove the backslash.")
+              .at(place);
           line = line.substr(0, line.size() - 1) + next;
         }
       const std::size_t comment = begin_of_comment(line);
@@ -212,30 +209,30 @@ namespace lamella
 
 
     void
-    refuse_repetition(const std::vector<SceneText::Entry> &items,
-                      const std::string                   &kind,
-                      const std::string                   &file)
+    refuse_repetition(const std::vector<SceneText::Item> &items,
+                      const std::string                  &kind,
+                      const std::string                  &file)
     {
       for (auto a = items.begin(); a != items.end(); ++a)
         for (auto b = std::next(a); b != items.end(); ++b)
           if (a->path == b->path)
-            throw InputError(
-              file + ":" + std::to_string(b->line) + ": " + kind + " " +
-              a->path + " was given already in line " +
-              std::to_string(a->line) + ". Keep one of the two.");
+            throw InputError(kind + " " + a->path +
+                             " was given already in line " +
+                             std::to_string(a->line) + ". Keep one of the two.")
+              .at(place(file, b->line));
     }
 
 
 
     /// The entry that PATH=VALUE of --set means.
-    SceneText::Entry
+    SceneText::Item
     override_entry(const std::string &assignment)
     {
       const auto equals = assignment.find('=');
       if (equals == std::string::npos || equals == 0)
-        throw InputError("--set " + assignment +
-                         ": write SUBSECTION/ENTRY=VALUE, as in "
-                         "\"Body upper/Kinematics/Theory=LE-3\".");
+        throw InputError("write SUBSECTION/ENTRY=VALUE, as in \"Body "
+                         "upper/Kinematics/Theory=LE-3\".")
+          .at("--set " + assignment + ": ");
       std::vector<std::string> parts = split(assignment.substr(0, equals), '/');
       for (std::string &part : parts)
         part = collapsed(part);
@@ -254,16 +251,16 @@ namespace lamella
     refuse_repetition(entries, "entry", file);
     refuse_repetition(subsections, "subsection", file);
     if (entries.empty())
-      throw InputError(file + ": the scene is empty. `lamella "
-                              "--print-parameters` prints what it may say.");
+      throw InputError("the scene is empty. `lamella --print-parameters` "
+                       "prints what it may say.")
+        .at(file + ": ");
     for (const std::string &assignment : overrides)
       {
-        const Entry entry = override_entry(checked_bytes(assignment, "--set"));
-        const auto  old   = std::find_if(entries.begin(),
-                                      entries.end(),
-                                      [&entry](const Entry &e) {
-                                        return e.path == entry.path;
-                                      });
+        const Item entry = override_entry(checked_bytes(assignment, "--set"));
+        const auto old =
+          std::find_if(entries.begin(), entries.end(), [&entry](const Item &e) {
+            return e.path == entry.path;
+          });
         if (old != entries.end())
           *old = entry;
         else
@@ -281,14 +278,21 @@ namespace lamella
   SceneText::fill(dealii::ParameterHandler &prm,
                   const bool                top_level_only) const
   {
-    for (const Entry &entry : entries)
+    for (const Item &entry : entries)
       {
         if (top_level_only && !parent(entry.path).empty())
           continue;
         const std::vector<std::string> parts = split(entry.path, '/');
         for (unsigned int i = 0; i + 1 < parts.size(); ++i)
           prm.enter_subsection(parts[i]);
-        prm.set(parts.back(), entry.value);
+        try
+          {
+            prm.set(parts.back(), entry.value);
+          }
+        catch (const dealii::ParameterHandler::ExcValueDoesNotMatchPattern &)
+          {
+            patterns::refuse(Entry(entry.path, entry.value), prm);
+          }
         for (unsigned int i = 0; i + 1 < parts.size(); ++i)
           prm.leave_subsection();
       }
@@ -314,12 +318,12 @@ namespace lamella
                            const std::vector<std::string> &names)
   {
     const bool overridden =
-      std::any_of(entries.begin(), entries.end(), [&list](const Entry &entry) {
+      std::any_of(entries.begin(), entries.end(), [&list](const Item &entry) {
         return entry.path == list && entry.line == 0;
       });
     if (!overridden)
       return;
-    const auto is_left_out = [&](const Entry &item) {
+    const auto is_left_out = [&](const Item &item) {
       const std::string first = item.path.substr(0, item.path.find('/'));
       return first.compare(0, kind.size() + 1, kind + " ") == 0 &&
              item.line != 0 &&
@@ -327,7 +331,7 @@ namespace lamella
                        names.end(),
                        first.substr(kind.size() + 1)) == names.end();
     };
-    for (std::vector<Entry> *items : {&entries, &subsections})
+    for (std::vector<Item> *items : {&entries, &subsections})
       items->erase(std::remove_if(items->begin(), items->end(), is_left_out),
                    items->end());
   }
@@ -344,22 +348,26 @@ namespace lamella
       if (!has_subsection(kind + " " + name))
         bare.push_back(name);
     const std::string begin = kind + " ";
-    for (const Entry &item : subsections)
+    for (const Item &item : subsections)
       if (item.path.compare(0, begin.size(), begin) == 0 &&
           parent(item.path).empty() &&
           std::find(names.begin(),
                     names.end(),
                     item.path.substr(begin.size())) == names.end())
         unlisted.push_back(item.path.substr(begin.size()));
-    const Entry *given = find(entries, list);
+    const Item *given = find(entries, list);
     if (bare.empty() || unlisted.empty() || given == nullptr)
       return;
     const std::string other = begin + nearest_name(bare[0], unlisted);
-    throw InputError(place(*given) + list + " = " + given->value + ": '" +
-                     bare[0] + "' has no subsection, and the subsection '" +
-                     other + "' (line " +
-                     std::to_string(find(subsections, other)->line) +
-                     ") is not in the list. Write the same name in both.");
+    throw InputError(list,
+                     given->value,
+                     "'" + bare[0] +
+                       "' has no subsection, and the subsection '" + other +
+                       "' (line " +
+                       std::to_string(find(subsections, other)->line) +
+                       ") is not in the list",
+                     "Write the same name in both.")
+      .at(place(*given));
   }
 
 
@@ -386,24 +394,26 @@ namespace lamella
   {
     std::ifstream input(file);
     if (!input || std::filesystem::is_directory(file))
-      throw InputError(file + ": cannot read this scene file. Check its name "
-                              "and that it may be read.");
+      throw InputError("cannot read this scene file. Check its name and that "
+                       "it may be read.")
+        .at(file + ": ");
     std::string text(longest_scene + 1, ' ');
     input.read(text.data(), text.size());
     text.resize(input.gcount());
     if (text.size() > longest_scene)
-      throw InputError(file + ": has more than 16 MB, so it is no scene. Name "
-                              "a text of subsections and entries.");
+      throw InputError("has more than 16 MB, so it is no scene. Name a text of "
+                       "subsections and entries.")
+        .at(file + ": ");
     return SceneText(text, file, overrides);
   }
 
 
 
   void
-  SceneText::scan(const std::string  &text,
-                  const std::string  &file,
-                  std::vector<Entry> &entries,
-                  std::vector<Entry> &subsections)
+  SceneText::scan(const std::string &text,
+                  const std::string &file,
+                  std::vector<Item> &entries,
+                  std::vector<Item> &subsections)
   {
     std::istringstream        lines(text);
     std::string               line;
@@ -415,18 +425,19 @@ namespace lamella
     };
     while (std::getline(lines, line))
       {
-        const unsigned int first = ++number;
-        const auto         place = file + ":" + std::to_string(first) + ": ";
-        const bool         has_comment = complete(line, lines, number, place);
+        const unsigned int first       = ++number;
+        const std::string  here        = lamella::place(file, first);
+        const bool         has_comment = complete(line, lines, number, here);
         const std::string  word = line.substr(0, line.find_first_of(" \t"));
         const std::string  rest = collapsed(line.substr(word.size()));
         if (word.empty())
           continue;
         if ((word == "subsection" || word == "set") &&
             rest.substr(0, rest.find('=')).find('/') != std::string::npos)
-          throw InputError(place + "'" + line +
+          throw InputError("'" + line +
                            "' has a '/' in a name. Open subsections one in the "
-                           "other; '/' stands between them with --set only.");
+                           "other; '/' stands between them with --set only.")
+            .at(here);
         if (word == "subsection" && !rest.empty())
           {
             subsections.push_back({full(rest), "", first});
@@ -446,30 +457,31 @@ namespace lamella
                                trimmed(rest.substr(equals + 1)),
                                first});
             if (entries.back().value.empty() && has_comment)
-              throw InputError(place + entries.back().path +
-                               ": the value is empty, since '#' begins a "
-                               "comment. Write the value before it, or '\\#' "
-                               "for a '#' of the value, or leave the entry "
-                               "out.");
+              throw InputError(entries.back().path,
+                               "",
+                               "the value is empty, since '#' begins a comment",
+                               "Write the value before it, or '\\#' for a '#' "
+                               "of the value, or leave the entry out.")
+                .at(here);
           }
         else
-          throw InputError(place + "'" + line +
+          throw InputError("'" + line +
                            "' is not understood. A line is 'subsection NAME', "
                            "'set ENTRY = VALUE' or the 'end' of an open "
-                           "subsection; '#' begins a comment.");
+                           "subsection; '#' begins a comment.")
+            .at(here);
       }
     if (!path.empty())
-      throw InputError(file + ":" + std::to_string(opened.back()) +
-                       ": subsection " + path.back() + " has no 'end'.");
+      throw InputError("subsection " + path.back() + " has no 'end'.")
+        .at(lamella::place(file, opened.back()));
   }
 
 
 
   std::string
-  SceneText::place(const Entry &entry) const
+  SceneText::place(const Item &entry) const
   {
-    return entry.line == 0 ? "--set: " :
-                             file + ":" + std::to_string(entry.line) + ": ";
+    return entry.line == 0 ? "--set: " : lamella::place(file, entry.line);
   }
 
 
@@ -479,13 +491,13 @@ namespace lamella
                             const bool top_level_only) const
   {
     // What is declared, in the one form that ParameterHandler gives it in.
-    std::vector<Entry> declared, declared_subsections;
+    std::vector<Item> declared, declared_subsections;
     scan(printed(prm), "", declared, declared_subsections);
 
-    for (const Entry &item : subsections)
+    for (const Item &item : subsections)
       if (!top_level_only && find(declared_subsections, item.path) == nullptr)
         fail_on_subsection(item, declared_subsections);
-    for (const Entry &item : entries)
+    for (const Item &item : entries)
       if ((!top_level_only || parent(item.path).empty()) &&
           find(declared, item.path) == nullptr)
         {
@@ -494,19 +506,19 @@ namespace lamella
           const std::string nearest =
             nearest_name(last_part(item.path),
                          children(declared, parent(item.path)));
-          throw InputError(place(item) + "there is no entry '" +
-                           last_part(item.path) + "'" + where +
-                           (nearest.empty() ?
-                              ". Remove it." :
-                              "; the nearest is '" + nearest + "'."));
+          throw InputError(
+            "there is no entry '" + last_part(item.path) + "'" + where +
+            (nearest.empty() ? ". Remove it." :
+                               "; the nearest is '" + nearest + "'."))
+            .at(place(item));
         }
   }
 
 
 
   void
-  SceneText::fail_on_subsection(const Entry              &item,
-                                const std::vector<Entry> &declared) const
+  SceneText::fail_on_subsection(const Item              &item,
+                                const std::vector<Item> &declared) const
   {
     // Nearest among those of the same kind: `Body uper` is no `Probe`.
     const std::string        name = last_part(item.path);
@@ -519,45 +531,39 @@ namespace lamella
     const std::string nearest = nearest_name(name, alike);
     if (!parent(item.path).empty())
       throw InputError(
-        place(item) + "there is no subsection '" + name + "' in " +
-        parent(item.path) +
+        "there is no subsection '" + name + "' in " + parent(item.path) +
         (nearest.empty() ? "" : "; the nearest is '" + nearest + "'") +
-        ". Remove it, or put the 'end' that is missing before it.");
+        ". Remove it, or put the 'end' that is missing before it.")
+        .at(place(item));
     throw InputError(
-      place(item) + "there is no subsection '" + name +
+      "there is no subsection '" + name +
       "': its name must stand in its list (Materials, Sections, Bodies, ...). "
       "Add it there, or remove the subsection" +
       (are_alike(name, nearest) ?
          "; or is the nearest meant, '" + nearest + "'?" :
-         "."));
+         "."))
+      .at(place(item));
   }
 
 
 
   std::string
-  SceneText::abbreviated(std::string message) const
+  SceneText::place_of(std::string path) const
   {
-    constexpr std::size_t longest = 120;
-    for (const Entry &entry : entries)
-      if (entry.value.size() > longest)
-        message = replaced(message, entry.value, abridged(entry.value));
-    return message;
+    for (; !path.empty(); path = parent(path))
+      for (const std::vector<Item> *items : {&entries, &subsections})
+        if (const Item *item = find(*items, path))
+          return place(*item);
+    return file + ": ";
   }
 
 
 
-  std::string
-  SceneText::place_of(const std::string &message) const
+  InputError
+  SceneText::placed(const InputError &error) const
   {
-    // The longest path that the message begins with, as a whole.
-    const Entry *best = nullptr;
-    for (const std::vector<Entry> *items : {&entries, &subsections})
-      for (const Entry &item : *items)
-        if (message.compare(0, item.path.size(), item.path) == 0 &&
-            std::string("/ :").find(message[item.path.size()]) !=
-              std::string::npos &&
-            (best == nullptr || item.path.size() > best->path.size()))
-          best = &item;
-    return best == nullptr ? file + ": " : place(*best);
+    return error.has_place() || error.path().empty() ?
+             error :
+             error.at(place_of(error.path()));
   }
 } // namespace lamella

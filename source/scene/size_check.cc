@@ -5,8 +5,6 @@
 #include <lamella/base/text.h>
 #include <lamella/scene/size_check.h>
 
-#include <deal.II/grid/grid_tools.h>
-
 #include <numeric>
 
 namespace lamella
@@ -64,35 +62,15 @@ namespace lamella
                      available     = available_memory(scene.solve.memory_limit);
         if (dofs > small && bytes > available)
           throw InputError(
-            "Body " + body.name + ": " + body.theory.name() +
-            " on its section and axis has " + to_text(dofs, 3) +
-            " DoFs and needs more than " + gigabytes(bytes) +
-            " for its stiffness alone; " + gigabytes(available) +
-            " are available. Take fewer cells (Section " + body.section +
-            "/Cells across, Cells per ply), fewer Axis elements, or a lower "
-            "order.");
+            "Body " + body.name,
+            "",
+            body.theory.name() + " on its section and axis has " +
+              to_text(dofs, 3) + " DoFs and needs more than " +
+              gigabytes(bytes) + " for its stiffness alone; " +
+              gigabytes(available) + " are available",
+            "Take fewer cells (Section " + body.section +
+              "/Cells across, Cells per ply), fewer Axis elements, or a lower "
+              "order.");
       }
-  }
-
-
-
-  void
-  check_slenderness(const BodyDescription &body, const SectionMesh &mesh)
-  {
-    // Forces of a beam come out of displacements that differ by (h / L)^2 of
-    // themselves: at 1e6 three of sixteen digits are left
-    // (doc/stable-basis.md).
-    constexpr double most = 1e7, sensible = 1e6;
-
-    const auto corners =
-      dealii::GridTools::compute_bounding_box(mesh.mesh).get_boundary_points();
-    const double extent = corners.first.distance(corners.second);
-    if (body.axis.length > most * extent)
-      throw InputError("Body " + body.name +
-                       "/Length = " + to_text(body.axis.length) + ": that is " +
-                       to_text(body.axis.length / extent, 2) +
-                       " times the extent of its section, " +
-                       to_text(extent, 3) + "; doubles hold beams of up to " +
-                       to_text(sensible) + " times. Are the units right?");
   }
 } // namespace lamella

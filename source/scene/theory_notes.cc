@@ -208,4 +208,99 @@ namespace lamella
       }
     return notes;
   }
+
+
+  namespace
+  {
+    /// What low orders get wrong, in words.
+    std::vector<std::string>
+    notes_on_orders(const Scene &scene)
+    {
+      std::vector<std::string> notes;
+      for (const BodyDescription &body : scene.bodies)
+        {
+          if (body.theory.kind != Theory::Kind::solid && body.axis.degree < 3 &&
+              !body.axis.assumed_shear)
+            notes.push_back(
+              "body " + body.name + ": B" +
+              std::to_string(body.axis.degree + 1) +
+              " elements with full Shear strains are too stiff in bending "
+              "where they are longer than the section is high (shear "
+              "locking); use B4, or Shear strains = auto");
+          if (body.theory.kind == Theory::Kind::LE && body.theory.order == 1)
+            notes.push_back("body " + body.name +
+                            ": LE-1 (L4) cells cannot contract linearly "
+                            "through their height and are too stiff in "
+                            "bending (Poisson locking); use LE-2");
+        }
+      return notes;
+    }
+
+
+
+    /// Where incompatible modes do not do what they are for, in words.
+    std::vector<std::string>
+    notes_on_hexahedra(const Scene &scene)
+    {
+      std::vector<std::string> notes;
+      for (const BodyDescription &body : scene.bodies)
+        {
+          const SectionShape &shape = scene.sections.at(body.section);
+          if (body.theory.kind == Theory::Kind::solid &&
+              body.theory.order == 1 &&
+              !std::holds_alternative<Laminate>(shape) &&
+              !std::holds_alternative<ThinWalled>(shape))
+            notes.push_back(
+              "body " + body.name +
+              ": hexahedra of solid-1 have straight edges and are too stiff in "
+              "bending where section cells are no rectangles and elements "
+              "long, tens of per cent on a section of this shape (" +
+              name_of(shape) + "); use solid-2");
+        }
+      return notes;
+    }
+
+
+
+    /// What theories without free twist miss on off-axis plies, in words.
+    std::vector<std::string>
+    notes_on_coupling(const Scene &scene)
+    {
+      std::vector<std::string> notes;
+      for (const BodyDescription &body : scene.bodies)
+        {
+          const Laminate *laminate =
+            std::get_if<Laminate>(&scene.sections.at(body.section));
+          if (laminate == nullptr || (!body.theory.is_classical() &&
+                                      !(body.theory.kind == Theory::Kind::TE &&
+                                        body.theory.order == 1)))
+            continue;
+          const LaminateStiffness stiffness =
+            laminate_stiffness(laminate->plies(scene.materials),
+                               laminate->width);
+          const double ratio = stiffness.EI_untwisted / stiffness.EI;
+          if (ratio > 1.01)
+            notes.push_back(
+              "body " + body.name + ": the layup twists when it bends, which " +
+              body.theory.name() +
+              " cannot follow; by lamination theory it is " +
+              to_text(ratio, 3) +
+              " times too stiff in bending. Use TE-2 or more, or LE-N");
+        }
+      return notes;
+    }
+  } // namespace
+
+
+
+  std::vector<std::string>
+  notes_on_choices(const Scene &scene)
+  {
+    std::vector<std::string> notes;
+    for (const auto &found : {notes_on_orders(scene),
+                              notes_on_hexahedra(scene),
+                              notes_on_coupling(scene)})
+      notes.insert(notes.end(), found.begin(), found.end());
+    return notes;
+  }
 } // namespace lamella

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include <lamella/base/exceptions.h>
-#include <lamella/base/text.h>
+#include <lamella/base/patterns.h>
 #include <lamella/body/fields.h>
 #include <lamella/scene/trade_parameters.h>
 #include <lamella/section/theory.h>
@@ -59,12 +58,12 @@ namespace lamella
       "References of each quantity), or the name of a rung.");
     prm.declare_entry("Tolerance",
                       "1",
-                      Anything(),
+                      patterns::numbers(),
                       "Errors, in per cent, that the cheapest rung is sought "
                       "for; one or more between commas.");
     prm.declare_entry("Time limit",
                       "0",
-                      Anything(),
+                      patterns::number(),
                       "Processor seconds after which a rung is given up; 0: "
                       "never.");
   }
@@ -74,43 +73,42 @@ namespace lamella
   namespace
   {
     constexpr double least_factor = 0.05, greatest_factor = 20.;
+    // What a clock of the system can still count, in seconds.
+    constexpr double longest_time = 1e9;
 
-    /// The number behind @p word in @p text, if that is what it is.
+    /// The number behind @p word in the @p piece of @p rung, if that is what it
+    /// is.
     std::optional<double>
-    factor(const std::string &text,
-           const std::string &word,
-           const std::string &what)
+    factor(const Entry &rung, const std::string &piece, const std::string &word)
     {
-      if (text.compare(0, word.size() + 1, word + " ") != 0)
+      if (piece.compare(0, word.size() + 1, word + " ") != 0)
         return std::nullopt;
-      const double value = to_number(text.substr(word.size() + 1), what);
+      const double value = rung.number(piece.substr(word.size() + 1));
       if (!(value >= least_factor && value <= greatest_factor))
-        throw InputError(what + ": the factor of " + word +
-                         " must lie between " + to_text(least_factor) +
-                         " and " + to_text(greatest_factor) +
-                         "; 2 makes the mesh twice as fine.");
+        rung.refuse("the factor of " + word + " must lie between " +
+                      to_text(least_factor) + " and " +
+                      to_text(greatest_factor),
+                    "2 makes the mesh twice as fine.");
       return value;
     }
 
 
 
+    /// @p text is the entry's part for this rung.
     LadderEntry
-    parse_rung(const std::string &text)
+    parse_rung(const Entry &text)
     {
-      const std::string what = "Trade/Ladder, rung '" + text + "'";
-      if (text.empty())
-        throw InputError("Trade/Ladder has an empty rung: remove a '|'.");
-      const auto  pieces = split(text, ',');
+      const auto  pieces = text.items();
       LadderEntry rung;
-      rung.name   = text;
+      rung.name   = text.text();
       rung.theory = pieces[0];
-      Theory::parse(rung.theory, "Trade/Ladder");
+      Theory::parse(Entry(text.path(), rung.theory));
       for (unsigned int k = 1; k < pieces.size(); ++k)
         {
           const std::string &piece = pieces[k];
-          if (const auto axis = factor(piece, "axis", what))
+          if (const auto axis = factor(text, piece, "axis"))
             rung.axis = *axis;
-          else if (const auto section = factor(piece, "section", what))
+          else if (const auto section = factor(text, piece, "section"))
             rung.section = *section;
           else if (piece.find('=') != std::string::npos)
             rung.overrides.push_back(piece);
@@ -118,9 +116,10 @@ namespace lamella
             // The rest of a value that is a list itself.
             rung.overrides.back() += ", " + piece;
           else
-            throw InputError(what + ": '" + piece +
-                             "' is none of axis FACTOR, section FACTOR and "
-                             "PATH = VALUE. Write, say, LE-2, axis 2.");
+            text.refuse("'" + piece +
+                          "' is none of axis FACTOR, section FACTOR and PATH = "
+                          "VALUE",
+                        "Write, say, LE-2, axis 2.");
         }
       return rung;
     }
@@ -128,21 +127,20 @@ namespace lamella
 
 
     std::vector<LadderEntry>
-    parse_ladder(const std::string &text)
+    parse_ladder(const Entry &entry)
     {
       std::vector<LadderEntry> ladder;
       std::set<std::string>    names;
-      for (const std::string &piece : split(text, '|'))
+      for (const std::string &piece : entry.items('|'))
         {
-          ladder.push_back(parse_rung(piece));
+          if (piece.empty())
+            entry.refuse("a rung is empty", "Remove a '|'.");
+          ladder.push_back(parse_rung(Entry(entry.path(), piece)));
           if (!names.insert(piece).second)
-            throw InputError("Trade/Ladder: the rung '" + piece +
-                             "' stands there twice.");
+            entry.refuse("the rung '" + piece + "' stands there twice");
         }
       if (ladder.size() < 2)
-        throw InputError("Trade/Ladder = " + text +
-                         ": a trade needs at least two rungs, with '|' between "
-                         "them.");
+        entry.refuse("a trade needs at least two rungs, with '|' between them");
       return ladder;
     }
 
@@ -184,26 +182,26 @@ namespace lamella
 
 
 
-    /// A component of a resultant, if a support or a contact has this name.
+    /// A component of a resultant, if a support or a contact is called
+    /// @p name; @p text is what the scene says of the quantity.
     TradeQuantity
-    find_resultant(const std::string &name,
+    find_resultant(const Entry       &text,
+                   const std::string &name,
                    const std::string &column,
-                   const TradeNames  &names,
-                   const std::string &what)
+                   const TradeNames  &names)
     {
       const bool of_support = names.supports.count(name) > 0,
                  of_contact = names.contacts.count(name) > 0;
       if (of_support && of_contact)
-        throw InputError(what + ": both a support and a contact are called '" +
-                         name + "'. Rename one of the two.");
+        text.refuse("both a support and a contact are called '" + name + "'",
+                    "Rename one of the two.");
       TradeQuantity quantity;
       if (!of_support && !of_contact)
         return quantity;
       if (std::find(components().begin(), components().end(), column) ==
           components().end())
-        throw InputError(what + ": " + name +
-                         " is no probe but a resultant: its quantities are " +
-                         joined(components()) + ".");
+        text.refuse(name + " is no probe but a resultant: its quantities are " +
+                    joined(components()));
       quantity.of =
         of_support ? TradeQuantity::Of::support : TradeQuantity::Of::contact;
       quantity.name   = name;
@@ -216,47 +214,52 @@ namespace lamella
 
 
 
+    /// A column of @p probe, which @p place (NAME or NAME/PLY) begins with.
     TradeQuantity
-    parse_quantity(const std::string &text, const TradeNames &names)
+    find_column(const Entry                    &text,
+                const Probe                    &probe,
+                const std::vector<std::string> &place,
+                const std::string              &column)
     {
-      const std::string what  = "Trade/Quantities, '" + text + "'";
-      const auto        parts = split(text, ':');
-      if (parts.size() != 2)
-        throw InputError(what + ": write NAME: QUANTITY, as in tip: uz.");
-      const auto   place = split(parts[0], '/');
-      const Probe *probe = nullptr;
-      for (const Probe &candidate : names.probes)
-        if (!place.empty() && candidate.name == place[0])
-          probe = &candidate;
-      if (probe == nullptr)
-        {
-          const TradeQuantity resultant =
-            find_resultant(parts[0], parts[1], names, what);
-          if (resultant.of == TradeQuantity::Of::undefined)
-            throw InputError(what +
-                             ": no probe, support or contact is called '" +
-                             parts[0] + "'. The nearest is '" +
-                             nearest_name(parts[0], all_names(names)) + "'.");
-          return resultant;
-        }
       TradeQuantity quantity{
-        TradeQuantity::Of::probe, place[0], 0, parts[1], {}};
+        TradeQuantity::Of::probe, probe.name, 0, column, {}};
       if (place.size() > 1)
         {
-          const double ply = to_number(place[1], what + ", the ply");
+          const double ply = text.number(place[1]);
           if (place.size() > 2 || !(ply >= 1. && ply == std::floor(ply)))
-            throw InputError(what + ": plies are counted from 1 at the bottom, "
-                                    "as in tip/2: syz.");
+            text.refuse("plies are counted from 1 at the bottom, as in tip/2: "
+                        "syz");
           quantity.ply = static_cast<unsigned int>(ply);
         }
       const auto &columns = field_names();
-      if (std::find(columns.begin(), columns.end(), parts[1]) == columns.end())
-        throw InputError(what + ": a probe gives no '" + parts[1] +
-                         "'. The nearest is '" +
-                         nearest_name(parts[1], columns) +
-                         "'; all of them: " + joined(columns) + ".");
-      quantity.given = first_of(probe->references, parts[1]);
+      if (std::find(columns.begin(), columns.end(), column) == columns.end())
+        text.refuse("a probe gives no '" + column + "'",
+                    "The nearest is '" + nearest_name(column, columns) +
+                      "'; all of them: " + joined(columns) + ".");
+      quantity.given = first_of(probe.references, column);
       return quantity;
+    }
+
+
+
+    /// @p text is the entry's part for this quantity.
+    TradeQuantity
+    parse_quantity(const Entry &text, const TradeNames &names)
+    {
+      const auto parts = text.items(':');
+      if (parts.size() != 2)
+        text.refuse("write NAME: QUANTITY, as in tip: uz");
+      const auto place = split(parts[0], '/');
+      for (const Probe &probe : names.probes)
+        if (!place.empty() && probe.name == place[0])
+          return find_column(text, probe, place, parts[1]);
+      const TradeQuantity resultant =
+        find_resultant(text, parts[0], parts[1], names);
+      if (resultant.of == TradeQuantity::Of::undefined)
+        text.refuse("no probe, support or contact is called '" + parts[0] + "'",
+                    "The nearest is '" +
+                      nearest_name(parts[0], all_names(names)) + "'.");
+      return resultant;
     }
 
 
@@ -291,57 +294,94 @@ namespace lamella
 
 
 
-    /// Throws InputError for a quantity without a reference, or with zero.
+    /// Throws InputError if @p reference, which says `given`, has no number
+    /// for one of @p quantities, or zero.
     void
-    check_given(const std::vector<TradeQuantity> &quantities)
+    check_given(const Entry                      &reference,
+                const std::vector<TradeQuantity> &quantities)
     {
       for (const TradeQuantity &quantity : quantities)
         {
-          const std::string what =
-            "Trade/Reference = given: " + quantity.label();
           if (!quantity.given)
-            throw InputError(what + " has no value among the scene's "
-                                    "References. Add one, leave the quantity "
-                                    "out, or use Reference = finest.");
+            reference.refuse(quantity.label() +
+                               " has no value among the scene's References",
+                             "Add one, leave the quantity out, or use "
+                             "Reference = finest.");
           if (*quantity.given == 0.)
-            throw InputError(what + " has the reference 0, against which no "
-                                    "error is relative. Compare another "
-                                    "quantity, or another point.");
+            reference.refuse(quantity.label() +
+                               " has the reference 0, against which no error "
+                               "is relative",
+                             "Compare another quantity, or another point.");
         }
+    }
+
+
+
+    /// The text of @p entry, if it says what errors can be taken against.
+    std::string
+    parse_reference(const Entry &entry, const std::vector<LadderEntry> &ladder)
+    {
+      std::vector<std::string> references{"finest", "solid", "given"};
+      for (const LadderEntry &rung : ladder)
+        references.push_back(rung.name);
+      if (std::find(references.begin(), references.end(), entry.text()) ==
+          references.end())
+        entry.refuse("must be finest, solid, given or the name of a rung",
+                     "The nearest is '" +
+                       nearest_name(entry.text(), references) + "'.");
+      return entry.text();
+    }
+
+
+
+    /// As shares of 1.
+    std::vector<double>
+    parse_tolerances(const Entry &entry)
+    {
+      std::vector<double> tolerances;
+      for (const double per_cent : entry.numbers())
+        {
+          if (!(per_cent > 0. && per_cent <= 100.))
+            entry.refuse("must be more than 0 and at most 100 per cent");
+          tolerances.push_back(per_cent / 100.);
+        }
+      return tolerances;
+    }
+
+
+
+    double
+    parse_time_limit(const Entry &entry)
+    {
+      const double seconds = entry.number();
+      if (!(seconds >= 0. && seconds <= longest_time))
+        entry.refuse("must be 0 (none) or seconds, at most 1e9");
+      return seconds;
     }
   } // namespace
 
 
 
   TradeParameters
-  TradeParameters::parse(const ParameterHandler &prm, const TradeNames &names)
+  TradeParameters::parse(const Entries &in, const TradeNames &names)
   {
     TradeParameters trade;
-    trade.ladder = parse_ladder(prm.get("Ladder"));
+    trade.ladder = parse_ladder(in["Ladder"]);
 
-    trade.bodies = split(prm.get("Bodies"), ',');
-    for (const std::string &body : trade.bodies)
-      if (std::find(names.bodies.begin(), names.bodies.end(), body) ==
-          names.bodies.end())
-        throw InputError("Trade/Bodies = " + prm.get("Bodies") +
-                         ": there is no body '" + body + "'. The nearest is '" +
-                         nearest_name(body, names.bodies) + "'.");
+    const Entry bodies = in["Bodies"];
+    for (const std::string &body : bodies.items())
+      trade.bodies.push_back(
+        Entry(bodies.path(), body).among(names.bodies, "body", "Bodies"));
     if (trade.bodies.empty())
       trade.bodies = names.bodies;
 
-    for (const std::string &piece : split(prm.get("Quantities"), '|'))
-      trade.quantities.push_back(parse_quantity(piece, names));
+    const Entry quantities = in["Quantities"];
+    for (const std::string &piece : quantities.items('|'))
+      trade.quantities.push_back(
+        parse_quantity(Entry(quantities.path(), piece), names));
 
-    trade.reference = trimmed(prm.get("Reference"));
-    std::vector<std::string> references{"finest", "solid", "given"};
-    for (const LadderEntry &rung : trade.ladder)
-      references.push_back(rung.name);
-    if (std::find(references.begin(), references.end(), trade.reference) ==
-        references.end())
-      throw InputError("Trade/Reference = " + trade.reference +
-                       ": must be finest, solid, given or the name of a rung. "
-                       "The nearest is '" +
-                       nearest_name(trade.reference, references) + "'.");
+    const Entry reference = in["Reference"];
+    trade.reference       = parse_reference(reference, trade.ladder);
     if (trade.quantities.empty())
       {
         trade.quantities =
@@ -350,20 +390,10 @@ namespace lamella
           trade.whole_probes.clear();
       }
     if (trade.reference == "given")
-      check_given(trade.quantities);
+      check_given(reference, trade.quantities);
 
-    for (const double per_cent :
-         to_numbers(prm.get("Tolerance"), "Trade/Tolerance"))
-      {
-        if (!(per_cent > 0. && per_cent <= 100.))
-          throw InputError("Trade/Tolerance = " + prm.get("Tolerance") +
-                           ": must be more than 0 and at most 100 per cent.");
-        trade.tolerances.push_back(per_cent / 100.);
-      }
-    trade.time_limit = to_number(prm.get("Time limit"), "Trade/Time limit");
-    if (!(trade.time_limit >= 0. && trade.time_limit <= 1e9))
-      throw InputError("Trade/Time limit = " + prm.get("Time limit") +
-                       ": must be 0 (none) or seconds, at most 1e9.");
+    trade.tolerances = parse_tolerances(in["Tolerance"]);
+    trade.time_limit = parse_time_limit(in["Time limit"]);
     return trade;
   }
 } // namespace lamella

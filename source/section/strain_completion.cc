@@ -85,8 +85,9 @@ namespace lamella
       for (unsigned int m = 0; m < n; ++m)
         means[m] = sums[m] / area;
     }
-    FullMatrix<double> K(n, n), loads_in_plane(n, n_fields),
-      loads_along(n, n_fields);
+    LAPACKFullMatrix<double> K(n);
+    of_in_plane.reinit(n, n_fields);
+    of_along.reinit(n, n_fields);
     for (unsigned int k = 0; k < points.size(); ++k)
       {
         const SectionPoint      &point = points[k];
@@ -100,29 +101,17 @@ namespace lamella
             for (unsigned int a = 0; a < point.fields->size(); ++a)
               {
                 const unsigned int alpha = (*point.fields)[a];
-                loads_in_plane(m, alpha) -= stress * point.in_plane[a];
-                loads_along(m, alpha) -= stress * point.along[a];
+                of_in_plane(m, alpha) -= stress * point.in_plane[a];
+                of_along(m, alpha) -= stress * point.along[a];
               }
           }
       }
     // Modes across a thin section are stiffer than those along it by orders of
-    // magnitude: unit diagonal first.
-    std::vector<double> scale;
-    for (unsigned int m = 0; m < n; ++m)
-      scale.push_back(1. / std::sqrt(K(m, m)));
-    FullMatrix<double> inverse(n, n);
-    for (unsigned int m = 0; m < n; ++m)
-      for (unsigned int l = 0; l < n; ++l)
-        inverse(m, l) = scale[m] * K(m, l) * scale[l];
-    inverse.gauss_jordan();
-    for (unsigned int m = 0; m < n; ++m)
-      for (unsigned int l = 0; l < n; ++l)
-        inverse(m, l) *= scale[m] * scale[l];
-
-    of_in_plane.reinit(n, n_fields);
-    of_along.reinit(n, n_fields);
-    inverse.mmult(of_in_plane, loads_in_plane);
-    inverse.mmult(of_along, loads_along);
+    // magnitude, to which Cholesky's factorisation is indifferent.
+    K.set_property(LAPACKSupport::symmetric);
+    K.compute_cholesky_factorization();
+    K.solve(of_in_plane);
+    K.solve(of_along);
   }
 
 

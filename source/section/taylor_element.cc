@@ -289,7 +289,8 @@ namespace lamella
   {
     /// The numbers of as many rows of @p A, one a candidate, as it has columns,
     /// chosen one by one: the longest of what is left of them without their
-    /// parts along those before (pivoted Cholesky factorisation of A A^T).
+    /// parts along those before (pivoted Cholesky factorisation of A A^T, or
+    /// LAPACK's dgeqp3 of A^T, but that chooses among equals by rounding).
     std::vector<unsigned int>
     most_independent(const LAPACKFullMatrix<double> &A)
     {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include <lamella/base/exceptions.h>
-#include <lamella/base/text.h>
+#include <lamella/base/patterns.h>
 #include <lamella/section/theory.h>
 
 #include <regex>
@@ -12,55 +11,43 @@ namespace lamella
   std::string
   Theory::name() const
   {
-    switch (kind)
-      {
-        case Kind::EBBT:
-          return "EBBT";
-        case Kind::TBT:
-          return "TBT";
-        case Kind::TE:
-          return "TE-" + std::to_string(order);
-        case Kind::LE:
-          // L9 is how the literature calls the element of degree 2.
-          return "LE-" + std::to_string(order) + " (L" +
-                 std::to_string((order + 1) * (order + 1)) + ")";
-        case Kind::solid:
-          return "solid-" + std::to_string(order);
-        default:
-          return "undefined";
-      }
+    if (kind == Kind::undefined)
+      return "undefined";
+    std::string name = name_of(kind);
+    if (!is_classical())
+      name += "-" + std::to_string(order);
+    // L9 is how the literature calls the element of degree 2.
+    if (kind == Kind::LE)
+      name += " (L" + std::to_string((order + 1) * (order + 1)) + ")";
+    return name;
   }
 
 
 
   Theory
-  Theory::parse(const std::string &text, const std::string &what)
+  Theory::parse(const Entry &entry)
   {
-    static const std::regex form("(TE|LE|solid)-([0-9]{1,4})");
-    const std::string       rule =
+    static const std::regex of_order("(TE|LE|solid)-([0-9]{1,4})");
+    const std::string       remedy =
       "Use EBBT, TBT, TE-N with N from 1 to 20, LE-N with N from 1 to 8 "
       "(LE-2 is L9), or solid-1 or solid-2.";
 
     Theory theory;
+    theory.kind  = named<Kind>(entry.text()).value_or(Kind::undefined);
     theory.order = 1;
+    if (theory.is_classical())
+      return theory;
+
     std::smatch match;
-    if (text == "EBBT" || text == "TBT")
-      theory.kind = text == "EBBT" ? Kind::EBBT : Kind::TBT;
-    else if (std::regex_match(text, match, form))
-      {
-        theory.kind              = match[1] == "TE" ? Kind::TE :
-                                   match[1] == "LE" ? Kind::LE :
-                                                      Kind::solid;
-        theory.order             = std::stoi(match[2]);
-        const unsigned int limit = theory.kind == Kind::TE ? 20 :
-                                   theory.kind == Kind::LE ? 8 :
-                                                             2;
-        if (theory.order < 1 || theory.order > limit)
-          throw InputError(what + " = " + text + ": N is out of range. " +
-                           rule);
-      }
-    else
-      throw InputError(what + " = " + text + ": no such theory. " + rule);
+    if (!std::regex_match(entry.text(), match, of_order))
+      entry.refuse("no such theory", remedy);
+    theory.kind              = *named<Kind>(match[1]);
+    theory.order             = std::stoi(match[2]);
+    const unsigned int limit = theory.kind == Kind::TE ? 20 :
+                               theory.kind == Kind::LE ? 8 :
+                                                         2;
+    if (theory.order < 1 || theory.order > limit)
+      entry.refuse("N is out of range", remedy);
     return theory;
   }
 
@@ -69,21 +56,20 @@ namespace lamella
   void
   TheoryParameters::declare(dealii::ParameterHandler &prm)
   {
-    using dealii::Patterns::Anything;
     prm.declare_entry("Theory",
                       "",
-                      Anything(),
+                      dealii::Patterns::Anything(),
                       "Overrides the scene's Theory for this body.");
     prm.declare_entry("Poisson correction",
                       "true",
-                      Anything(),
+                      dealii::Patterns::Bool(),
                       "Whether sections of EBBT, TBT and TE-1 contract freely; "
                       "without it they are too stiff (Poisson locking: a "
                       "deflection about 26 % too small at nu = 0.3). Other "
                       "theories contract by themselves.");
     prm.declare_entry("Shear factor",
                       "1",
-                      Anything(),
+                      patterns::positive(),
                       "Of TBT: the shear correction factor k of k G A, 5/6 for "
                       "rectangles of one material; 1 as in the paper. Other "
                       "theories have none and ignore it.");
@@ -91,29 +77,16 @@ namespace lamella
 
 
 
-  TheoryParameters
-  TheoryParameters::parse(const dealii::ParameterHandler &prm)
-  {
-    return {prm.get("Theory"),
-            prm.get("Poisson correction"),
-            prm.get("Shear factor")};
-  }
-
-
-
   Theory
-  TheoryParameters::resolve(const std::string &scene_theory,
-                            const std::string &what) const
+  TheoryParameters::parse(const Entries &in, const Entry &scene_theory)
   {
-    Theory result = theory.empty() ? Theory::parse(scene_theory, "Theory") :
-                                     Theory::parse(theory, what + "/Theory");
-    result.poisson_correction =
-      to_bool(poisson_correction, what + "/Poisson correction");
-    const std::string entry = what + "/Shear factor = " + shear_factor;
-    result.shear_factor     = to_number(shear_factor, entry);
-    if (!(result.shear_factor > 0. && result.shear_factor <= 1.))
-      throw InputError(entry + ": must be above 0 and at most 1.");
-    return result;
+    const Entry own = in["Theory"], factor = in["Shear factor"];
+    Theory      theory = Theory::parse(own.is_empty() ? scene_theory : own);
+    theory.poisson_correction = in["Poisson correction"].truth();
+    theory.shear_factor       = factor.positive();
+    if (theory.shear_factor > 1.)
+      factor.refuse("must be above 0 and at most 1");
+    return theory;
   }
 
 

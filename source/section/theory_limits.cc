@@ -223,6 +223,7 @@ namespace lamella
     // The mesh outlives the section that is made of it here.
     const std::shared_ptr<const SectionMesh> lent(&mesh,
                                                   [](const SectionMesh *) {});
-    return torsional_stiffness(*make_section(lent, Theory::parse("LE-2", "")));
+    return torsional_stiffness(
+      *make_section(lent, Theory::parse({"Theory", "LE-2"})));
   }
 } // namespace lamella

@@ -4,8 +4,6 @@
 // boundaries and cells, and is refused where it makes no section. Cells and
 // vertices stand in the order in which GridIn of deal.II has them.
 
-#include <lamella/base/exceptions.h>
-#include <lamella/base/text.h>
 #include <lamella/shape/gmsh_file.h>
 #include <lamella/shape/properties.h>
 #include <lamella/shape/shapes.h>
@@ -40,26 +38,26 @@ namespace lamella
 
 
 
-    /// The text of the file @p path. Throws InputError if it cannot be had, or
-    /// not within sensible memory (a device never ends).
+    /// The text of the file that @p entry names. Throws InputError if it cannot
+    /// be had, or not within sensible memory (a device never ends).
     std::string
-    text_of(const std::string &path, const std::string &what)
+    text_of(const Entry &entry)
     {
-      std::error_code ignored;
-      const bool      regular = std::filesystem::is_regular_file(path, ignored);
+      const std::string &path = entry.text();
+      std::error_code    ignored;
+      const bool regular = std::filesystem::is_regular_file(path, ignored);
       if (regular && std::filesystem::file_size(path, ignored) > largest_file)
-        throw InputError(what + ": this file has more than " +
-                         std::to_string(largest_file >> 20) +
-                         " MB, more cells than a section can have. Make the "
-                         "mesh coarser.");
+        entry.refuse("this file has more than " +
+                       std::to_string(largest_file >> 20) +
+                       " MB, more cells than a section can have",
+                     "Make the mesh coarser.");
       std::ifstream      input(path);
       std::ostringstream text;
       if (regular)
         text << input.rdbuf();
       if (!regular || !input || !text)
-        throw InputError(what +
-                         ": cannot read this file. Its name is relative to the "
-                         "scene's folder.");
+        entry.refuse("cannot read this file",
+                     "Its name is relative to the scene's folder.");
       return text.str();
     }
 
@@ -68,7 +66,7 @@ namespace lamella
     /// Throws InputError if the nodes do not lie in a plane of constant z: the
     /// section is what the drawing has in x and y.
     void
-    check_is_flat(const GmshFile &file, const std::string &what)
+    check_is_flat(const GmshFile &file, const Entry &entry)
     {
       const auto lower = [](const auto &a, const auto &b) {
         return a.position[2] < b.position[2];
@@ -84,11 +82,12 @@ namespace lamella
         return;
       // Of the two the one that is off, if it is one.
       const double first = file.nodes[0].position[2];
-      throw InputError(
-        at_line(what, (highest->position[2] > first ? highest : lowest)->line) +
-        "the mesh does not lie in one plane (z from " +
-        to_text(lowest->position[2]) + " to " + to_text(highest->position[2]) +
-        "). Draw the section in x and y.");
+      refuse_line(entry,
+                  (highest->position[2] > first ? highest : lowest)->line,
+                  "the mesh does not lie in one plane (z from " +
+                    to_text(lowest->position[2]) + " to " +
+                    to_text(highest->position[2]) + ")",
+                  "Draw the section in x and y.");
     }
 
 
@@ -96,7 +95,7 @@ namespace lamella
     /// Throws InputError unless the elements are quadrilaterals of first order,
     /// their lines and points.
     void
-    check_elements(const GmshFile &file, const std::string &what)
+    check_elements(const GmshFile &file, const Entry &entry)
     {
       unsigned int triangles = 0, others = 0, cells = 0, first = 0;
       for (const GmshFile::Element &element : file.elements)
@@ -114,25 +113,28 @@ namespace lamella
             ++others;
           }
       if (triangles > 0)
-        throw InputError(
-          at_line(what, first) + std::to_string(triangles) +
-          (triangles == 1 ? " cell is a triangle" :
-                            " cells are triangles, this the first") +
-          ". A section is made of quadrilaterals: in Gmsh, 'Recombine "
-          "Surface {:};' with transfinite surfaces, or "
-          "'Mesh.RecombinationAlgorithm = 3;'.");
+        refuse_line(
+          entry,
+          first,
+          std::to_string(triangles) +
+            (triangles == 1 ? " cell is a triangle" :
+                              " cells are triangles, this the first"),
+          "A section is made of quadrilaterals: in Gmsh, 'Recombine Surface "
+          "{:};' with transfinite surfaces, or 'Mesh.RecombinationAlgorithm = "
+          "3;'.");
       if (others > 0)
-        throw InputError(
-          at_line(what, first) + "of the elements " + std::to_string(others) +
-          (others == 1 ? " is" : " are") +
-          " of higher order or not in the plane" +
-          (others == 1 ? "" : ", this the first") +
-          ". Use first-order quadrilaterals: Mesh.ElementOrder = 1.");
+        refuse_line(entry,
+                    first,
+                    "of the elements " + std::to_string(others) +
+                      (others == 1 ? " is" : " are") +
+                      " of higher order or not in the plane" +
+                      (others == 1 ? "" : ", this the first"),
+                    "Use first-order quadrilaterals: Mesh.ElementOrder = 1.");
       if (cells == 0)
-        throw InputError(what +
-                         ": the mesh has no quadrilaterals. Make it with "
-                         "'gmsh -2', and put surfaces into its physical "
-                         "surfaces.");
+        entry.refuse(
+          "the mesh has no quadrilaterals",
+          "Make it with 'gmsh -2', and put surfaces into its physical "
+          "surfaces.");
     }
 
 
@@ -143,7 +145,7 @@ namespace lamella
     make_plies(const GmshFile    &mesh,
                const SectionFile &file,
                const Materials   &materials,
-               const std::string &what,
+               const Entry       &entry,
                SectionMesh       &section)
     {
       std::vector<std::string> surfaces, known;
@@ -153,16 +155,15 @@ namespace lamella
       for (const auto &[name, material] : materials)
         known.push_back(name);
       if (surfaces.empty())
-        throw InputError(what +
-                         ": the mesh has no named physical surface. In Gmsh, "
-                         "'Physical Surface(\"" +
-                         known[0] + "\") = {1};' says of what it is made.");
+        entry.refuse("the mesh has no named physical surface",
+                     "In Gmsh, 'Physical Surface(\"" + known[0] +
+                       "\") = {1};' says of what it is made.");
       for (const auto &[part, fabric] : file.parts)
         if (std::find(surfaces.begin(), surfaces.end(), part) == surfaces.end())
-          throw InputError(file.what +
-                           "/Parts: the mesh has no physical "
-                           "surface '" +
-                           part + "'. It has " + joined(surfaces) + ".");
+          throw InputError(file.what + "/Parts",
+                           "",
+                           "the mesh has no physical surface '" + part + "'",
+                           "It has " + joined(surfaces) + ".");
 
       std::map<int, unsigned int> ply_of_tag;
       for (const auto &[key, group] : mesh.names)
@@ -173,12 +174,13 @@ namespace lamella
             const Fabric       fabric =
               part == file.parts.end() ? Fabric{name, 0.} : part->second;
             if (materials.count(fabric.material) == 0)
-              throw InputError(
-                at_line(what, group.line) + "the physical surface '" + name +
-                "' is no material; the nearest of Materials is '" +
-                nearest_name(name, known) +
-                "'. Rename it, or say in Parts what it is made of: '" + name +
-                ": " + known[0] + "'.");
+              refuse_line(entry,
+                          group.line,
+                          "the physical surface '" + name +
+                            "' is no material; the nearest of Materials is '" +
+                            nearest_name(name, known) + "'",
+                          "Rename it, or say in Parts what it is made of: '" +
+                            name + ": " + known[0] + "'.");
             ply_of_tag[key.second] = section.plies.size();
             section.plies.push_back({fabric.material,
                                      fabric.angle,
@@ -193,9 +195,9 @@ namespace lamella
 
     /// Numbers the boundary ids of @p section anew, tag -> id, and names them.
     std::map<int, types::boundary_id>
-    make_boundaries(const GmshFile    &mesh,
-                    const std::string &what,
-                    SectionMesh       &section)
+    make_boundaries(const GmshFile &mesh,
+                    const Entry    &entry,
+                    SectionMesh    &section)
     {
       static const std::regex        form("[A-Za-z][A-Za-z0-9_-]*");
       const std::vector<std::string> reserved{
@@ -209,15 +211,19 @@ namespace lamella
             const std::string &name = group.name;
             if (std::find(reserved.begin(), reserved.end(), name) !=
                 reserved.end())
-              throw InputError(at_line(what, group.line) +
-                               "the physical line '" + name +
-                               "' has a name that means something else (" +
-                               joined(reserved) + "). Rename it.");
+              refuse_line(entry,
+                          group.line,
+                          "the physical line '" + name +
+                            "' has a name that means something else (" +
+                            joined(reserved) + ")",
+                          "Rename it.");
             if (!std::regex_match(name, form))
-              throw InputError(at_line(what, group.line) + "'" + name +
-                               "', a physical line, is not a name. Names begin "
-                               "with a letter and go on with letters, digits, "
-                               "'_' and '-'.");
+              refuse_line(
+                entry,
+                group.line,
+                "'" + name + "', a physical line, is not a name",
+                "Names begin with a letter and go on with letters, digits, '_' "
+                "and '-'.");
             // Groups of one name are one boundary.
             const types::boundary_id id =
               id_of_name.insert({name, section.boundaries.size()})
@@ -247,7 +253,7 @@ namespace lamella
     make_mesh(const GmshFile                          &file,
               const std::map<int, unsigned int>       &ply_of_tag,
               const std::map<int, types::boundary_id> &id_of_tag,
-              const std::string                       &what)
+              const Entry                             &entry)
     {
       // Around a cell in the file, rows from below in deal.II.
       constexpr std::array<unsigned int, 4> place_in_cell{{0, 1, 3, 2}};
@@ -266,10 +272,12 @@ namespace lamella
               }
             const auto ply = ply_of_tag.find(element.group);
             if (ply == ply_of_tag.end())
-              throw InputError(at_line(what, element.line) + "the cell at " +
-                               place(Point<2>(centre)) +
-                               " is in no named physical surface, so nothing "
-                               "says of what it is made.");
+              refuse_line(
+                entry,
+                element.line,
+                "the cell at " + place(Point<2>(centre)) +
+                  " is in no named physical surface, so nothing says of what "
+                  "it is made");
             cell.material_id = ply->second;
             mesh.cells.push_back(cell);
             mesh.elements.push_back(&element);
@@ -332,7 +340,7 @@ namespace lamella
     /// Throws InputError if a cell is not convex. check_section_mesh() would,
     /// too, but does not know the line.
     void
-    check_cells_are_convex(const Mesh &mesh, const std::string &what)
+    check_cells_are_convex(const Mesh &mesh, const Entry &entry)
     {
       for (unsigned int c = 0; c < mesh.cells.size(); ++c)
         for (const Corner &corner : corners_of(mesh, c))
@@ -342,13 +350,14 @@ namespace lamella
               Tensor<1, 2> centre;
               for (const unsigned int v : mesh.cells[c].vertices)
                 centre += mesh.vertices[v] / 4.;
-              throw InputError(
-                at_line(what, mesh.elements[c]->line) +
+              refuse_line(
+                entry,
+                mesh.elements[c]->line,
                 "a cell is folded or has no area, at " +
-                place(Point<2>(centre)) +
-                " (an inner angle of 180 degrees or more). Mesh it anew; in "
-                "Gmsh, 'Mesh.RecombinationAlgorithm = 3' or transfinite "
-                "surfaces make better cells.");
+                  place(Point<2>(centre)) +
+                  " (an inner angle of 180 degrees or more)",
+                "Mesh it anew; in Gmsh, 'Mesh.RecombinationAlgorithm = 3' or "
+                "transfinite surfaces make better cells.");
             }
     }
 
@@ -357,7 +366,7 @@ namespace lamella
     /// Throws InputError if the cells go around some vertex more than once:
     /// cells whose numbers are mixed up may cover others without a common side.
     void
-    check_angles(const Mesh &mesh, const std::string &what)
+    check_angles(const Mesh &mesh, const Entry &entry)
     {
       std::vector<double> angle(mesh.vertices.size(), 0.);
       for (unsigned int c = 0; c < mesh.cells.size(); ++c)
@@ -367,11 +376,12 @@ namespace lamella
             sum += std::atan2(area_between(corner.to_next, corner.to_last),
                               corner.to_next * corner.to_last);
             if (sum > 2. * numbers::PI * (1. + 1e-8))
-              throw InputError(
-                at_line(what, mesh.elements[c]->line) +
+              refuse_line(
+                entry,
+                mesh.elements[c]->line,
                 "this cell lies over others at " +
-                place(mesh.vertices[corner.vertex]) +
-                ". Let each surface be drawn once, and mesh the section anew.");
+                  place(mesh.vertices[corner.vertex]),
+                "Let each surface be drawn once, and mesh the section anew.");
           }
     }
 
@@ -401,7 +411,7 @@ namespace lamella
      * mesh.
      */
     std::map<Side, unsigned int>
-    count_cells_at_sides(const Mesh &mesh, const std::string &what)
+    count_cells_at_sides(const Mesh &mesh, const Entry &entry)
     {
       struct Found
       {
@@ -420,12 +430,13 @@ namespace lamella
             // side between them in opposite directions.
             if (!is_new && (++it->second.count > 2 ||
                             it->second.first_vertex == corner.vertex))
-              throw InputError(
-                at_line(what, mesh.elements[c]->line) +
+              refuse_line(
+                entry,
+                mesh.elements[c]->line,
                 "this cell and that of line " +
-                std::to_string(mesh.elements[it->second.cell]->line) +
-                " lie one over the other at the side " + ends(mesh, side) +
-                ". Let each surface be drawn once and be in one physical "
+                  std::to_string(mesh.elements[it->second.cell]->line) +
+                  " lie one over the other at the side " + ends(mesh, side),
+                "Let each surface be drawn once and be in one physical "
                 "surface, and mesh it anew.");
           }
       return count;
@@ -436,9 +447,9 @@ namespace lamella
     /// Leaves of @p mesh's lines those that are sides at the boundary. Throws
     /// InputError if one runs inside, or is two boundaries.
     void
-    sift_lines(Mesh &mesh, const std::string &what)
+    sift_lines(Mesh &mesh, const Entry &entry)
     {
-      const auto                   count = count_cells_at_sides(mesh, what);
+      const auto                   count = count_cells_at_sides(mesh, entry);
       std::map<Side, unsigned int> seen;
       std::vector<CellData<1>>     lines;
       for (unsigned int l = 0; l < mesh.lines.size(); ++l)
@@ -446,28 +457,33 @@ namespace lamella
           const CellData<1> &line = mesh.rest.boundary_lines[l];
           const Side side  = side_between(line.vertices[0], line.vertices[1]);
           const auto cells = count.find(side);
-          const auto begin = at_line(what, mesh.lines[l]->line);
+          const unsigned int in_file = mesh.lines[l]->line;
           if (cells == count.end() && line.boundary_id != 0)
-            throw InputError(begin +
-                             "this part of a physical line is no side of a "
-                             "cell. Only lines of the section's boundary can "
-                             "be physical ones: remove this one, or mesh the "
-                             "section anew.");
+            refuse_line(
+              entry,
+              in_file,
+              "this part of a physical line is no side of a cell",
+              "Only lines of the section's boundary can be physical ones: "
+              "remove this one, or mesh the section anew.");
           // Lines of no name beside the section: auxiliary ones.
           if (cells == count.end())
             continue;
           if (cells->second > 1)
-            throw InputError(
-              begin + "a line of the mesh runs inside the section, " +
-              ends(mesh, side) +
-              ". Only lines of its boundary can be physical ones: remove this "
+            refuse_line(
+              entry,
+              in_file,
+              "a line of the mesh runs inside the section, " + ends(mesh, side),
+              "Only lines of its boundary can be physical ones: remove this "
               "one, or Mesh.SaveAll.");
           const auto [it, is_new] = seen.insert({side, l});
           if (!is_new)
-            throw InputError(begin + "the side " + ends(mesh, side) +
-                             " is in a physical line already, in line " +
-                             std::to_string(mesh.lines[it->second]->line) +
-                             " of the file. Let each curve be in one.");
+            refuse_line(entry,
+                        in_file,
+                        "the side " + ends(mesh, side) +
+                          " is in a physical line already, in line " +
+                          std::to_string(mesh.lines[it->second]->line) +
+                          " of the file",
+                        "Let each curve be in one.");
           lines.push_back(line);
         }
       mesh.rest.boundary_lines = lines;
@@ -484,11 +500,12 @@ namespace lamella
       for (const Point<2> &x : mesh.vertices)
         extent = std::max({extent, std::abs(x[0]), std::abs(x[1])});
       if (!(extent * file.scale < 1e30 && extent * file.scale > 1e-30))
-        throw InputError(file.what + "/Scale = " + to_text(file.scale) +
-                         ": the section would be " +
-                         to_text(extent * file.scale) +
-                         " wide or high. Scale is a factor such as 0.001, of a "
-                         "mesh in mm in a scene in m.");
+        throw InputError(
+          file.what + "/Scale",
+          to_text(file.scale),
+          "the section would be " + to_text(extent * file.scale) +
+            " wide or high",
+          "Scale is a factor such as 0.001, of a mesh in mm in a scene in m.");
     }
   } // namespace
 
@@ -497,17 +514,17 @@ namespace lamella
   std::shared_ptr<const SectionMesh>
   make_section_mesh(const SectionFile &file, const Materials &materials)
   {
-    const std::string what = file.what + "/File = " + file.path;
-    const GmshFile    read = read_gmsh_file(text_of(file.path, what), what);
-    check_is_flat(read, what);
-    check_elements(read, what);
+    const Entry    entry(file.what + "/File", file.path);
+    const GmshFile read = read_gmsh_file(text_of(entry), entry);
+    check_is_flat(read, entry);
+    check_elements(read, entry);
     auto       section = std::make_shared<SectionMesh>();
-    const auto plies   = make_plies(read, file, materials, what, *section);
-    const auto names   = make_boundaries(read, what, *section);
-    Mesh       parts   = make_mesh(read, plies, names, what);
-    check_cells_are_convex(parts, what);
-    sift_lines(parts, what);
-    check_angles(parts, what);
+    const auto plies   = make_plies(read, file, materials, entry, *section);
+    const auto names   = make_boundaries(read, entry, *section);
+    Mesh       parts   = make_mesh(read, plies, names, entry);
+    check_cells_are_convex(parts, entry);
+    sift_lines(parts, entry);
+    check_angles(parts, entry);
     GridTools::consistently_order_cells(parts.cells);
     Triangulation<2> &mesh = section->mesh;
     mesh.create_triangulation(parts.vertices, parts.cells, parts.rest);
@@ -531,7 +548,7 @@ namespace lamella
       if (face->at_boundary())
         section->boundaries[face->boundary_id()] =
           all_names.at(face->boundary_id());
-    check_section_mesh(*section, what);
+    check_section_mesh(*section, entry);
     return section;
   }
 } // namespace lamella

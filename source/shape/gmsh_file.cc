@@ -6,8 +6,6 @@
 // judge. Hence this reader, which goes line by line, as Gmsh writes, and
 // believes nothing.
 
-#include <lamella/base/exceptions.h>
-#include <lamella/base/text.h>
 #include <lamella/shape/gmsh_file.h>
 
 #include <algorithm>
@@ -23,10 +21,13 @@
 
 namespace lamella
 {
-  std::string
-  at_line(const std::string &what, const unsigned int line)
+  void
+  refuse_line(const Entry       &entry,
+              const unsigned int line,
+              const std::string &rule,
+              const std::string &remedy)
   {
-    return what + ", line " + std::to_string(line) + ": ";
+    entry.refuse("line " + std::to_string(line) + ": " + rule, remedy);
   }
 
 
@@ -34,7 +35,7 @@ namespace lamella
   namespace
   {
     const std::string anew =
-      " Write the file anew with 'gmsh -2 NAME.geo -format msh41 -o NAME.msh'.";
+      "Write the file anew with 'gmsh -2 NAME.geo -format msh41 -o NAME.msh'.";
 
     /// Fourth powers of lengths, and what they are multiplied with, stay within
     /// doubles.
@@ -64,9 +65,9 @@ namespace lamella
      */
     struct Lines
     {
-      Lines(const std::string_view text, const std::string &what)
+      Lines(const std::string_view text, const Entry &entry)
         : rest(text)
-        , what(what)
+        , entry(entry)
       {}
 
       /// Goes on to the next line; false if there is none.
@@ -100,9 +101,9 @@ namespace lamella
       }
 
       [[noreturn]] void
-      fault(const std::string &is_wrong, const std::string &remedy = anew) const
+      fault(const std::string &rule, const std::string &remedy = anew) const
       {
-        throw InputError(at_line(what, line) + is_wrong + remedy);
+        refuse_line(entry, line, rule, remedy);
       }
 
       /// Throws unless there are @p n words; @p meaning says which.
@@ -112,7 +113,7 @@ namespace lamella
         if (words.size() != n)
           fault(std::to_string(words.size()) +
                 (words.size() == 1 ? " word" : " words") + " instead of " +
-                std::to_string(n) + " (" + meaning + ").");
+                std::to_string(n) + " (" + meaning + ")");
       }
 
       /// Word @p i, a whole number.
@@ -129,8 +130,8 @@ namespace lamella
           std::from_chars(word.data(), word.data() + word.size(), value);
         if (error != std::errc() || end != word.data() + word.size() ||
             value < lowest || value > highest)
-          fault(word.empty() ? "the line ends before " + meaning + "." :
-                               shown(word) + " is not " + meaning + ".");
+          fault(word.empty() ? "the line ends before " + meaning :
+                               shown(word) + " is not " + meaning);
         return value;
       }
 
@@ -143,12 +144,13 @@ namespace lamella
         const double      value = std::strtod(word.c_str(), &end);
         if (word.find_first_not_of("0123456789+-.eE") != std::string::npos ||
             *end != '\0' || !(std::abs(value) <= longest))
-          fault(shown(word) + " is not " + meaning + ".");
+          fault(shown(word) + " is not " + meaning);
         return value;
       }
 
-      std::string_view              rest;
-      std::string                   what;
+      std::string_view rest;
+      /// Names the file.
+      const Entry                  &entry;
       std::string_view              current;
       std::vector<std::string_view> words;
       /// Counted from 1.
@@ -182,8 +184,8 @@ namespace lamella
     class Reader
     {
     public:
-      Reader(const std::string &text, const std::string &what)
-        : all(text, what)
+      Reader(const std::string &text, const Entry &entry)
+        : all(text, entry)
       {}
 
       GmshFile
@@ -284,21 +286,22 @@ namespace lamella
     void
     Reader::read_format()
     {
-      const std::string no_mesh = "this is not a mesh by Gmsh. Write one with "
-                                  "'gmsh -2 NAME.geo -o NAME.msh'.";
       if (all.rest.substr(0, 3) == "\xEF\xBB\xBF")
-        throw InputError(
-          at_line(all.what, 1) +
+        refuse_line(
+          all.entry,
+          1,
           "before $MeshFormat stands a byte order mark (EF BB BF), which some "
-          "editors put there. Save the file without it, as plain ASCII.");
+          "editors put there",
+          "Save the file without it, as plain ASCII.");
       if (!all.next() ||
           (all.current != "$MeshFormat" && all.current != "$NOD"))
-        throw InputError(all.what + ": " + no_mesh);
+        all.entry.refuse("this is not a mesh by Gmsh",
+                         "Write one with 'gmsh -2 NAME.geo -o NAME.msh'.");
       const bool old = all.current == "$NOD";
       if (!old)
         {
           if (!all.next())
-            all.fault("the file is cut off: it ends before $EndMeshFormat.");
+            all.fault("the file is cut off: it ends before $EndMeshFormat");
           all.expect(3, "the format's version, 0 for text, 8");
         }
       version = old ? 1. : all.number(0, "a version of the format");
@@ -306,16 +309,15 @@ namespace lamella
         !old && all.integer(1, "0 (text) or 1 (binary)", 0, 1);
       const std::set<double> known{2., 2.1, 2.2, 4., 4.1};
       if (binary || known.count(version) == 0)
-        throw InputError(
-          at_line(all.what, all.line) + "the mesh is " +
-          (binary ? "binary" : "of version " + to_text(version)) +
-          ". Write it with 'gmsh -2 NAME.geo -format msh41 -o "
-          "NAME.msh', as text of version 4.1 (or msh22).");
+        all.fault(std::string("the mesh is ") +
+                    (binary ? "binary" : "of version " + to_text(version)),
+                  "Write it with 'gmsh -2 NAME.geo -format msh41 -o "
+                  "NAME.msh', as text of version 4.1 (or msh22).");
       all.integer(2, "8, the bytes of a number", 1);
       if (!all.next())
-        all.fault("the file is cut off: it ends before $EndMeshFormat.");
+        all.fault("the file is cut off: it ends before $EndMeshFormat");
       if (all.current != "$EndMeshFormat")
-        all.fault(shown(all.current) + " instead of $EndMeshFormat.");
+        all.fault(shown(all.current) + " instead of $EndMeshFormat");
     }
 
 
@@ -327,9 +329,9 @@ namespace lamella
         {
           if (all.current[0] != '$')
             all.fault(shown(all.current) +
-                      " stands between the sections of the file.");
+                      " stands between the sections of the file");
           if (all.current.substr(0, 4) == "$End")
-            all.fault(shown(all.current) + " ends what does not begin.");
+            all.fault(shown(all.current) + " ends what does not begin");
           add_part();
         }
     }
@@ -343,19 +345,19 @@ namespace lamella
         "MeshFormat", "PhysicalNames", "Entities", "Nodes", "Elements"};
       const std::string name(all.current.substr(1));
       if (name == "PartitionedEntities")
-        all.fault("the mesh is cut into partitions; a section has none.");
+        all.fault("the mesh is cut into partitions; a section has none");
       const bool wanted = once.count(name) == 1;
       const auto found  = parts.find(name);
       if (wanted && (found != parts.end() || name == "MeshFormat"))
         all.fault("a second $" + name +
                   (found == parts.end() ?
-                     "." :
+                     "" :
                      "; the first is in line " +
-                       std::to_string(found->second.lines.line) + "."));
+                       std::to_string(found->second.lines.line)));
       Part              part{all, 0};
       const std::string end = "$End" + name;
       const std::string cut_off =
-        "the file is cut off: it ends before " + shown(end) + ".";
+        "the file is cut off: it ends before " + shown(end);
       const char *const from = all.rest.data();
       while (true)
         {
@@ -372,7 +374,7 @@ namespace lamella
           // What others write into sections of their own is theirs.
           if (wanted && all.current[0] == '$')
             all.fault(shown(all.current) + " stands inside $" + name +
-                      ", which has no " + end + " before it.");
+                      ", which has no " + end + " before it");
           ++part.n_lines;
         }
       if (wanted)
@@ -387,7 +389,7 @@ namespace lamella
       const auto found = parts.find(name);
       if (found == parts.end())
         all.fault("the file ends without $" + name +
-                  ": it is cut off, or nothing is meshed.");
+                  ": it is cut off, or nothing is meshed");
       return found->second;
     }
 
@@ -403,7 +405,7 @@ namespace lamella
       if (n > part.n_lines / lines_each)
         part.lines.fault(std::to_string(n) + " " + things +
                          " are announced, more than the section has lines (" +
-                         std::to_string(part.n_lines) + ").");
+                         std::to_string(part.n_lines) + ")");
       return n;
     }
 
@@ -414,7 +416,7 @@ namespace lamella
     {
       if (!part.lines.next())
         part.lines.fault("the section ends after this line, where " + due +
-                         " is due.");
+                         " is due");
     }
 
 
@@ -424,7 +426,7 @@ namespace lamella
     {
       if (part.lines.next())
         part.lines.fault(shown(part.lines.current) +
-                         " stands after what the section's counts announce.");
+                         " stands after what the section's counts announce");
     }
 
 
@@ -447,14 +449,14 @@ namespace lamella
               lines.words[2][0] != '"' || lines.current.back() != '"' ||
               lines.current.size() < open + 2)
             lines.fault(shown(lines.current) +
-                        " is not a dimension, a tag and a name in quotes.");
+                        " is not a dimension, a tag and a name in quotes");
           if (std::any_of(lines.current.begin(),
                           lines.current.end(),
                           [](const unsigned char c) {
                             return c < ' ' || c == 127;
                           }))
             lines.fault(shown(lines.current) +
-                        " has bytes that are no letters ('?').");
+                        " has bytes that are no letters ('?')");
           const int dimension = lines.integer(0, "a dimension (0 to 3)", 0, 3);
           const int tag       = lines.integer(1, "a physical tag", 1, tags_end);
           const auto [it, is_new] =
@@ -465,7 +467,7 @@ namespace lamella
           if (!is_new)
             lines.fault("the physical " + entity_name(dimension) + " " +
                         std::to_string(tag) + " has a name in line " +
-                        std::to_string(it->second.line) + " already.");
+                        std::to_string(it->second.line) + " already");
         }
       expect_end(part);
     }
@@ -511,7 +513,7 @@ namespace lamella
           group = std::abs(
             at.integer(head + 1 + k, "a physical tag", -tags_end, tags_end));
           if (group == 0)
-            at.fault("'0' is not a physical tag.");
+            at.fault("'0' is not a physical tag");
         }
       std::size_t words = head + 1 + n;
       if (dimension > 0)
@@ -523,10 +525,10 @@ namespace lamella
       // A point or volume makes no part of a section.
       if (n > 1 && (dimension == 1 || dimension == 2))
         at.fault("the " + name + " " + std::to_string(tag) + " is in " +
-                   std::to_string(n) + " physical groups.",
-                 " Let each curve and surface be in one.");
+                   std::to_string(n) + " physical groups",
+                 "Let each curve and surface be in one.");
       if (!group_of_entity.insert({{dimension, tag}, group}).second)
-        at.fault("a second " + name + " " + std::to_string(tag) + ".");
+        at.fault("a second " + name + " " + std::to_string(tag));
     }
 
 
@@ -541,7 +543,7 @@ namespace lamella
       if (!is_new)
         at.fault("a second node " + std::to_string(number) +
                  "; the first is in line " +
-                 std::to_string(file.nodes[it->second].line) + ".");
+                 std::to_string(file.nodes[it->second].line));
       GmshFile::Node node;
       for (unsigned int d = 0; d < 3; ++d)
         node.position[d] = at.number(first_word + d, "a coordinate");
@@ -620,7 +622,7 @@ namespace lamella
         head.fault(std::to_string(n) +
                    " nodes are announced, but the blocks "
                    "have " +
-                   std::to_string(file.nodes.size()) + ".");
+                   std::to_string(file.nodes.size()));
       expect_end(part);
     }
 
@@ -639,7 +641,7 @@ namespace lamella
                                                     {GmshFile::point, 1}};
       const std::int64_t number = at.integer(0, "an element's number", 1);
       if (!numbers_of_elements.insert(number).second)
-        at.fault("a second element " + std::to_string(number) + ".");
+        at.fault("a second element " + std::to_string(number));
       GmshFile::Element element;
       element.type    = type;
       element.group   = group;
@@ -658,11 +660,11 @@ namespace lamella
               const auto found = place_of_node.find(node);
               if (found == place_of_node.end())
                 at.fault("element " + std::to_string(number) + " has node " +
-                         std::to_string(node) + ", which $Nodes has not.");
+                         std::to_string(node) + ", which $Nodes has not");
               const auto end = element.nodes.begin() + i;
               if (std::find(element.nodes.begin(), end, found->second) != end)
                 at.fault("element " + std::to_string(number) + " has node " +
-                         std::to_string(node) + " twice.");
+                         std::to_string(node) + " twice");
               element.nodes[i] = found->second;
             }
         }
@@ -730,12 +732,11 @@ namespace lamella
           const auto fits  = dimensions.find(type);
           if (fits != dimensions.end() && fits->second != dimension)
             lines.fault("a " + entity_name(dimension) +
-                        " has no elements of type " + std::to_string(type) +
-                        ".");
+                        " has no elements of type " + std::to_string(type));
           const auto group = group_of_entity.find({dimension, tag});
           if (group == group_of_entity.end() && parts.count("Entities") == 1)
             lines.fault("$Entities has no " + entity_name(dimension) + " " +
-                        std::to_string(tag) + ".");
+                        std::to_string(tag));
           for (std::int64_t i = 0; i < count; ++i)
             {
               go_on(part, "an element");
@@ -749,7 +750,7 @@ namespace lamella
         head.fault(std::to_string(n) +
                    " elements are announced, but the "
                    "blocks have " +
-                   std::to_string(file.elements.size()) + ".");
+                   std::to_string(file.elements.size()));
       expect_end(part);
     }
   } // namespace
@@ -757,8 +758,8 @@ namespace lamella
 
 
   GmshFile
-  read_gmsh_file(const std::string &text, const std::string &what)
+  read_gmsh_file(const std::string &text, const Entry &entry)
   {
-    return Reader(text, what).read();
+    return Reader(text, entry).read();
   }
 } // namespace lamella

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include <lamella/base/exceptions.h>
-#include <lamella/base/text.h>
 #include <lamella/shape/properties.h>
 
 #include <deal.II/base/quadrature_lib.h>
@@ -115,7 +113,7 @@ namespace lamella
 
 
     void
-    check_vertices(const SectionMesh &section, const std::string &what)
+    check_vertices(const SectionMesh &section, const Entry &entry)
     {
       std::vector<Point<2>> points;
       for (unsigned int v = 0; v < section.mesh.n_vertices(); ++v)
@@ -133,18 +131,18 @@ namespace lamella
           if (std::distance(tree.qbegin(
                               boost::geometry::index::intersects(here)),
                             tree.qend()) > 1)
-            throw InputError(
-              what + ": two nodes stand at " + place(point) +
-              ", so that the cells on both sides are not joined. In Gmsh, "
-              "share points and lines between surfaces, or write 'Coherence;' "
-              "('Coherence Mesh;' after meshing).");
+            entry.refuse(
+              "two nodes stand at " + place(point) +
+                ", so that the cells on both sides are not joined",
+              "In Gmsh, share points and lines between surfaces, or write "
+              "'Coherence;' ('Coherence Mesh;' after meshing).");
         }
     }
 
 
 
     void
-    check_connected(const SectionMesh &section, const std::string &what)
+    check_connected(const SectionMesh &section, const Entry &entry)
     {
       std::vector<bool>     seen(section.mesh.n_active_cells(), false);
       std::vector<Point<2>> parts;
@@ -169,18 +167,17 @@ namespace lamella
             }
         }
       if (parts.size() > 1)
-        throw InputError(what + ": the section is in " +
-                         std::to_string(parts.size()) +
-                         " pieces that share no side of a cell; one is at " +
-                         place(parts[0]) + ", another at " + place(parts[1]) +
-                         ". A section must hang together.");
+        entry.refuse("the section is in " + std::to_string(parts.size()) +
+                       " pieces that share no side of a cell; one is at " +
+                       place(parts[0]) + ", another at " + place(parts[1]),
+                     "A section must hang together.");
     }
   } // namespace
 
 
 
   void
-  check_section_mesh(const SectionMesh &section, const std::string &what)
+  check_section_mesh(const SectionMesh &section, const Entry &entry)
   {
     unsigned int bad = 0;
     Point<2>     where;
@@ -191,22 +188,20 @@ namespace lamella
           ++bad;
         }
     if (bad > 0)
-      throw InputError(
-        what + ": " +
+      entry.refuse(
         (bad == 1 ? "a cell is" : std::to_string(bad) + " cells are") +
-        " folded or has no area, " + (bad == 1 ? "at " : "the first at ") +
-        place(where) +
-        " (an inner angle of 180 degrees or more). Mesh it "
-        "anew; in Gmsh, 'Mesh.RecombinationAlgorithm = 3' or "
+          " folded or has no area, " + (bad == 1 ? "at " : "the first at ") +
+          place(where) + " (an inner angle of 180 degrees or more)",
+        "Mesh it anew; in Gmsh, 'Mesh.RecombinationAlgorithm = 3' or "
         "transfinite surfaces make better cells.");
-    check_vertices(section, what);
-    check_connected(section, what);
+    check_vertices(section, entry);
+    check_connected(section, entry);
   }
 
 
 
   void
-  check_proportions(const SectionMesh &section, const std::string &what)
+  check_proportions(const SectionMesh &section, const std::string &path)
   {
     // prm/cantilever.prm 1e6 times as wide as thick is right in all digits;
     // 1e7 times, a rigid rotation seems to cost no energy.
@@ -217,13 +212,14 @@ namespace lamella
         const double length = cell->diameter(),
                      ratio  = length * length / cell->measure();
         if (ratio > most)
-          throw InputError(what + ": a cell at " + place(cell->center()) +
-                           " is " + to_text(ratio, 2) +
-                           " times as long as thick; doubles hold cells of up "
-                           "to " +
-                           to_text(sensible) +
-                           " times. Are the units right? If they are, use "
-                           "more cells along the longer side.");
+          throw InputError(
+            path,
+            "",
+            "a cell at " + place(cell->center()) + " is " + to_text(ratio, 2) +
+              " times as long as thick; doubles hold cells of up to " +
+              to_text(sensible) + " times",
+            "Are the units right? If they are, use more cells along the longer "
+            "side.");
       }
   }
 } // namespace lamella

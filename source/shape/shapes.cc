@@ -27,14 +27,49 @@ namespace lamella
 
 
 
-  std::string
-  name_of(const SectionShape &shape)
+  namespace
   {
-    if (const auto *walls = std::get_if<ThinWalled>(&shape))
-      return walls->form;
-    constexpr std::array<const char *, 5> names{
-      {"laminate", "half disc", "ellipse", "thin-walled", "file"}};
-    return names[shape.index()];
+    /// The kind of each alternative of SectionShape.
+    struct KindOf
+    {
+      ShapeKind
+      operator()(const Laminate &) const
+      {
+        return ShapeKind::laminate;
+      }
+
+      ShapeKind
+      operator()(const HalfDisc &) const
+      {
+        return ShapeKind::half_disc;
+      }
+
+      ShapeKind
+      operator()(const Ellipse &) const
+      {
+        return ShapeKind::ellipse;
+      }
+
+      ShapeKind
+      operator()(const ThinWalled &walls) const
+      {
+        return walls.form;
+      }
+
+      ShapeKind
+      operator()(const SectionFile &) const
+      {
+        return ShapeKind::file;
+      }
+    };
+  } // namespace
+
+
+
+  ShapeKind
+  kind_of(const SectionShape &shape)
+  {
+    return std::visit(KindOf(), shape);
   }
 
 
@@ -136,14 +171,14 @@ namespace lamella
 
 
     const WallLayout &
-    layout_of(const std::string &form)
+    layout_of(const ShapeKind form)
     {
-      static const std::map<std::string, WallLayout> all{
-        {"box", {{"###", "#.#", "###"}, {0, 2}, {0, 2}}},
-        {"double-T", {{"###", ".#.", "###"}, {1}, {0, 2}}},
-        {"T", {{"###", ".#."}, {1}, {1}}},
-        {"channel", {{"##", "#.", "##"}, {0}, {0, 2}}},
-        {"angle", {{"#.", "##"}, {0}, {0}}}};
+      static const std::map<ShapeKind, WallLayout> all{
+        {ShapeKind::box, {{"###", "#.#", "###"}, {0, 2}, {0, 2}}},
+        {ShapeKind::double_t, {{"###", ".#.", "###"}, {1}, {0, 2}}},
+        {ShapeKind::t, {{"###", ".#."}, {1}, {1}}},
+        {ShapeKind::channel, {{"##", "#.", "##"}, {0}, {0, 2}}},
+        {ShapeKind::angle, {{"#.", "##"}, {0}, {0}}}};
       return all.at(form);
     }
 
@@ -234,7 +269,7 @@ namespace lamella
 
 
   std::pair<unsigned int, unsigned int>
-  count_of_walls(const std::string &form)
+  count_of_walls(const ShapeKind form)
   {
     const WallLayout &layout = layout_of(form);
     return {layout.webs.size(), layout.flanges.size()};

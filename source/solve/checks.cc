@@ -280,7 +280,7 @@ namespace lamella
       if (kkt.force.norm() == 0.)
         return;
       if (second_deforms)
-        kkt.imbalance = (force_1 + force_2).norm() / kkt.force.norm();
+        kkt.imbalance = (force_1 + force_2).norm() / weight;
       kkt.centre_of_pressure =
         line_of_action(kkt.force, kkt.moment, Point<3>(mean / weight));
     }
@@ -462,8 +462,14 @@ namespace lamella
                             "holds: make bodies less slender, or stiffnesses "
                             "and penalties less different.");
     for (const KuhnTucker &contact : checks.contacts)
-      if (contact.min_force < 0. ||
-          !(contact.law_error <= sound * checks.max_displacement))
+      if (!(contact.imbalance < tolerable))
+        throw NumericsError(
+          "The forces of a contact on its two bodies differ by " +
+          to_text(contact.imbalance, 3) +
+          " of their sum: its rows do not follow rigid motions, a fault of "
+          "this program. Please report the scene.");
+      else if (contact.min_force < 0. ||
+               !(contact.law_error <= sound * checks.max_displacement))
         throw NumericsError(
           "The contact conditions do not hold: the smallest force is " +
           to_text(contact.min_force) +
@@ -530,7 +536,7 @@ namespace lamella
     for (unsigned int k = 0; k < contacts.size(); ++k)
       add_contact_warnings(contacts[k],
                            checks.contacts[k],
-                           state.u.linfty_norm(),
+                           checks.max_displacement,
                            warnings);
     if (checks.max_rotation > linear_rotation)
       warnings.push_back(

@@ -34,15 +34,15 @@ namespace lamella
                  needed = dealii::Utilities::MPI::max(sum_over_machine(bytes),
                                                       communicator());
     if (needed > available)
-      throw InputError(
-        (limit > 0. ? "Memory limit = " + gigabytes(limit) + ": " :
-                      std::string()) +
-        what + ", and " + gigabytes(available) +
-        " are available on each machine" +
-        (limit > 0. ? " (the program itself has taken " +
-                        gigabytes(resident_memory()) + " of the limit)" :
-                      "") +
-        ". " + remedy);
+      throw InputError(limit > 0. ? "Memory limit" : "",
+                       limit > 0. ? gigabytes(limit) : "",
+                       what + ", and " + gigabytes(available) +
+                         " are available on each machine" +
+                         (limit > 0. ?
+                            " (the program itself has taken " +
+                              gigabytes(resident_memory()) + " of the limit)" :
+                            ""),
+                       remedy);
   }
 
 

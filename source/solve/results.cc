@@ -11,8 +11,12 @@ namespace lamella
   const std::vector<std::string> &
   phase_names()
   {
-    static const std::vector<std::string> names{
-      "setup", "assembly", "factorisation", "solve", "contact", "output"};
+    static const std::vector<std::string> names = [] {
+      std::vector<std::string> all;
+      for (const NameOf<Phase> &phase : Names<Phase>::all)
+        all.push_back(phase.name);
+      return all;
+    }();
     return names;
   }
 

@@ -50,12 +50,14 @@ namespace lamella
           free.push_back(motion.words);
         if (!free.empty())
           throw InputError(
-            "Body '" + all_bodies[b]->name() + "' can move freely: " +
-            (free.size() == 6 ? "no support holds it at all" :
-                                joined(free, "; ")) +
-            ". Add a support that prevents this, or, if contact is to hold "
-            "it, a Stabilisation (Body " +
-            all_bodies[b]->name() + "/Stabilisation = 1e-6).");
+            "Body " + all_bodies[b]->name(),
+            "",
+            "can move freely: " + (free.size() == 6 ?
+                                     "no support holds it at all" :
+                                     joined(free, "; ")),
+            "Add a support that prevents this, or, if contact is to hold it, a "
+            "Stabilisation (Body " +
+              all_bodies[b]->name() + "/Stabilisation = 1e-6).");
       }
   }
 

@@ -33,21 +33,21 @@ namespace lamella
 
 
     /// Entries of a section and what they become.
-    using Entries = std::vector<std::pair<std::string, std::string>>;
+    using Changes = std::vector<std::pair<std::string, std::string>>;
 
     /// One function for each kind of shape.
     struct FinerSection
     {
       double factor;
 
-      Entries
+      Changes
       operator()(const Laminate &laminate) const
       {
         return {{"Cells per ply", scaled(laminate.cells_per_ply, factor)},
                 {"Cells across", scaled(laminate.cells_across, factor)}};
       }
 
-      Entries
+      Changes
       operator()(const HalfDisc &disc) const
       {
         const unsigned int quarters =
@@ -56,14 +56,14 @@ namespace lamella
                 {"Sectors", std::to_string(4 * quarters)}};
       }
 
-      Entries
+      Changes
       operator()(const Ellipse &ellipse) const
       {
         const long times = std::lround(ellipse.refinements + std::log2(factor));
         return {{"Refinements", std::to_string(std::clamp(times, 0L, 6L))}};
       }
 
-      Entries
+      Changes
       operator()(const ThinWalled &walls) const
       {
         return {{"Cells per wall",
@@ -72,13 +72,15 @@ namespace lamella
                  std::to_string(scaled(walls.cells_along_wall, factor))}};
       }
 
-      Entries
+      Changes
       operator()(const SectionFile &file) const
       {
-        throw InputError(file.what +
-                         ": a mesh file is as fine as Gmsh made it, and no "
-                         "section FACTOR changes that. Name another file in "
-                         "the rung: Section NAME/File = ...");
+        throw InputError(file.what + "/File",
+                         file.path,
+                         "a mesh file is as fine as Gmsh made it, and no "
+                         "section FACTOR changes that",
+                         "Name another file in the rung: Section NAME/File = "
+                         "...");
       }
     };
   } // namespace

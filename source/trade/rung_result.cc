@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include <lamella/base/exceptions.h>
+#include <lamella/base/entry.h>
 #include <lamella/base/memory.h>
-#include <lamella/base/text.h>
 #include <lamella/body/fields.h>
 #include <lamella/trade/rung_result.h>
 
@@ -85,7 +84,7 @@ namespace lamella
   double
   RungValues::value(const TradeQuantity &quantity) const
   {
-    const std::string what = "Trade/Quantities, '" + quantity.label() + "'";
+    const Entry entry("Trade/Quantities", quantity.label());
     if (quantity.of != TradeQuantity::Of::probe)
       {
         const auto &all =
@@ -101,16 +100,16 @@ namespace lamella
           values.push_back(row->columns.at(quantity.column));
       }
     if (values.empty())
-      throw InputError(what + ": the probe does not lie in this ply but in " +
-                       joined(plies) + ".");
+      entry.refuse("the probe does not lie in this ply but in " +
+                   joined(plies));
     const auto [least, greatest] =
       std::minmax_element(values.begin(), values.end());
     if (*greatest - *least >
         1e-9 * std::max(std::abs(*least), std::abs(*greatest)))
-      throw InputError(
-        what + ": the probe lies between the plies " + joined(plies) +
-        " and the values there differ. Name one: " + quantity.name + "/" +
-        plies.front() + ": " + quantity.column + ".");
+      entry.refuse("the probe lies between the plies " + joined(plies) +
+                     " and the values there differ",
+                   "Name one: " + quantity.name + "/" + plies.front() + ": " +
+                     quantity.column + ".");
     return values.front();
   }
 

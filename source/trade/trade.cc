@@ -4,6 +4,7 @@
 #include <lamella/base/exceptions.h>
 #include <lamella/base/mpi_session.h>
 #include <lamella/base/text.h>
+#include <lamella/base/version.h>
 #include <lamella/run/simulation.h>
 #include <lamella/trade/trade.h>
 #include <lamella/trade/trade_picture.h>
@@ -113,10 +114,7 @@ namespace lamella
                (end.signal == 9 ? ", perhaps because memory ran out." : ".");
       if (end.status == 0)
         return json::accept(end.answer) ? "" : "ended without its numbers.";
-      std::string       message = trimmed(whole_file(errors));
-      const std::string prefix  = "lamella: ";
-      if (message.compare(0, prefix.size(), prefix) == 0)
-        message = message.substr(prefix.size());
+      const std::string message = trimmed(whole_file(errors));
       return message.empty() ?
                "ended with exit status " + std::to_string(end.status) + "." :
                message;
@@ -179,9 +177,9 @@ namespace lamella
       fs::create_directories(directory + "/rungs", error);
       // The lock needs a file; it is not emptied, should another have it.
       if (error || !std::ofstream(directory + "/trade.lock", std::ios::app))
-        throw InputError("--output " + directory +
-                         ": results cannot be written there. Name a folder "
-                         "that can be created and written.");
+        throw InputError("results cannot be written there. Name a folder that "
+                         "can be created and written.")
+          .at("--output " + directory + ": ");
     }
   } // namespace
 
@@ -201,10 +199,11 @@ namespace lamella
     , quantities(scene.trade.quantities)
   {
     if (quantities.empty() && scene.trade.whole_probes.empty())
-      throw InputError(
-        "Trade/Quantities: there is nothing to compare, since "
-        "the scene has neither probes nor References of supports "
-        "and contacts. Add a probe.");
+      throw InputError("Trade/Quantities",
+                       "",
+                       "there is nothing to compare, since the scene has "
+                       "neither probes nor References of supports and contacts",
+                       "Add a probe.");
     for (const LadderEntry &entry : scene.trade.ladder)
       try
         {
@@ -213,8 +212,10 @@ namespace lamella
         }
       catch (const InputError &error)
         {
-          throw InputError("Trade/Ladder, rung '" + entry.name +
-                           "': " + error.what());
+          throw InputError("Trade/Ladder",
+                           entry.name,
+                           "the scene cannot be read with this rung's entries",
+                           error.what());
         }
   }
 
@@ -241,9 +242,8 @@ namespace lamella
             text += assignment + "\n";
         text += error.what() + std::string("\n");
       }
-    return text + "program " + LAMELLA_VERSION + ", " +
-           state_of_file(own_program()) + ", threads " +
-           std::to_string(threads);
+    return text + "program " + version() + ", " + state_of_file(own_program()) +
+           ", threads " + std::to_string(threads);
   }
 
 
@@ -304,9 +304,9 @@ namespace lamella
       }
     // Each run reads the scene afresh.
     if (fingerprint(all) != of || fingerprint(overrides) != base)
-      throw InputError(scene_file +
-                       ": the scene, a mesh file or the program changed while "
-                       "rungs of it were run. Start the trade again.");
+      throw InputError("the scene, a mesh file or the program changed while "
+                       "rungs of it were run. Start the trade again.")
+        .at(scene_file + ": ");
     json record{{"of", of}, {"seconds", best.seconds}, {"failure", failure}};
     if (failure.empty())
       record["values"] = json::parse(best.answer, nullptr, false);
@@ -423,11 +423,11 @@ namespace lamella
     prepare_directory(directory);
     boost::interprocess::file_lock lock((directory + "/trade.lock").c_str());
     if (!lock.try_lock())
-      throw InputError("--output " + directory +
-                       ": another trade is at work there. Wait for it, or name "
-                       "another folder.");
+      throw InputError("another trade is at work there. Wait for it, or name "
+                       "another folder.")
+        .at("--output " + directory + ": ");
     // Those of an earlier trade would look like this one's.
-    for (const char *name : {"trade.csv", "trade.gp", "trade.png", "trade.svg"})
+    for (const char *name : {"trade.csv", "trade.py", "trade.png", "trade.svg"})
       fs::remove(directory + "/" + name);
     results.clear();
     numbers.clear();

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include <lamella/base/exceptions.h>
-#include <lamella/base/text.h>
+#include <lamella/base/entry.h>
 #include <lamella/report/console.h>
 #include <lamella/report/fields_table.h>
 #include <lamella/section/theory.h>
@@ -17,6 +16,17 @@
 
 namespace lamella
 {
+  namespace
+  {
+    Theory
+    theory_of(const RungResult &rung)
+    {
+      return Theory::parse(Entry("Theory", rung.theory));
+    }
+  } // namespace
+
+
+
   TradeTable::TradeTable(std::vector<RungResult>    rungs,
                          std::vector<TradeQuantity> quantities,
                          const std::string         &reference,
@@ -38,7 +48,7 @@ namespace lamella
       {
         const bool meant =
           name == "finest" || all[k].name == name ||
-          (name == "solid" && all[k].theory.compare(0, 5, "solid") == 0);
+          (name == "solid" && theory_of(all[k]).kind == Theory::Kind::solid);
         if (meant && all[k].failure.empty())
           return k;
         if (meant && all[k].name == name)
@@ -157,9 +167,9 @@ namespace lamella
     };
 
     Richness
-    richness_of(const std::string &name)
+    richness_of(const RungResult &rung)
     {
-      const Theory theory = Theory::parse(name, "Theory");
+      const Theory theory = theory_of(rung);
       if (theory.kind == Theory::Kind::EBBT)
         return {Theory::Kind::TE, 0.};
       if (theory.kind == Theory::Kind::TBT)
@@ -187,10 +197,10 @@ namespace lamella
                        std::to_string(all[k].dofs) + " DoFs, " +
                        to_text(all[k].seconds, 2) + " s (off by " +
                        per_cent(error(k, q)) + ").";
-    const Richness richness = richness_of(all[k].theory);
+    const Richness richness = richness_of(all[k]);
     for (unsigned int other = 0; other < all.size(); ++other)
       {
-        const Richness others = richness_of(all[other].theory);
+        const Richness others = richness_of(all[other]);
         const bool     holds  = others.family == richness.family &&
                            others.rank >= richness.rank &&
                            all[other].axis >= all[k].axis &&
@@ -324,10 +334,7 @@ namespace lamella
       std::replace(text.begin(), text.end(), '\n', ' ');
       if (text.find_first_of(",\"") == std::string::npos)
         return text;
-      for (auto at = text.find('"'); at != std::string::npos;
-           at      = text.find('"', at + 2))
-        text.insert(at, "\"");
-      return '"' + text + '"';
+      return '"' + replaced(text, "\"", "\"\"") + '"';
     }
 
 

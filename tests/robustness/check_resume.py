@@ -9,7 +9,8 @@ kill -9 at a random moment. What a killed run leaves is whole: rows of as many l
 steps as its summary says, in every table, and their VTU files in the collection. Then
 it goes on with --resume, and every table is that of the uninterrupted run number by number
 to 1e-12 (numdiff). --resume on what cannot go on is refused, and a file that
-reaches its limit at a later step leaves the steps before it.
+reaches its limit at a later step leaves the steps before it; a step that fails fails
+again when resumed.
 """
 
 import csv
@@ -143,6 +144,22 @@ def check_full_disk(program, scene, work):
     check(status == 0 and not off, f"goes on to the same tables {off} {err[:200]}")
 
 
+def check_fails_again(program, work):
+    """A load step that fails fails again, in words, and those before it stay."""
+    scene = str(Path(__file__).resolve().parents[1] / "scenes/crossed_beams.prm")
+    folder = work / "fails"
+    for more in ([], ["--resume"]):
+        done = subprocess.run(
+            [program, scene, "--output", str(folder), "--set", "Load factors=1, 100",
+             "--set", "Write VTU=false", *more], capture_output=True, text=True)
+        steps = json.loads((folder / "summary.json").read_text())["load_steps"]
+        check(done.returncode == 2 and "otations reach" in done.stderr and steps == 1
+              and all({row["step"] for row in rows} == {"1"}
+                      for rows in tables(folder).values()),
+              f"a second step that fails, {more or 'at first'}: {done.returncode} "
+              f"{done.stderr[:100]}")
+
+
 def main():
     program, scene = str(Path(sys.argv[1]).resolve()), str(Path(sys.argv[2]).resolve())
     work = Path(sys.argv[3])
@@ -154,6 +171,7 @@ def main():
     check_kills(program, scene, work, kills, seed)
     check_refused(program, scene, work)
     check_full_disk(program, scene, work)
+    check_fails_again(program, work)
     sys.exit(1 if faults else 0)
 
 

@@ -3,6 +3,8 @@
 // The axis: its matrices by hand, graded meshes, weights of nodes, places of
 // points.
 
+#include "entries.h"
+
 #include <lamella/axis/axis.h>
 #include <lamella/axis/parameters.h>
 #include <lamella/base/exceptions.h>
@@ -375,9 +377,14 @@ BOOST_AUTO_TEST_CASE(locate)
 
 BOOST_AUTO_TEST_CASE(entries_of_an_axis)
 {
-  using P = AxisParameters;
-  const P        given{"B3", "6, 8, 6", "0.9, 1.1", "equidistant"};
-  const AxisMesh mesh = given.mesh(2., "Body a/Kinematics");
+  const auto read = [](const double length, const Settings &settings) {
+    return parsed<AxisParameters>("Body a/Kinematics", settings, length);
+  };
+  const AxisMesh mesh = read(2.,
+                             {{"Axis element", "B3"},
+                              {"Axis elements", "6, 8, 6"},
+                              {"Axis breaks", "0.9, 1.1"},
+                              {"Axis nodes", "equidistant"}});
   BOOST_TEST(mesh.degree == 2);
   BOOST_TEST(mesh.length == 2.);
   BOOST_TEST(mesh.equidistant_nodes);
@@ -385,24 +392,57 @@ BOOST_AUTO_TEST_CASE(entries_of_an_axis)
              boost::test_tools::per_element());
   BOOST_TEST(mesh.breaks == (std::vector<double>{0.9, 1.1}),
              boost::test_tools::per_element());
-  BOOST_TEST((P{"B2", "1", "", "Gauss-Lobatto"}.mesh(1., "").degree == 1));
-  BOOST_TEST((P{"B4", "1", "", "Gauss-Lobatto"}.mesh(1., "").degree == 3));
 
-  for (const P &bad : {P{"B5", "1", "", "Gauss-Lobatto"},
-                       P{"b4", "1", "", "Gauss-Lobatto"},
-                       P{"B4", "0", "", "Gauss-Lobatto"},
-                       P{"B4", "-3", "", "Gauss-Lobatto"},
-                       P{"B4", "2.5", "", "Gauss-Lobatto"},
-                       P{"B4", "many", "", "Gauss-Lobatto"},
-                       P{"B4", "", "", "Gauss-Lobatto"},
-                       P{"B4", "1", "", "Lobatto"},
-                       P{"B4", "1", "0.5", "Gauss-Lobatto"},
-                       P{"B4", "1, 2", "", "Gauss-Lobatto"},
-                       P{"B4", "1, 2", "2", "Gauss-Lobatto"},
-                       P{"B4", "1, 2", "0", "Gauss-Lobatto"},
-                       P{"B4", "1, 2, 3", "1.1, 0.9", "Gauss-Lobatto"},
-                       P{"B4", "1, 2, 3", "0.9, 0.9", "Gauss-Lobatto"}})
-    BOOST_CHECK_THROW(bad.mesh(2., "Body a/Kinematics"), InputError);
+  // B2 and B3 would lock, and auto is what the entry says where it is not
+  // given.
+  for (const auto &[element, degree] :
+       {std::make_pair("B2", 1u), std::make_pair("B3", 2u)})
+    {
+      const AxisMesh low = read(1., {{"Axis element", element}});
+      BOOST_TEST(low.degree == degree);
+      BOOST_TEST(low.assumed_shear);
+    }
+  const AxisMesh none = read(1., {});
+  BOOST_TEST(none.degree == 3);
+  BOOST_TEST(!none.equidistant_nodes);
+  BOOST_TEST(!none.assumed_shear);
+  BOOST_TEST(none.elements == (std::vector<unsigned int>{10}),
+             boost::test_tools::per_element());
+  BOOST_TEST(read(1., {{"Shear strains", "assumed"}}).assumed_shear);
+  BOOST_TEST(!read(1., {{"Axis element", "B2"}, {"Shear strains", "full"}})
+                .assumed_shear);
+  // However the number is written.
+  BOOST_TEST(read(1., {{"Axis elements", "1e1"}}).elements ==
+               (std::vector<unsigned int>{10}),
+             boost::test_tools::per_element());
+
+  // What is refused, and the entry that the message names.
+  for (const auto &[bad, named] : std::vector<std::pair<Settings, std::string>>{
+         {{{"Axis element", "B5"}}, "Axis element"},
+         {{{"Axis element", "b4"}}, "Axis element"},
+         {{{"Axis elements", "0"}}, "Axis elements"},
+         {{{"Axis elements", "-3"}}, "Axis elements"},
+         {{{"Axis elements", "2.5"}}, "Axis elements"},
+         {{{"Axis elements", "100001"}}, "Axis elements"},
+         {{{"Axis elements", "many"}}, "Axis elements"},
+         {{{"Axis elements", ""}}, "Axis elements"},
+         {{{"Axis elements", "5,"}}, "Axis elements"},
+         {{{"Axis nodes", "Lobatto"}}, "Axis nodes"},
+         {{{"Shear strains", "reduced"}}, "Shear strains"},
+         {{{"Axis breaks", "0.5"}}, "Axis elements"},
+         {{{"Axis elements", "1, 2"}}, "Axis elements"},
+         {{{"Axis elements", "1, 2"}, {"Axis breaks", "2"}}, "Axis breaks"},
+         {{{"Axis elements", "1, 2"}, {"Axis breaks", "0"}}, "Axis breaks"},
+         {{{"Axis elements", "1, 2, 3"}, {"Axis breaks", "1.1, 0.9"}},
+          "Axis breaks"},
+         {{{"Axis elements", "1, 2, 3"}, {"Axis breaks", "0.9, 0.9"}},
+          "Axis breaks"}})
+    BOOST_CHECK_EXCEPTION(read(2., bad),
+                          InputError,
+                          [path = "Body a/Kinematics/" +
+                                  named](const InputError &error) {
+                            return error.path() == path;
+                          });
 }
 
 BOOST_AUTO_TEST_SUITE_END()

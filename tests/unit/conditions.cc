@@ -3,6 +3,7 @@
 // Supports and loads as rows: what a set of supports leaves free, redundant and
 // contradictory rows, reactions, resultants of loads.
 
+#include "entries.h"
 #include "fixtures.h"
 
 #include <lamella/base/exceptions.h>
@@ -122,7 +123,7 @@ namespace
 
 
 
-  using Names = std::set<std::string>;
+  using Words = std::set<std::string>;
 
 
 
@@ -244,7 +245,7 @@ BOOST_AUTO_TEST_CASE(nothing_held)
 {
   const auto free = free_motions(one_beam(), {});
   BOOST_TEST(free.size() == 6);
-  BOOST_TEST((named(free) == Names{"translation along x",
+  BOOST_TEST((named(free) == Words{"translation along x",
                                    "translation along y",
                                    "translation along z",
                                    "rotation about x",
@@ -264,7 +265,7 @@ BOOST_AUTO_TEST_CASE(held_at_one_point)
   BOOST_TEST(at_centre.size() == 3);
   BOOST_TEST(
     (named(at_centre) ==
-     Names{"rotation about x", "rotation about y", "rotation about z"}));
+     Words{"rotation about x", "rotation about y", "rotation about z"}));
 
   // At a corner each turn drags translations along, but it is one turn: to be
   // told of all three at once helps nobody.
@@ -292,7 +293,7 @@ BOOST_AUTO_TEST_CASE(held_along_a_line)
     on_line({0., 0., 0.}, {width, 0., 0.}, {free_, free_, 0.});
   const auto tilt = free_motions(one_beam(), {line});
   BOOST_TEST(tilt.size() == 4);
-  BOOST_TEST((named(tilt) == Names{"translation along x",
+  BOOST_TEST((named(tilt) == Words{"translation along x",
                                    "translation along y",
                                    "translation along z",
                                    "rotation about x",
@@ -305,7 +306,7 @@ BOOST_AUTO_TEST_CASE(held_along_a_line)
   BOOST_TEST(slide.size() == 3);
   BOOST_TEST(
     (named(slide) ==
-     Names{"translation along x", "translation along y", "rotation about z"}));
+     Words{"translation along x", "translation along y", "rotation about z"}));
 
   // A point of the start held in x and y leaves the spin about it, and held in
   // x at the end, too, nothing.
@@ -345,7 +346,7 @@ BOOST_AUTO_TEST_CASE(names_are_in_scene_axes)
   const auto      free =
     free_motions(one_beam(along_x), {on_surface("start", {free_, free_, 0.})});
   BOOST_TEST(free.size() == 4);
-  BOOST_TEST((named(free) == Names{"translation along x",
+  BOOST_TEST((named(free) == Words{"translation along x",
                                    "translation along y",
                                    "translation along z",
                                    "rotation about y",
@@ -837,16 +838,17 @@ BOOST_AUTO_TEST_CASE(two_expressions_are_not_one)
 BOOST_AUTO_TEST_CASE(places_as_a_scene_says_them)
 {
   const std::vector<std::string> bodies{"upper", "lower"};
-  const auto                     regions =
-    parse_regions("lower: line; upper : ends", "0,0,1; 2,0,1", bodies, "What");
+  const auto read = [&bodies](const std::string &on, const std::string &at) {
+    return parse_regions({"Load l/On", on}, {"Load l/At", at}, bodies);
+  };
+  const auto regions = read("lower: line; upper : ends;", "0,0,1; 2,0,1");
   BOOST_TEST_REQUIRE(regions.size() == 2);
   BOOST_TEST(regions[0].body == 1);
   BOOST_TEST((regions[0].kind == Region::Kind::line));
   BOOST_TEST(regions[0].at.size() == 2);
   BOOST_TEST(regions[1].body == 0);
   BOOST_TEST(regions[1].surface == "ends");
-  BOOST_TEST((parse_regions("upper: body", "", bodies, "What")[0].kind ==
-              Region::Kind::body));
+  BOOST_TEST((read("upper: body", "")[0].kind == Region::Kind::body));
 
   for (const auto &[on, at] : std::vector<std::pair<std::string, std::string>>{
          {"", ""},                             // nowhere
@@ -858,8 +860,56 @@ BOOST_AUTO_TEST_CASE(places_as_a_scene_says_them)
          {"upper: line", "0,0,1;1,0,1;2,0,1"}, // three ends
          {"upper: point", "0, 1"},             // two numbers
          {"upper: ends", "0,0,1"},             // nothing that uses At
+         {"upper: ends; upper: ends", ""},     // twice
        })
-    BOOST_CHECK_THROW(parse_regions(on, at, bodies, "What"), InputError);
+    BOOST_CHECK_THROW(read(on, at), InputError);
+}
+
+
+
+BOOST_AUTO_TEST_CASE(entries_of_supports_and_loads)
+{
+  const std::string              name = "a";
+  const std::vector<std::string> bodies{"upper", "lower"};
+  const auto                     support = [&](Settings settings) {
+    settings.emplace_back("On", "lower: ends");
+    return parsed<SupportParameters>("Support a", settings, name, bodies);
+  };
+  const Support all = support({});
+  BOOST_TEST(all.name == "a");
+  BOOST_TEST(all.on.at(0).body == 1);
+  BOOST_TEST((all.u[0] == 0. && all.u[1] == 0. && all.u[2] == 0.));
+  const Support some = support({{"u", "free, -1e-3, free"}});
+  BOOST_TEST((!some.u[0] && some.u[1] == -1e-3 && !some.u[2]));
+  const Support normal = support({{"Normal displacement", "0.5"}});
+  BOOST_TEST((normal.normal == 0.5 && !normal.u[0]));
+
+  const auto load = [&](Settings settings) {
+    settings.emplace_back("On", "lower: ends");
+    return parsed<LoadParameters>("Load a", settings, name, bodies);
+  };
+  BOOST_TEST(load({{"Force", "0, if(x>1, 2, 0), z"}}).force[1].text() ==
+             "if(x>1, 2, 0)");
+  BOOST_TEST(load({{"Pressure", "2*x"}}).pressure.text() == "2*x");
+
+  const auto of = [](const std::string &path) {
+    return [path](const InputError &error) { return error.path() == path; };
+  };
+  for (const std::string u : {"0, 0", "0, 0, fixed", "free, free, free"})
+    BOOST_CHECK_EXCEPTION(support({{"u", u}}), InputError, of("Support a/u"));
+  for (const Settings &bad :
+       {Settings{{"Normal displacement", "none"}},
+        Settings{{"Normal displacement", "0"}, {"u", "0, 0, 0"}}})
+    BOOST_CHECK_EXCEPTION(support(bad),
+                          InputError,
+                          of("Support a/Normal displacement"));
+  BOOST_CHECK_EXCEPTION(load({}), InputError, of("Load a"));
+  BOOST_CHECK_EXCEPTION(load({{"Force", "0, 0, 1"}, {"Pressure", "1"}}),
+                        InputError,
+                        of("Load a"));
+  BOOST_CHECK_EXCEPTION(load({{"Force", "0, 1"}}),
+                        InputError,
+                        of("Load a/Force"));
 }
 
 BOOST_AUTO_TEST_SUITE_END()

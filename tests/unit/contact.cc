@@ -3,11 +3,12 @@
 // Pairs of points, tributary areas, penalties and the gap of a row: geometry
 // alone, nothing is solved.
 
+#include "entries.h"
 #include "fixtures.h"
 
 #include <lamella/base/exceptions.h>
-#include <lamella/contact/gap_rows.h>
 #include <lamella/contact/pairing.h>
+#include <lamella/contact/parameters.h>
 #include <lamella/contact/search.h>
 
 #include <boost/test/unit_test.hpp>
@@ -444,6 +445,121 @@ BOOST_AUTO_TEST_CASE(surfaces_that_do_not_pair)
   check_refused(between("bottom", "top"),
                 apart,
                 {"0.0707107 apart", "sideways offset", "is 0.05"});
+}
+
+
+
+BOOST_AUTO_TEST_CASE(entries_of_a_contact)
+{
+  const std::vector<std::string> bodies{"upper", "lower"};
+  auto                           plane = std::make_shared<Obstacle>();
+  plane->name                          = "floor";
+  const Obstacles obstacles{plane};
+  const auto      read = [&](const Settings &changes) {
+    Settings settings{{"First", "upper: bottom"}, {"Second", "lower: top"}};
+    settings.insert(settings.end(), changes.begin(), changes.end());
+    return parsed<ContactParameters>(
+      "Contact c", settings, std::string("c"), bodies, obstacles);
+  };
+  const ContactPair plain = read({});
+  BOOST_TEST(plain.name == "c");
+  BOOST_TEST(plain.first.body == 0);
+  BOOST_TEST(plain.second.surface == "top");
+  BOOST_TEST((plain.discretisation == Discretisation::node_to_node));
+  BOOST_TEST((plain.penalty.kind == PenaltyKind::automatic));
+  BOOST_TEST(plain.penalty.value == 1e6);
+  BOOST_TEST(!plain.search_distance);
+  const ContactPair chosen = read({{"Discretisation", "surface to surface"},
+                                   {"Enforcement", "augmented lagrangian"},
+                                   {"Points on", "second"},
+                                   {"Overclosure", "error"},
+                                   {"Penalty", "900"},
+                                   {"Penalty per", "node"},
+                                   {"Search distance", "0.5"},
+                                   {"Tolerance", "0.25"},
+                                   {"Friction", "0.0"}});
+  BOOST_TEST((chosen.discretisation == Discretisation::surface_to_surface));
+  BOOST_TEST((chosen.enforcement == Enforcement::augmented_lagrangian));
+  BOOST_TEST((chosen.points_on == PointsOn::second));
+  BOOST_TEST((chosen.overclosure == Overclosure::refuse));
+  BOOST_TEST((chosen.penalty.kind == PenaltyKind::per_node));
+  BOOST_TEST(chosen.penalty.value == 900.);
+  BOOST_TEST(chosen.search_distance.value() == 0.5);
+  BOOST_TEST(chosen.tolerance == 0.25);
+  const ContactPair on_floor = read({{"Second", "floor"},
+                                     {"Discretisation", "node to surface"},
+                                     {"Friction", ""}});
+  BOOST_TEST(on_floor.obstacle == plane);
+
+  // What is refused, each with the entry that is wrong.
+  for (const auto &[entry, value] : Settings{{"First", ""},
+                                             {"First", "floor"},
+                                             {"First", "uper: bottom"},
+                                             {"Second", "floor: top"},
+                                             {"Second", "flor"},
+                                             {"Discretisation", "mortar"},
+                                             {"Enforcement", ""},
+                                             {"Points on", "third"},
+                                             {"Overclosure", "refuse"},
+                                             {"Penalty", "-1"},
+                                             {"Penalty", ""},
+                                             {"Penalty per", "length"},
+                                             {"Search distance", "0"},
+                                             {"Tolerance", "0.5"},
+                                             {"Friction", "0.3"},
+                                             {"Friction", "some"}})
+    BOOST_CHECK_EXCEPTION(read({{entry, value}}),
+                          InputError,
+                          [path = "Contact c/" + entry](const InputError &e) {
+                            return e.path() == path;
+                          });
+  // An obstacle has no nodes; a body does not touch itself.
+  const auto of = [](const std::string &path) {
+    return [path](const InputError &error) { return error.path() == path; };
+  };
+  BOOST_CHECK_EXCEPTION(read({{"Second", "floor"}}),
+                        InputError,
+                        of("Contact c/Discretisation"));
+  BOOST_CHECK_EXCEPTION(read({{"Second", "upper: top"}}),
+                        InputError,
+                        of("Contact c"));
+}
+
+
+
+BOOST_AUTO_TEST_CASE(entries_of_an_obstacle)
+{
+  const auto read = [](const Settings &settings) {
+    return parsed<ObstacleParameters>("Obstacle o", settings, std::string("o"));
+  };
+  const auto plane = read({{"Shape", "plane"},
+                           {"Through", "1, 2, 3"},
+                           {"Normal", "0, 3, 4"},
+                           {"u", "0, 0, -1"}});
+  BOOST_TEST((plane->shape == Obstacle::Shape::plane));
+  BOOST_TEST(plane->point.distance({1., 2., 3.}) == 0.);
+  BOOST_TEST((plane->direction - Point<3>(0., 0.6, 0.8)).norm() < 1e-15);
+  BOOST_TEST(plane->displacement[2] == -1.);
+  const auto roller = read({{"Shape", "cylinder"}, {"Radius", "2"}});
+  BOOST_TEST(roller->radius == 2.);
+  BOOST_TEST(roller->direction[0] == 1.);
+
+  for (const auto &[settings, entry] :
+       std::vector<std::pair<Settings, std::string>>{
+         {{}, "Shape"},
+         {{{"Shape", "sphere"}}, "Shape"},
+         {{{"Shape", "plane"}, {"Through", "1, 2"}}, "Through"},
+         {{{"Shape", "plane"}, {"Normal", "0, 0, 0"}}, "Normal"},
+         {{{"Shape", "plane"}, {"Radius", "1"}}, "Radius"},
+         {{{"Shape", "cylinder"}}, "Radius"},
+         {{{"Shape", "cylinder"}, {"Radius", "0"}}, "Radius"},
+         {{{"Shape", "plane"}, {"u", "0, 0, down"}}, "u"}})
+    BOOST_CHECK_EXCEPTION(read(settings),
+                          InputError,
+                          [path =
+                             "Obstacle o/" + entry](const InputError &error) {
+                            return error.path() == path;
+                          });
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -340,7 +340,8 @@ BOOST_AUTO_TEST_CASE(surfaces_behind_surfaces)
         "strip", rectangle(0.4, 0.1, {0.}, 2), layer_wise(2), 2., 2, above));
       bodies.push_back(make_beam(
         "box",
-        ThinWalled{"box", 1., 0.5, {0.1, 0.1}, {0.1, 0.1}, 1, 4, fabric},
+        ThinWalled{
+          ShapeKind::box, 1., 0.5, {0.1, 0.1}, {0.1, 0.1}, 1, 4, fabric},
         layer_wise(2),
         2.,
         3));

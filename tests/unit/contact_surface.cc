@@ -44,8 +44,9 @@ namespace
                   const std::function<bool(const SurfacePoint &point)> &keep)
   {
     ContactInterface contact;
-    contact.name        = "floor";
-    contact.second_name = "plane";
+    contact.name             = "floor";
+    contact.second_name      = "plane";
+    contact.carrying_surface = surface;
     for (const SurfacePoint &point :
          structure.bodies()[0]->surface_points(surface))
       if (keep(point))
@@ -58,6 +59,7 @@ namespace
                                     point.position + 0.25 * point.normal,
                                     point.normal,
                                     point.area});
+          contact.points.back().node = point.location;
         }
     return contact;
   }
@@ -130,6 +132,7 @@ BOOST_AUTO_TEST_CASE(only_faces_of_the_surface)
   contact.points.insert(contact.points.end(),
                         below.points.begin(),
                         below.points.end());
+  contact.carrying_surface = "all";
   const ContactSurface surface(contact, *structure);
   BOOST_TEST(surface.quadrilaterals().size() == 48u);
 }

@@ -93,7 +93,7 @@ BOOST_AUTO_TEST_CASE(facets_know_position_normal_and_trace)
             {
               const Point<2>     st(number(random), number(random));
               const SurfacePoint point = body->surface_point(facet.side, st);
-              const auto         place = surface.map(facet, st);
+              const auto         place = facet.map(st);
               const Tensor<1, 3> n     = cross_product_3d(place.d_s, place.d_t);
               BOOST_TEST(place.position.distance(point.position) < 1e-13);
               BOOST_TEST(

@@ -266,11 +266,11 @@ BOOST_AUTO_TEST_CASE(entries_of_a_beam)
 
 BOOST_AUTO_TEST_CASE(memory)
 {
-  BOOST_TEST(to_bytes("auto", "Memory limit") == 0.);
-  BOOST_TEST(to_bytes(" 2.5 GB", "Memory limit") == 2.5e9);
-  BOOST_TEST(to_bytes("800 MB", "Memory limit") == 8e8);
+  BOOST_TEST(to_bytes({"Memory limit", "auto"}) == 0.);
+  BOOST_TEST(to_bytes({"Memory limit", " 2.5 GB"}) == 2.5e9);
+  BOOST_TEST(to_bytes({"Memory limit", "800 MB"}) == 8e8);
   for (const char *text : {"2", "GB", "-1 GB", "2 GB more", "0 MB", ""})
-    BOOST_CHECK_THROW(to_bytes(text, "Memory limit"), InputError);
+    BOOST_CHECK_THROW(to_bytes({"Memory limit", text}), InputError);
   BOOST_TEST(resident_memory() > 1e6);
   BOOST_TEST(peak_memory() >= resident_memory());
   BOOST_TEST(available_memory() > 1e6);

@@ -34,7 +34,7 @@ namespace
                                      {{"material",
                                        EngineeringConstants::isotropic(modulus,
                                                                        nu)}}),
-                   Theory::parse(kinematics, "theory")),
+                   Theory::parse({"Theory", kinematics})),
       make_axis(length, elements),
       placement);
   }

@@ -144,7 +144,7 @@ $EndElements
   {
     try
       {
-        read_gmsh_file(text, "Section s/File = s.msh");
+        read_gmsh_file(text, {"Section s/File", "s.msh"});
         return "";
       }
     catch (const InputError &error)
@@ -163,7 +163,7 @@ $EndElements
   {
     const std::string message = fault_of(text);
     BOOST_TEST_MESSAGE(message);
-    return message.find("Section s/File = s.msh, line " + std::to_string(line) +
+    return message.find("Section s/File = s.msh: line " + std::to_string(line) +
                         ": ") == 0 &&
            message.find(fragment) != std::string::npos;
   }
@@ -265,7 +265,7 @@ BOOST_AUTO_TEST_CASE(formats)
 {
   for (const std::string &text : {two_cells, two_cells_41, two_cells_40})
     {
-      const GmshFile file = read_gmsh_file(text, "s");
+      const GmshFile file = read_gmsh_file(text, {"Section s/File", "s.msh"});
       BOOST_TEST(file.names.size() == 2);
       BOOST_TEST(file.names.at({1, 2}).name == "low");
       BOOST_TEST(file.names.at({2, 1}).name == "carbon");
@@ -306,7 +306,8 @@ BOOST_AUTO_TEST_CASE(what_may_stand_in_a_file)
         two_cells.substr(0, two_cells.size() - 1)})
     {
       BOOST_TEST(fault_of(text) == "");
-      BOOST_TEST(read_gmsh_file(text, "s").elements.size() == 4);
+      BOOST_TEST(
+        read_gmsh_file(text, {"Section s/File", "s.msh"}).elements.size() == 4);
     }
 }
 

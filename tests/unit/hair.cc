@@ -24,7 +24,8 @@ namespace
   std::vector<Strip>
   strips()
   {
-    const auto carbon = library_material("IM7-8552", Units::parse("mm, N"));
+    const auto carbon =
+      library_material("IM7-8552", Units::parse({"Units", "mm, N"}));
     return {{"isotropic",
              {1., {0.}, {1.}, {"m"}, {2}, {2}},
              {{"m", EngineeringConstants::isotropic(70e3, 0.3)}}},
@@ -148,7 +149,7 @@ BOOST_AUTO_TEST_CASE(from_a_block_to_a_hair)
       {
         check_slenderness(strip, theory, Loading::bending);
         // The classical theories cannot twist.
-        if (!Theory::parse(theory, "").is_classical())
+        if (!Theory::parse({"Theory", theory}).is_classical())
           check_slenderness(strip, theory, Loading::torsion);
       }
 }

@@ -3,6 +3,7 @@
 // Classical lamination theory against sums worked out by hand, and the mesh of
 // a laminate: cells, plies, names of the boundaries.
 
+#include "entries.h"
 #include "fixtures.h"
 
 #include <lamella/base/exceptions.h>
@@ -319,16 +320,17 @@ BOOST_AUTO_TEST_CASE(thin_plies_beside_a_thick_one)
 BOOST_AUTO_TEST_CASE(entries_of_a_laminate)
 {
   const std::vector<std::string> materials{"skin", "core"};
-  const SectionParameters        given{{{"Width", "0.1"},
-                                        {"Layup", "0/90/0"},
-                                        {"Ply thickness", "0.001, 0.02, 0.003"},
-                                        {"Ply materials", "skin, core, skin"},
-                                        {"Cells per ply", "2"},
-                                        {"Cells across", "5, 1"},
-                                        {"Across breaks", "0.04"}}};
-  const auto                     read = [](const SectionParameters        &p,
+  const Settings                 given{{"Width", "0.1"},
+                       {"Layup", "0/90/0"},
+                       {"Ply thickness", "0.001, 0.02, 0.003"},
+                       {"Ply materials", "skin, core, skin"},
+                       {"Cells per ply", "2"},
+                       {"Cells across", "5, 1"},
+                       {"Across breaks", "0.04"}};
+  const auto                     read = [](const Settings                 &settings,
                        const std::vector<std::string> &names) {
-    return std::get<Laminate>(p.shape(names, "", "Section s"));
+    return std::get<Laminate>(
+      parsed<SectionParameters>("Section s", settings, names, ""));
   };
   const Laminate l = read(given, materials);
   BOOST_TEST(l.width == 0.1);
@@ -344,44 +346,56 @@ BOOST_AUTO_TEST_CASE(entries_of_a_laminate)
              boost::test_tools::per_element());
 
   // One value stands for all plies; a single material need not be named.
-  SectionParameters one        = given;
-  one.entries["Ply thickness"] = "0.5";
-  one.entries["Ply materials"] = "";
-  const Laminate same          = read(one, {"only"});
+  Settings one = given;
+  one.emplace_back("Ply thickness", "0.5");
+  one.emplace_back("Ply materials", "");
+  const Laminate same = read(one, {"only"});
   BOOST_TEST(same.thicknesses == std::vector<double>(3, 0.5),
              boost::test_tools::per_element());
   BOOST_TEST(same.materials == std::vector<std::string>(3, "only"),
              boost::test_tools::per_element());
   BOOST_CHECK_THROW(read(one, materials), InputError);
 
-  // What is refused.
-  using Changes = std::vector<std::pair<std::string, std::string>>;
-  for (const auto &[entry, value] : Changes{{"Shape", "disc"},
-                                            {"Width", "0"},
-                                            {"Width", "-1"},
-                                            {"Width", ""},
-                                            {"Width", "wide"},
-                                            {"Ply thickness", "0.1, 0.2"},
-                                            {"Ply thickness", "0.1, 0, 0.1"},
-                                            {"Ply thickness", "0.1,, 0.1"},
-                                            {"Ply thickness", ""},
-                                            {"Ply materials", "skin, core"},
-                                            {"Ply materials", "wood"},
-                                            {"Cells per ply", "0"},
-                                            {"Cells per ply", "1.5"},
-                                            {"Cells per ply", "1, 2"},
-                                            {"Cells across", "-2, 1"},
-                                            {"Cells across", "5"},
-                                            {"Cells across", "5, 1, 1"},
-                                            {"Across breaks", "0.1"},
-                                            {"Across breaks", "0"},
-                                            {"Radius", "1"},
-                                            {"Layup", "0/x"}})
+  // A whole number is one however it is spelled.
+  Settings spelled = given;
+  spelled.emplace_back("Cells per ply", "2e0");
+  spelled.emplace_back("Cells across", "5.0, 1");
+  BOOST_TEST(read(spelled, materials).cells_per_ply ==
+               std::vector<unsigned int>(3, 2),
+             boost::test_tools::per_element());
+
+  // What is refused, each with the entry that is wrong.
+  for (const auto &[entry, value] : Settings{{"Shape", "disc"},
+                                             {"Width", "0"},
+                                             {"Width", "-1"},
+                                             {"Width", ""},
+                                             {"Width", "wide"},
+                                             {"Ply thickness", "0.1, 0.2"},
+                                             {"Ply thickness", "0.1, 0, 0.1"},
+                                             {"Ply thickness", "0.1,, 0.1"},
+                                             {"Ply thickness", ""},
+                                             {"Ply materials", "skin, core"},
+                                             {"Ply materials", "wood"},
+                                             {"Cells per ply", "0"},
+                                             {"Cells per ply", "1.5"},
+                                             {"Cells per ply", "1, 2"},
+                                             {"Cells across", "-2, 1"},
+                                             {"Cells across", "5"},
+                                             {"Cells across", "5, 1, 1"},
+                                             {"Across breaks", "0.1"},
+                                             {"Across breaks", "0"},
+                                             {"Radius", "1"},
+                                             {"Layup", "0/x"}})
     {
-      SectionParameters bad = given;
-      bad.entries[entry]    = value;
+      Settings bad = given;
+      bad.emplace_back(entry, value);
       BOOST_TEST_INFO(entry << " = " << value);
-      BOOST_CHECK_THROW(read(bad, materials), InputError);
+      BOOST_CHECK_EXCEPTION(read(bad, materials),
+                            InputError,
+                            [path =
+                               "Section s/" + entry](const InputError &error) {
+                              return error.path() == path;
+                            });
     }
 }
 

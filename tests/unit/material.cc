@@ -4,6 +4,8 @@
 // against the closed formulas of Jones, Mechanics of Composite Materials, and
 // numbers worked out by hand.
 
+#include "entries.h"
+
 #include <lamella/base/exceptions.h>
 #include <lamella/base/units.h>
 #include <lamella/material/elasticity.h>
@@ -95,7 +97,7 @@ namespace
   void
   check_layup(const std::string &code, const std::vector<double> &plies)
   {
-    const std::vector<double> found = parse_layup(code, "Layup");
+    const std::vector<double> found = parse_layup({"Layup", code});
     BOOST_TEST_CONTEXT(code)
     BOOST_TEST(found == plies, boost::test_tools::per_element());
   }
@@ -371,8 +373,9 @@ BOOST_AUTO_TEST_CASE(violated_conditions_are_named)
 
 BOOST_AUTO_TEST_CASE(built_in_materials_convert)
 {
-  const Units m = Units::parse("m, N"), mm = Units::parse("mm,N"),
-              none = Units::parse("none");
+  const Units m    = Units::parse({"Units", "m, N"}),
+              mm   = Units::parse({"Units", "mm,N"}),
+              none = Units::parse({"Units", "none"});
 
   // Table 3 of the paper: 165 GPa = 165e9 Pa = 165000 MPa.
   for (const auto &[units, scale] : {std::make_pair(m, 1e9),
@@ -412,46 +415,74 @@ BOOST_AUTO_TEST_CASE(built_in_materials_convert)
     BOOST_TEST(library_material(name, m).elastic.violated_condition() == "");
   check_refused([&] { library_material("im7/8552", m); },
                 {"im7/8552", "nearest is 'IM7-8552'"});
-  check_refused([] { Units::parse("cm, N"); }, {"Units = cm, N", "mm, N"});
+  check_refused(
+    [] {
+      Units::parse({"Units", "cm, N"});
+    },
+    {"Units = cm, N", "mm, N"});
 }
 
 
 
 BOOST_AUTO_TEST_CASE(material_entries)
 {
-  const Units m = Units::parse("m, N");
-  using P       = MaterialParameters;
+  const Units m    = Units::parse({"Units", "m, N"});
+  const auto  read = [&m](const Settings &settings) {
+    return parsed<MaterialParameters>("Material a", settings, m);
+  };
+  BOOST_TEST(read({{"Isotropic", "10, 0.25"}}).elastic.G12 == 4.);
   BOOST_TEST(
-    (P{"", "", "10, 0.25"}.material(m, "Material a").elastic.G12 == 4.));
-  BOOST_TEST((P{"", "1,2,3,4,5,6, 0.1,0.2,0.3", ""}
-                .material(m, "Material a")
-                .elastic.G13 == 5.));
+    read({{"Engineering constants", "1,2,3,4,5,6, 0.1,0.2,0.3"}}).elastic.G13 ==
+    5.);
+  BOOST_TEST(read({{"Library", "foam-35"}}).elastic.E1 == 35e6);
+  check_refused([&] { read({}); }, {"Material a: give exactly one", "none is"});
   check_refused(
     [&] {
-      (P{"", "", ""}.material(m, "Material a"));
+      read({{"Library", "foam-35"}, {"Isotropic", "1, 0"}});
     },
-    {"Material a", "exactly one", "none is"});
+    {"Material a: give exactly one", "several are"});
   check_refused(
     [&] {
-      (P{"foam-35", "", "1, 0"}.material(m, "Material a"));
+      read({{"Library", "foam"}});
     },
-    {"Material a", "exactly one", "several are"});
+    {"Material a/Library = foam: no such built-in material",
+     "nearest is 'foam-35'"});
   check_refused(
     [&] {
-      (P{"", "1,2,3", ""}.material(m, "Material a"));
+      read({{"Engineering constants", "1,2,3"}});
     },
-    {"nine numbers", "there are 3"});
+    {"Material a/Engineering constants = 1,2,3: must be nine "
+     "numbers",
+     "there are 3"});
   for (const std::string numbers : {"10, 0.5", "10, -1", "10, 0.7"})
     check_refused(
       [&] {
-        (P{"", "", numbers}.material(m, "Material a"));
+        read({{"Isotropic", numbers}});
       },
-      {"nu must lie between -1 and 0.5", numbers});
+      {"Material a/Isotropic = " + numbers +
+       ": nu must lie between -1 and 0.5"});
+  check_refused([&] { read({{"Isotropic", "10"}}); }, {"must be two numbers"});
   check_refused(
     [&] {
-      (P{"", "", "0, 0.3"}.material(m, "Material a"));
+      read({{"Isotropic", "10, nu"}});
     },
-    {"E1 = 0 must be positive"});
+    {"Material a/Isotropic = 10, nu: 'nu' is not a number"});
+  check_refused(
+    [&] {
+      read({{"Isotropic", "0, 0.3"}});
+    },
+    {"Material a/Isotropic = 0, 0.3", "E1 = 0 must be positive"});
+
+  // Those of the library have units.
+  const Units none = Units::parse({"Units", "none"});
+  check_refused(
+    [&] {
+      parsed<MaterialParameters>("Material a", {{"Library", "IM7-8552"}}, none);
+    },
+    {"Material a/Library = IM7-8552: its constants have units"});
+  BOOST_TEST(
+    parsed<MaterialParameters>("Material a", {{"Library", "hertz-200"}}, none)
+      .elastic.E1 == 200.);
 }
 
 
@@ -492,24 +523,57 @@ BOOST_AUTO_TEST_CASE(layups)
 
 BOOST_AUTO_TEST_CASE(layups_that_are_refused)
 {
-  for (const std::string code :
-       {"",          "  ",           "0//90",    "0/90/",
-        "/0",        "[0/90",        "0/90]",    "[[0/90]]",
-        "[0/90]x",   "[0/90]0",      "[0]1001",  "[0/90]-2",
-        "[0/90]s2",  "[0/90]ss",     "0/90s",    "[]",
-        "[]2s",      "0;90",         "0,90",     "0/9O",
-        "nan",       "inf",          "1e400",    "+-",
-        "+-4.5.6",   "+--45",        "0/90 deg", "[0]99999999999999999999",
-        "[0/90]2.5", "[0/90][0/90]", "0/[90]s",  "0/(90/0)"})
-    BOOST_CHECK_THROW(parse_layup(code, "Layup"), InputError);
+  for (const std::string code : {"",
+                                 "  ",
+                                 "0//90",
+                                 "0/90/",
+                                 "/0",
+                                 "[0/90",
+                                 "0/90]",
+                                 "[[0/90]]",
+                                 "[0/90]x",
+                                 "[0/90]0",
+                                 "[0]1001",
+                                 "[0/90]-2",
+                                 "[0/90]10000",
+                                 "[0/90]s2",
+                                 "[0/90]ss",
+                                 "0/90s",
+                                 "[]",
+                                 "[]2s",
+                                 "0;90",
+                                 "0,90",
+                                 "0/9O",
+                                 "nan",
+                                 "inf",
+                                 "1e400",
+                                 "+-",
+                                 "+-4.5.6",
+                                 "+--45",
+                                 "0/90 deg",
+                                 "[0]99999999999999999999",
+                                 "[0/90]2.5",
+                                 "[0/90][0/90]",
+                                 "0/[90]s",
+                                 "0/(90/0)"})
+    BOOST_CHECK_THROW(parse_layup({"Layup", code}), InputError);
 
   // The message begins with the entry, gives the code and says what is wrong.
-  check_refused([] { parse_layup("0/9x/0", "Section strip/Layup"); },
-                {"Section strip/Layup = 0/9x/0", "'9x' is not an angle"});
-  check_refused([] { parse_layup("[0/90", "Section strip/Layup"); },
-                {"Section strip/Layup = [0/90", "brackets must pair"});
-  check_refused([] { parse_layup("[0]0", "Section strip/Layup"); },
-                {"repetition must be from 1 to 1000"});
+  check_refused(
+    [] {
+      parse_layup({"Section strip/Layup", "0/9x/0"});
+    },
+    {"Section strip/Layup = 0/9x/0", "'9x' is not an angle"});
+  check_refused(
+    [] {
+      parse_layup({"Section strip/Layup", "[0/90"});
+    },
+    {"Section strip/Layup = [0/90", "brackets must pair"});
+  check_refused(
+    [] {
+      parse_layup({"Section strip/Layup", "[0]0"});
+    },
+    {"repetition must be from 1 to 1000"});
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -85,7 +85,7 @@ BOOST_AUTO_TEST_CASE(other_shapes_of_sections)
   const Materials                 constants{{"carbon", orthotropic}};
   const std::vector<SectionShape> shapes{
     HalfDisc{0.5, 75., 0.2, 4, fabric},
-    ThinWalled{"box", 0.7, 0.5, {0.1, 0.1}, {0.1, 0.2}, 1, 1, fabric},
+    ThinWalled{ShapeKind::box, 0.7, 0.5, {0.1, 0.1}, {0.1, 0.2}, 1, 1, fabric},
     SectionFile{std::string(LAMELLA_SOURCE_DIR) + "/prm/sections/hexagon.msh",
                 0.05,
                 {{"carbon", fabric}},
@@ -118,7 +118,7 @@ BOOST_AUTO_TEST_CASE(taylor_expansions)
   const std::vector<SectionShape> shapes{
     Laminate{0.7, {20.}, {0.5}, {"carbon"}, {2}, {2}},
     HalfDisc{0.5, 75., 0.2, 4, fabric},
-    ThinWalled{"angle", 0.7, 0.5, {0.1}, {0.1}, 1, 1, fabric}};
+    ThinWalled{ShapeKind::angle, 0.7, 0.5, {0.1}, {0.1}, 1, 1, fabric}};
   for (const SectionShape &shape : shapes)
     for (const std::string theory : {"TE-1", "TE-2", "TE-3"})
       {
@@ -128,7 +128,7 @@ BOOST_AUTO_TEST_CASE(taylor_expansions)
         BOOST_TEST_CONTEXT(form)
         {
           const auto section = make_section(make_section_mesh(shape, constants),
-                                            Theory::parse(theory, "Theory"));
+                                            Theory::parse({"Theory", theory}));
           Beam       beam("beam", section, make_axis(1.3, 2, 1), Placement());
           check_patch(beam, section->law(0).stiffness());
         }
@@ -145,7 +145,7 @@ BOOST_AUTO_TEST_CASE(assumed_shear)
         const auto section =
           make_section(make_section_mesh(rectangle(0.7, 0.5, {30.}, 2),
                                          {{"material", orthotropic}}),
-                       Theory::parse(theory, "Theory"));
+                       Theory::parse({"Theory", theory}));
         Beam beam("beam",
                   section,
                   make_axis(1.3, 2, axis_degree, true),

@@ -84,6 +84,15 @@ namespace
                             "    set  Theory=LE-3\n"
                             "  end\n"
                             "end\n";
+
+  /// What is put before the message of an error of the entry @p path.
+  std::string
+  place_of(const SceneText &text, const std::string &path)
+  {
+    const InputError  error(path, "", "no", "");
+    const std::string message = text.placed(error).what();
+    return message.substr(0, message.size() - std::string(error.what()).size());
+  }
 } // namespace
 
 BOOST_AUTO_TEST_SUITE(scene_text)
@@ -152,8 +161,18 @@ BOOST_AUTO_TEST_CASE(continued_lines)
   BOOST_TEST(parsed(scene(text), {"Title"}) == "a, bc");
   BOOST_TEST(parsed(scene(text), {"Load factors"}) == "2");
   // Places count the lines of the file; a continued one is where it begins.
-  BOOST_TEST(scene(text).place_of("Title = a: no") == "a.prm:1: ");
-  BOOST_TEST(scene(text).place_of("Load factors: no") == "a.prm:4: ");
+  const auto placed = [&text](const std::string &path) {
+    const InputError error(path, "", "is wrong", "");
+    return std::string(scene(text).placed(error).what());
+  };
+  BOOST_TEST(placed("Title") == "a.prm:1: Title: is wrong.");
+  BOOST_TEST(placed("Load factors") == "a.prm:4: Load factors: is wrong.");
+  BOOST_TEST(placed("Units") == "a.prm: Units: is wrong.");
+  // What has a place keeps it; what is of no entry gets none.
+  BOOST_TEST(
+    scene(text).placed(InputError("Title", "", "no", "").at("b: ")).what() ==
+    std::string("b: Title: no."));
+  BOOST_TEST(scene(text).placed(InputError("no")).what() == std::string("no"));
   // In a comment nobody means it: the next line would be lost without a word.
   check_refused([&] { scene("set Title = a # b \\\nset Nonsense = 1\n"); },
                 {"a.prm:1: a comment ends with a backslash"});
@@ -193,7 +212,9 @@ BOOST_AUTO_TEST_CASE(line_ends_of_windows)
   for (const char c : valid)
     text += c == '\n' ? "\r\n" : std::string(1, c);
   BOOST_TEST(parsed(scene(text), theory) == "LE-3");
-  BOOST_TEST(scene(text).place_of("Body upper/Length: no") == "a.prm:4: ");
+  BOOST_TEST(
+    scene(text).placed(InputError("Body upper/Length", "", "no", "")).what() ==
+    std::string("a.prm:4: Body upper/Length: no."));
 }
 
 
@@ -255,17 +276,15 @@ BOOST_AUTO_TEST_CASE(overrides)
 BOOST_AUTO_TEST_CASE(places)
 {
   const SceneText text = scene(valid, {"Body upper/Kinematics/Axis=7"});
-  BOOST_TEST(text.place_of("Title = one: no") == "a.prm:2: ");
-  BOOST_TEST(text.place_of("Body upper/Length = 2: no") == "a.prm:4: ");
-  BOOST_TEST(text.place_of("Body upper/Kinematics/Theory = LE-3: no") ==
-             "a.prm:6: ");
+  BOOST_TEST(place_of(text, "Title") == "a.prm:2: ");
+  BOOST_TEST(place_of(text, "Body upper/Length") == "a.prm:4: ");
+  BOOST_TEST(place_of(text, "Body upper/Kinematics/Theory") == "a.prm:6: ");
   // An entry that is not there: its subsection. One of --set.
-  BOOST_TEST(text.place_of("Body upper/Width: missing") == "a.prm:3: ");
-  BOOST_TEST(text.place_of("Body upper/Kinematics/Axis = 7: no") == "--set: ");
-  BOOST_TEST(text.place_of("Something else") == "a.prm: ");
+  BOOST_TEST(place_of(text, "Body upper/Width") == "a.prm:3: ");
+  BOOST_TEST(place_of(text, "Body upper/Kinematics/Axis") == "--set: ");
+  BOOST_TEST(place_of(text, "Something else") == "a.prm: ");
   // An override takes the place of the entry in the file.
-  BOOST_TEST(scene(valid, {"Title=two"}).place_of("Title = two: no") ==
-             "--set: ");
+  BOOST_TEST(place_of(scene(valid, {"Title=two"}), "Title") == "--set: ");
 }
 
 
@@ -274,9 +293,9 @@ BOOST_AUTO_TEST_CASE(places_of_names_that_begin_alike)
 {
   // Body a2 has no subsection here: that of Body a is not its place.
   const SceneText text = scene("set Bodies = a, a2\nsubsection Body a\nend\n");
-  BOOST_TEST(text.place_of("Body a2/Section: missing") == "a.prm: ");
-  BOOST_TEST(text.place_of("Body a/Section: missing") == "a.prm:2: ");
-  BOOST_TEST(text.place_of("Body a: no") == "a.prm:2: ");
+  BOOST_TEST(place_of(text, "Body a2/Section") == "a.prm: ");
+  BOOST_TEST(place_of(text, "Body a/Section") == "a.prm:2: ");
+  BOOST_TEST(place_of(text, "Body a") == "a.prm:2: ");
 }
 
 
@@ -298,7 +317,7 @@ BOOST_AUTO_TEST_CASE(messages_have_one_place)
                            "set Sections = s\n"
                            "set Bodies = b\n";
   check_refused([&] { read_scene(scene("set Title = no names\n")); },
-                {"a.prm: Materials is empty"});
+                {"a.prm: Materials is missing"});
   check_refused([&] { read_scene(scene(head + "set Units = inch\n")); },
                 {"a.prm:4: Units = inch"});
   check_refused(
@@ -349,9 +368,9 @@ BOOST_AUTO_TEST_CASE(words)
 
 BOOST_AUTO_TEST_CASE(numbers)
 {
-  BOOST_TEST(to_number(" 5e-2 ", "A") == 0.05);
-  BOOST_TEST(to_number("-3", "A") == -3.);
-  BOOST_TEST(to_number("+.5", "A") == 0.5);
+  BOOST_TEST(Entry("A", " 5e-2 ").number() == 0.05);
+  BOOST_TEST(Entry("A", "-3").number() == -3.);
+  BOOST_TEST(Entry("A", "+.5").number() == 0.5);
   for (const std::string bad : {"",
                                 " ",
                                 "a",
@@ -365,18 +384,23 @@ BOOST_AUTO_TEST_CASE(numbers)
                                 "1e",
                                 "1e-3-",
                                 "--1"})
-    check_refused([&] { to_number(bad, "Section s/Width"); },
-                  {"Section s/Width: '" + trimmed(bad) + "' is not a number"});
+    check_refused([&] { Entry("Section s/Width", bad).number(); },
+                  {"Section s/Width",
+                   ": '" + trimmed(bad) + "' is not a number"});
+  for (const std::string bad : {"1e-31", "-1e31", "1e-400"})
+    check_refused([&] { Entry("A", bad).number(); },
+                  {"A = " + bad + ": '" + bad + "' is beyond what can be"});
 
-  BOOST_TEST(to_numbers("1, 2,3e1", "A") == (std::vector<double>{1., 2., 30.}),
+  BOOST_TEST(Entry("A", "1, 2,3e1").numbers() ==
+               (std::vector<double>{1., 2., 30.}),
              boost::test_tools::per_element());
-  BOOST_TEST(to_numbers("", "A").empty());
-  check_refused([] { to_numbers("1,,2", "A"); }, {"A: ''"});
+  BOOST_TEST(Entry("A", "").numbers().empty());
+  check_refused([] { Entry("A", "1,,2").numbers(); }, {"A = 1,,2: ''"});
 
-  BOOST_TEST((to_point("1, -2, 3e0", "A") - Point<3>(1., -2., 3.)).norm() ==
-             0.);
+  BOOST_TEST(
+    (Entry("A", "1, -2, 3e0").point() - Point<3>(1., -2., 3.)).norm() == 0.);
   for (const std::string bad : {"1, 2", "1, 2, 3, 4", "", "1 2 3"})
-    BOOST_CHECK_THROW(to_point(bad, "A"), InputError);
+    BOOST_CHECK_THROW(Entry("A", bad).point(), InputError);
 }
 
 

@@ -4,6 +4,7 @@
 // boundaries against closed forms, cells that are neither folded nor apart,
 // meshes by Gmsh.
 
+#include "entries.h"
 #include "fixtures.h"
 
 #include <lamella/base/exceptions.h>
@@ -53,7 +54,7 @@ namespace
 
 
   ThinWalled
-  walls(const std::string         &form,
+  walls(const ShapeKind            form,
         const std::vector<double> &webs,
         const std::vector<double> &flanges)
   {
@@ -156,7 +157,7 @@ BOOST_AUTO_TEST_CASE(half_disc_against_closed_forms)
         {
           const auto mesh =
             make_section_mesh(half_disc(angle, radii, sectors), constants);
-          check_section_mesh(*mesh, "Section s");
+          check_section_mesh(*mesh, {"Section s", ""});
           const SectionProperties p = section_properties(*mesh);
           BOOST_TEST_INFO("angle " << angle << ", R / finest " << radii << ", "
                                    << sectors << " sectors, "
@@ -270,7 +271,7 @@ BOOST_AUTO_TEST_CASE(ellipse_against_closed_forms)
     {
       const auto mesh =
         make_section_mesh(Ellipse{width, height, 2, carbon}, constants);
-      check_section_mesh(*mesh, "Section s");
+      check_section_mesh(*mesh, {"Section s", ""});
       BOOST_TEST(mesh->mesh.n_active_cells() == 192);
       const SectionProperties p = section_properties(*mesh);
       const double            a = width / 2., b = height / 2.;
@@ -300,35 +301,36 @@ BOOST_AUTO_TEST_CASE(thin_walled_against_closed_forms)
   };
   // Blocks of 2 x 2 cells where walls meet, of 2 x 3 along a wall.
   const std::vector<Case> cases{
-    {walls("box", {0.3, 0.5}, {0.2, 0.4}),
+    {walls(ShapeKind::box, {0.3, 0.5}, {0.2, 0.4}),
      {{0., 3., 0., 4., 1.}, {0.3, 2.5, 0.2, 3.6, -1.}},
      40,
      {4., 4., 3., 3., 2. * (2.2 + 3.4)}},
-    {walls("double-T", {0.4}, {0.2, 0.6}),
+    {walls(ShapeKind::double_t, {0.4}, {0.2, 0.6}),
      {{0., 3., 0., 0.2, 1.}, {0., 3., 3.4, 4., 1.}, {1.3, 1.7, 0.2, 3.4, 1.}},
      38,
      {0.8, 0.8, 3., 3., 2. * 3.2 + 4. * 1.3}},
-    {walls("T", {0.4}, {0.6}),
+    {walls(ShapeKind::t, {0.4}, {0.6}),
      {{0., 3., 3.4, 4., 1.}, {1.3, 1.7, 0., 3.4, 1.}},
      22,
      {0.6, 0.6, 0.4, 3., 2. * 3.4 + 2.6}},
-    {walls("channel", {0.4}, {0.2, 0.6}),
+    {walls(ShapeKind::channel, {0.4}, {0.2, 0.6}),
      {{0., 3., 0., 4., 1.}, {0.4, 3., 0.2, 3.4, -1.}},
      26,
      {4., 0.8, 3., 3., 2. * 2.6 + 3.2}},
-    {walls("angle", {0.4}, {0.6}),
+    {walls(ShapeKind::angle, {0.4}, {0.6}),
      {{0., 3., 0., 4., 1.}, {0.4, 3., 0.6, 4., -1.}},
      16,
      {4., 0.6, 3., 0.4, 2.6 + 3.4}}};
   for (const Case &one : cases)
     {
-      BOOST_TEST_INFO(one.shape.form);
+      const std::string form = name_of(SectionShape(one.shape));
+      BOOST_TEST_INFO(form);
       const auto mesh = make_section_mesh(one.shape, constants);
-      check_section_mesh(*mesh, "Section s");
+      check_section_mesh(*mesh, {"Section s", ""});
       const SectionProperties p = section_properties(*mesh);
       const Rectangles        r = sum_of(one.rectangles);
-      BOOST_TEST(mesh->mesh.n_active_cells() == one.cells, one.shape.form);
-      BOOST_TEST(off(p.area, r.area) < 1e-13, one.shape.form);
+      BOOST_TEST(mesh->mesh.n_active_cells() == one.cells, form);
+      BOOST_TEST(off(p.area, r.area) < 1e-13, form);
       BOOST_TEST(p.centroid.distance(r.centroid) < 1e-13);
       BOOST_TEST(off(p.second_moments[0][0], r.moments[0][0]) < 1e-12);
       BOOST_TEST(off(p.second_moments[1][1], r.moments[1][1]) < 1e-12);
@@ -337,10 +339,10 @@ BOOST_AUTO_TEST_CASE(thin_walled_against_closed_forms)
         {"left", "right", "bottom", "top", "inner"}};
       for (unsigned int i = 0; i < 5; ++i)
         BOOST_TEST(off(p.boundary_lengths.at(names[i]), one.lengths[i]) < 1e-12,
-                   one.shape.form << ": " << names[i]);
+                   form << ": " << names[i]);
       BOOST_TEST(mesh->plies.size() == 1);
       BOOST_TEST(mesh->plies[0].angle == 30.);
-      BOOST_TEST(name_of(SectionShape(one.shape)) == one.shape.form);
+      BOOST_TEST((named<ShapeKind>(form) == one.shape.form));
     }
 }
 
@@ -353,8 +355,8 @@ BOOST_AUTO_TEST_CASE(edges_are_whole_and_normals_point_outwards)
   const std::vector<SectionShape> shapes{
     half_disc(60., 8., 12),
     Ellipse{2., 2., 2, carbon},
-    walls("box", {0.3, 0.5}, {0.2, 0.4}),
-    walls("channel", {0.4}, {0.2, 0.6}),
+    walls(ShapeKind::box, {0.3, 0.5}, {0.2, 0.4}),
+    walls(ShapeKind::channel, {0.4}, {0.2, 0.6}),
     SectionFile{folder + "/prm/sections/hexagon.msh", 1., {}, "Section s"}};
   for (const SectionShape &shape : shapes)
     for (const unsigned int degree : {1, 2, 3})
@@ -503,9 +505,11 @@ BOOST_AUTO_TEST_CASE(groups_that_run_backwards)
 BOOST_AUTO_TEST_CASE(entries_of_the_shapes)
 {
   const std::vector<std::string> materials{"carbon", "foam"};
-  using Entries   = std::map<std::string, std::string>;
-  const auto read = [&materials](const Entries &entries) {
-    return SectionParameters{entries}.shape(materials, "folder", "Section s");
+  const auto                     read = [&materials](const Settings &settings) {
+    return parsed<SectionParameters>("Section s",
+                                     settings,
+                                     materials,
+                                     "folder");
   };
   const auto disc = std::get<HalfDisc>(read({{"Shape", "half disc"},
                                              {"Radius", "4"},

@@ -3,11 +3,13 @@
 // Solids: rigid motions, rates, the same space as a beam's, and the
 // points of their surfaces.
 
+#include "entries.h"
 #include "harmonic.h"
 #include "patch_states.h"
 #include "solid_fixtures.h"
 
 #include <lamella/base/exceptions.h>
+#include <lamella/body/solid_parameters.h>
 #include <lamella/shape/shapes.h>
 
 #include <boost/test/unit_test.hpp>
@@ -59,6 +61,50 @@ BOOST_AUTO_TEST_CASE(rigid_motions)
             1e-12);
           BOOST_TEST(std::abs(solid.deformation(motions[m]).max_rotation -
                               (m < 3 ? 0. : 1.)) < 1e-12);
+        }
+    }
+}
+
+
+
+BOOST_AUTO_TEST_CASE(geometry)
+{
+  // On curved and divided hexahedra: the points of integration are what is
+  // evaluated one by one, and are found again.
+  for (const unsigned int degree : {1, 2})
+    {
+      const Solid solid(
+        "solid",
+        make_section_mesh(HalfDisc{0.5, 75., 0.2, 4, Fabric{"material", 20.}},
+                          {{"material", orthotropic}}),
+        axis_mesh(1.3, 2),
+        tilted,
+        degree,
+        {0, {{{0.5, 0., 0.5}, 0.2, 1}}});
+      BOOST_TEST(!solid.hexahedra().hanging_nodes().empty());
+      const Hexahedron element(degree);
+      for (unsigned int cell = 0; cell < solid.hexahedra().cells().size();
+           ++cell)
+        {
+          Hexahedron::Nodes nodes;
+          for (const unsigned int node : solid.hexahedra().cells()[cell].nodes)
+            nodes.push_back(solid.hexahedra().nodes()[node]);
+          for (const HexahedronPoint &point : element.quadrature_points(nodes))
+            {
+              const HexahedronPoint same = element.evaluate(nodes, point.unit);
+              BOOST_TEST(point.position.distance(same.position) < 1e-14);
+              BOOST_TEST((point.jacobian - same.jacobian).norm() < 1e-13);
+              for (unsigned int i = 0; i < nodes.size(); ++i)
+                {
+                  BOOST_TEST(std::abs(point.N[i] - same.N[i]) < 1e-14);
+                  BOOST_TEST((point.gradients[i] - same.gradients[i]).norm() <
+                             1e-12 * point.gradients[i].norm() + 1e-12);
+                }
+              const Location found =
+                solid.locate({tilted.to_scene(point.position)})[0][0];
+              BOOST_TEST(found.places[0].cell == cell);
+              BOOST_TEST(found.places[0].unit.distance(point.unit) < 1e-12);
+            }
         }
     }
 }
@@ -350,6 +396,42 @@ BOOST_AUTO_TEST_CASE(a_section_with_hanging_nodes_does_not_extrude)
   BOOST_CHECK_EXCEPTION(Solid("solid", mesh, axis_mesh(1.3, 2), Placement(), 2),
                         InputError,
                         says_why);
+}
+
+
+
+BOOST_AUTO_TEST_CASE(entries_of_a_refinement)
+{
+  const auto read = [](const Settings &settings) {
+    return parsed<SolidParameters>("Body b/Kinematics", settings, tilted);
+  };
+  BOOST_TEST(read({}).everywhere == 0);
+  BOOST_TEST(read({}).balls.empty());
+  const SolidRefinement given =
+    read({{"Refinements", "2"}, {"Refine near", "1, 2, 3: 0.1: 1|0,0,0:2:0"}});
+  BOOST_TEST(given.everywhere == 2);
+  BOOST_TEST_REQUIRE(given.balls.size() == 2);
+  // The centre comes in the scene's axes.
+  BOOST_TEST(
+    tilted.to_scene(given.balls[0].centre).distance(Point<3>(1., 2., 3.)) <
+    1e-14);
+  BOOST_TEST(given.balls[0].radius == 0.1);
+  BOOST_TEST(given.balls[0].times == 1);
+  BOOST_TEST(given.balls[1].times == 0);
+
+  for (const auto &[name, value] : Settings{{"Refinements", "9"},
+                                            {"Refinements", "1.5"},
+                                            {"Refinements", ""},
+                                            {"Refine near", "0, 0, 0: 0.1"},
+                                            {"Refine near", "0, 0: 0.1: 1"},
+                                            {"Refine near", "0, 0, 0: -1: 1"},
+                                            {"Refine near", "0, 0, 0: 1: 9"}})
+    BOOST_CHECK_EXCEPTION(read({{name, value}}),
+                          InputError,
+                          [path = "Body b/Kinematics/" +
+                                  name](const InputError &error) {
+                            return error.path() == path;
+                          });
 }
 
 BOOST_AUTO_TEST_SUITE_END()

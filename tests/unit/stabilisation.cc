@@ -28,11 +28,11 @@ namespace
       Placement::from_directions({0.3, 0., 0.1},
                                  Point<3>(1., 2., 0.5),
                                  Point<3>(0., 0.2, 1.));
-    return std::make_unique<Beam>("bar",
-                                  make_section(mesh,
-                                               Theory::parse(theory, "Theory")),
-                                  make_axis(2., 2),
-                                  placement);
+    return std::make_unique<Beam>(
+      "bar",
+      make_section(mesh, Theory::parse({"Theory", theory})),
+      make_axis(2., 2),
+      placement);
   }
 } // namespace
 

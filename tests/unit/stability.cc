@@ -28,7 +28,8 @@ BOOST_AUTO_TEST_CASE(from_a_square_to_a_sheet)
   // order (h/W)^2 and edge layers of the order h/W; from 1e4 to 1e5 the change
   // must be a tenth of that from 1e3 to 1e4, or rounding. A nodal basis loses
   // the digits that the columns keep.
-  const auto carbon = library_material("IM7-8552", Units::parse("mm, N"));
+  const auto carbon =
+    library_material("IM7-8552", Units::parse({"Units", "mm, N"}));
   const auto stiffness_times_deflection = [&](const double       aspect,
                                               const std::string &theory,
                                               const double       columns) {
@@ -36,7 +37,7 @@ BOOST_AUTO_TEST_CASE(from_a_square_to_a_sheet)
     const Laminate laminate{
       W, {0., 90., 0.}, {0.3, 0.4, 0.3}, {"m", "m", "m"}, {1}, {4}};
     const auto   mesh = make_section_mesh(laminate, {{"m", carbon}});
-    const Theory kind = Theory::parse(theory, "");
+    const Theory kind = Theory::parse({"Theory", theory});
     const auto   section =
       kind.kind == Theory::Kind::LE ?
           std::make_shared<const Section>(

@@ -20,7 +20,7 @@ namespace lamella
     section(const std::string &theory) const
     {
       return make_section(make_section_mesh(laminate, materials),
-                          Theory::parse(theory, "Theory"));
+                          Theory::parse({"Theory", theory}));
     }
   };
 } // namespace lamella

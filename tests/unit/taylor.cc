@@ -37,9 +37,10 @@ namespace
     {"rectangle", rectangle(3., 0.5, {0., 0.}, 2)},
     {"half disc", HalfDisc{0.7, 90., 0.0875, 8, fabric}},
     {"coarse half disc", HalfDisc{0.7, 75., 0.2, 4, fabric}},
-    {"box", ThinWalled{"box", 3., 4., {0.3, 0.5}, {0.2, 0.4}, 1, 1, fabric}},
+    {"box",
+     ThinWalled{ShapeKind::box, 3., 4., {0.3, 0.5}, {0.2, 0.4}, 1, 1, fabric}},
     {"double-T",
-     ThinWalled{"double-T", 3., 4., {0.1}, {0.2, 0.6}, 1, 1, fabric}}};
+     ThinWalled{ShapeKind::double_t, 3., 4., {0.1}, {0.2, 0.6}, 1, 1, fabric}}};
 
 
 

@@ -6,6 +6,7 @@
 // degree with assumed shear strains, what the classical theories cannot do. The
 // tables are lines that begin with a bar, with --log_level=message.
 
+#include "entries.h"
 #include "fixtures.h"
 
 #include <lamella/material/library.h>
@@ -33,7 +34,7 @@ namespace
             const bool         poisson_correction = true,
             const double       shear_factor       = 1.)
   {
-    Theory theory             = Theory::parse(text, "Theory");
+    Theory theory             = Theory::parse({"Theory", text});
     theory.poisson_correction = poisson_correction;
     theory.shear_factor       = shear_factor;
     return theory;
@@ -273,7 +274,7 @@ BOOST_AUTO_TEST_CASE(expansions_converge_to_one_value)
 namespace
 {
   const EngineeringConstants carbon =
-    library_material("IM7-8552", Units::parse("mm, N")).elastic;
+    library_material("IM7-8552", Units::parse({"Units", "mm, N"})).elastic;
 
   /// The law of @p ply between {sigma_yy, sigma_xy} and {eps_yy, gamma_xy}
   /// where all other stresses vanish, and G_yz there: from the compliance.
@@ -366,13 +367,15 @@ BOOST_AUTO_TEST_CASE(contraction_modes_leave_constant_strains_alone)
   const Fabric fabric{"m", 0.};
   for (const SectionShape &shape :
        {SectionShape(HalfDisc{0.5, 90., 0.1, 8, fabric}),
-        SectionShape(ThinWalled{"angle", 0.7, 0.5, {0.1}, {0.1}, 1, 1, fabric}),
-        SectionShape(ThinWalled{"T", 0.7, 0.5, {0.1}, {0.1}, 1, 1, fabric})})
+        SectionShape(
+          ThinWalled{ShapeKind::angle, 0.7, 0.5, {0.1}, {0.1}, 1, 1, fabric}),
+        SectionShape(
+          ThinWalled{ShapeKind::t, 0.7, 0.5, {0.1}, {0.1}, 1, 1, fabric})})
     {
       const auto mesh =
         make_section_mesh(shape,
                           {{"m", EngineeringConstants::isotropic(1., 0.3)}});
-      Theory     theory         = Theory::parse("TE-1", "");
+      Theory     theory         = Theory::parse({"Theory", "TE-1"});
       const auto corrected      = make_section(mesh, theory);
       theory.poisson_correction = false;
       const auto plain          = make_section(mesh, theory);
@@ -1020,6 +1023,50 @@ BOOST_AUTO_TEST_CASE(classical_theories_do_not_turn_about_their_axis)
       const auto [left, right] = tip(theory, W);
       BOOST_TEST(right - left > 0.99 * F * W * W / 2. * L / (G * polar));
     }
+}
+
+
+
+BOOST_AUTO_TEST_CASE(entries_of_a_theory)
+{
+  const Entry scene("Theory", "TE-3");
+  const auto  read = [&scene](const Settings &settings) {
+    return parsed<TheoryParameters>("Body b/Kinematics", settings, scene);
+  };
+  const Theory given = read({});
+  BOOST_TEST((given.kind == Theory::Kind::TE));
+  BOOST_TEST(given.order == 3);
+  BOOST_TEST(given.poisson_correction);
+  BOOST_TEST(given.shear_factor == 1.);
+  const Theory own = read({{"Theory", "TBT"},
+                           {"Poisson correction", "false"},
+                           {"Shear factor", "0.8333"}});
+  BOOST_TEST((own.kind == Theory::Kind::TBT));
+  BOOST_TEST(own.order == 1);
+  BOOST_TEST(!own.poisson_correction);
+  BOOST_TEST(own.shear_factor == 0.8333);
+
+  // As a user reads them: the name is what parse() takes, but for the
+  // literature's name of LE-N.
+  for (const std::string name : {"EBBT", "TBT", "TE-20", "solid-2"})
+    BOOST_TEST(theory_of(name).name() == name);
+  BOOST_TEST(theory_of("LE-2").name() == "LE-2 (L9)");
+  BOOST_TEST(Theory().name() == "undefined");
+
+  for (const std::string text :
+       {"", "FEM", "TE", "TE-0", "TE-21", "LE-9", "solid-3", "TBT-1", "te-1"})
+    BOOST_CHECK_THROW(Theory::parse({"Theory", text}), InputError);
+  for (const auto &[name, value] : Settings{{"Theory", "LE-0"},
+                                            {"Poisson correction", "no"},
+                                            {"Shear factor", "0"},
+                                            {"Shear factor", "1.1"},
+                                            {"Shear factor", ""}})
+    BOOST_CHECK_EXCEPTION(read({{name, value}}),
+                          InputError,
+                          [path = "Body b/Kinematics/" +
+                                  name](const InputError &error) {
+                            return error.path() == path;
+                          });
 }
 
 BOOST_AUTO_TEST_SUITE_END()

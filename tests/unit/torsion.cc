@@ -103,7 +103,7 @@ namespace
       std::make_unique<Beam>("bar",
                              make_section(make_section_mesh(bar.shape,
                                                             constants),
-                                          Theory::parse(theory, "Theory")),
+                                          Theory::parse({"Theory", theory})),
                              std::make_shared<Axis>(mesh),
                              Placement()),
       {start,
@@ -246,7 +246,7 @@ BOOST_AUTO_TEST_CASE(ellipse)
       const std::string name = width > height ? "ellipse" : "upright ellipse";
       const auto check = [&](const std::string &theory, const double expected) {
         const double area = make_section(make_section_mesh(shape, constants),
-                                         Theory::parse(theory, "Theory"))
+                                         Theory::parse({"Theory", theory}))
                               ->area();
         BOOST_TEST(std::abs(ratio(name, bar, theory, exact) / expected - 1.) <
                    8. * std::abs(area / (PI * a * b) - 1.) + 1e-5);

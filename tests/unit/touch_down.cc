@@ -32,7 +32,7 @@ namespace
   Theory
   theory(const char *const name)
   {
-    return Theory::parse(name, "theory");
+    return Theory::parse({"Theory", name});
   }
 
 

@@ -8,8 +8,12 @@
 
 #include <boost/test/unit_test.hpp>
 
+#include <unistd.h>
+
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
+#include <fstream>
 #include <sstream>
 
 using namespace lamella;
@@ -175,15 +179,24 @@ BOOST_AUTO_TEST_CASE(sentences)
 
 BOOST_AUTO_TEST_CASE(picture)
 {
-  const TradeTable  table(ladder(), {quantity("uz")}, "finest", {0.01});
-  const std::string script = gnuplot_script(table, "It's a `title`");
-  BOOST_TEST(script.find("set label 1 'It''s a `title`'") != std::string::npos);
-  // Seconds and per cent of TE-2, on the front; DoFs and per cent of LE-2,
-  // axis 2, which is not.
-  BOOST_TEST(script.find("2 3 1\n") != std::string::npos);
-  BOOST_TEST(script.find("100 0.5 0\n") != std::string::npos);
-  // Nothing of the reference.
-  BOOST_TEST(script.find("title 'LE-3'") == std::string::npos);
+  const TradeTable table(ladder(), {quantity("uz")}, "finest", {0.01});
+  const std::filesystem::path folder =
+    std::filesystem::temp_directory_path() /
+    ("lamella_picture_" + std::to_string(getpid()));
+  std::filesystem::create_directory(folder);
+  write_trade_csv(table, (folder / "trade.csv").string());
+  const std::string no_picture =
+    draw_trade(table, "It's a `title` $a_b", folder.string());
+  std::ifstream     file(folder / "trade.py");
+  const std::string script((std::istreambuf_iterator<char>(file)),
+                           std::istreambuf_iterator<char>());
+  BOOST_TEST(script.find("TITLE = \"It's a `title` $a_b\"\n") !=
+             std::string::npos);
+  BOOST_TEST(script.find("TOLERANCES = [1.0]") != std::string::npos);
+  for (const char *name : {"trade.png", "trade.svg"})
+    BOOST_TEST((std::filesystem::exists(folder / name) || !no_picture.empty()),
+               no_picture);
+  std::filesystem::remove_all(folder);
 }
 
 

@@ -32,7 +32,7 @@ namespace
            const double       slenderness,
            const unsigned int elements)
   {
-    auto skin = library_material("IM7-8552", Units::parse("mm, N"));
+    auto skin = library_material("IM7-8552", Units::parse({"Units", "mm, N"}));
     for (double *constant : {&skin.elastic.E1,
                              &skin.elastic.E2,
                              &skin.elastic.E3,

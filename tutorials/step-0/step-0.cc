@@ -75,7 +75,7 @@ private:
 StoppedCantilever::StoppedCantilever()
 {
   const auto section = make_section(make_section_mesh(laminate, materials),
-                                    Theory::parse("LE-2", "Theory"));
+                                    Theory::parse({"Theory", "LE-2"}));
   AxisMesh   axis;
   axis.length   = length;
   axis.elements = {8};

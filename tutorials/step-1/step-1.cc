@@ -111,19 +111,19 @@ FiveTheories::run()
 {
   profiles << "theory,z,syz\n";
   for (const char *name : {"EBBT", "TBT", "TE-2", "TE-4", "LE-3"})
-    compute(name, Theory::parse(name, "Theory"), graded_axis);
+    compute(name, Theory::parse({"Theory", name}), graded_axis);
 
   // Plane sections that do not contract strain the material in x and z: with
   // the full Hooke's law the beam has the modulus of a bar in a rigid sleeve,
   // E (1 - nu) / ((1 + nu) (1 - 2 nu)), instead of E. That is Poisson locking.
   // EBBT, TBT and TE-1 therefore let sigma_xx = sigma_zz = 0, unless told not
   // to:
-  Theory locked             = Theory::parse("EBBT", "Theory");
+  Theory locked             = Theory::parse({"Theory", "EBBT"});
   locked.poisson_correction = false;
   compute("EBBT locked", locked, graded_axis);
 
   // The clamp's neighbourhood, resolved badly.
-  compute("LE-3 equal", Theory::parse("LE-3", "Theory"), equal_axis);
+  compute("LE-3 equal", Theory::parse({"Theory", "LE-3"}), equal_axis);
 
   table.set_precision("deflection [m]", 4);
   table.set_scientific("deflection [m]", true);

@@ -80,7 +80,7 @@ TwoCubes::TwoCubes()
     make_section(make_section_mesh(
                    one_ply,
                    {{"solid", EngineeringConstants::isotropic(modulus, 0.)}}),
-                 Theory::parse("LE-2", "Theory"));
+                 Theory::parse({"Theory", "LE-2"}));
   AxisMesh mesh;
   mesh.length     = side;
   mesh.elements   = {2};

@@ -9,18 +9,22 @@
 
 namespace lamella
 {
-  /// How a program that was started came to its end.
+  /// How a program that was started came to its end. Ended well: status 0 and
+  /// signal 0.
   struct ProcessEnd
   {
     /// Its exit status; -1 if a signal ended it.
     int status = 0;
     /// The signal, or 0.
     int signal = 0;
-    /// Whether it had used up its processor time.
+    /// Whether it had used up its processor time. The signal is SIGXCPU then.
     bool out_of_time = false;
-    /// Wall seconds from before its start to its end.
+    /// Wall seconds from before its start to its end; the limit counts
+    /// processor seconds.
     double seconds = 0.;
     /// What run_forked()'s work returned; empty if it did not come to its end.
+    /// A child that ends without having answered has failed, whatever its
+    /// status.
     std::string answer;
   };
 
@@ -32,6 +36,16 @@ namespace lamella
    *
    * The program sees nothing of this process' MPI: it starts as a process of
    * its own. Throws InputError if it cannot be started.
+   *
+   * @param program the path of the program; no shell reads it
+   * @param words   its arguments, without its own name
+   * @param output, errors paths of files that are written anew
+   * @param processor_seconds of all its threads together, rounded up to whole
+   *   seconds; one second later it is killed
+   *
+   * Its standard input is empty. Variables of the environment that an MPI has
+   * left here are taken out, or the child would take itself for one of its
+   * processes.
    */
   ProcessEnd
   run_process(const std::string              &program,
@@ -46,6 +60,13 @@ namespace lamella
    * status that of outcome_of(), whose message ends in @p errors. The copy has
    * all libraries loaded, which takes a third of a second otherwise. MPI must
    * not have been started here; @p work starts its own.
+   *
+   * What @p work returns comes back through a pipe as ProcessEnd::answer, so
+   * the numbers of a rung need no file. The copy leaves by _exit(): destructors
+   * of this process's objects do not run there twice. Throws InputError if the
+   * system has no room for another process; what @p work throws is the copy's
+   * outcome and not ours. Children of this process are waited for from now on,
+   * even if whoever started it had that switched off (SIGCHLD ignored).
    */
   ProcessEnd
   run_forked(const std::function<std::string()> &work,
@@ -53,7 +74,8 @@ namespace lamella
              const std::string                  &errors,
              const double                        processor_seconds = 0.);
 
-  /// The path of the program that this process runs.
+  /// The path of the program that this process runs. Absolute, wherever the
+  /// shell found it.
   std::string
   own_program();
 } // namespace lamella

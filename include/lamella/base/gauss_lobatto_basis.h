@@ -13,6 +13,12 @@ namespace lamella
    * (deal.II's Polynomials::Lagrange are the same functions; these take all at
    * once, with derivatives and without memory, for the millions of points that
    * contact asks for.)
+   *
+   * Products of these in the coordinates of the unit square are the trace
+   * functions phi_k of facets: fields on a side of an element are known by
+   * their values at its grid of nodes. Gauss-Lobatto points include both ends,
+   * so that neighbours share the nodes between them, and keep the interpolation
+   * well conditioned at high degrees; up to degree 2 they are equidistant.
    */
   class GaussLobattoBasis
   {
@@ -20,19 +26,23 @@ namespace lamella
     /// As many functions as anybody may keep room for.
     static constexpr unsigned int max_size = 64;
 
-    /// Throws ExcNotImplemented for degrees of max_size and more.
+    /// Throws ExcNotImplemented for degrees of max_size and more. @p degree + 1
+    /// functions; the degree is at least 1.
     explicit GaussLobattoBasis(const unsigned int degree);
 
-    /// That of @p degree, made once and kept.
+    /// That of @p degree, made once and kept. The reference stays valid to the
+    /// end of the program. Not for several threads at once.
     static const GaussLobattoBasis &
     of_degree(const unsigned int degree);
 
+    /// The number of functions, degree + 1.
     unsigned int
     size() const
     {
       return points.size();
     }
 
+    /// x_i in [0, 1], ascending with i: L_i(x_j) is 1 for i = j and else 0.
     double
     point(const unsigned int i) const
     {
@@ -40,6 +50,10 @@ namespace lamella
     }
 
     /// The functions at @p x in @p values and, unless null, their derivatives.
+    /// Both arrays have room for size() numbers; @p x is in [0, 1] as a rule.
+    /// Products of differences and no barycentric quotient: nothing is divided
+    /// by zero at a node, and outside of [0, 1] the polynomials go on. n^2
+    /// operations for n functions.
     void
     evaluate(const double x, double *values, double *derivatives) const;
 

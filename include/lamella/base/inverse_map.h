@@ -16,8 +16,12 @@ namespace lamella
   template <int dim>
   struct InverseImage
   {
+    /// u, the last iterate. Where the place lies outside of the cube's image it
+    /// is the continuation of the map, as far as @p keep let it go.
     dealii::Point<dim> unit;
-    /// The length of the last step: rounding if the place was found.
+    /// The length of the last step: rounding if the place was found. In unit
+    /// coordinates, a pure number. Zero for an affine map, whose only step is
+    /// exact. What stayed large says that the map does not reach the place.
     double change = std::numeric_limits<double>::max();
   };
 
@@ -29,6 +33,17 @@ namespace lamella
    * false. An affine map takes one step. (deal.II's Mapping inverts the maps of
    * its own cells; these are of sections, of columns through them, and of the
    * facets that rays meet.)
+   *
+   *   u <- u + (dx/du)^-1 (x - x(u))
+   *
+   * until the step is below 1e-14 or 20 steps are done. Convergence is
+   * quadratic for the mildly curved cells of sections; the caller judges the
+   * result by its residual or by change. Nothing is thrown: a singular Jacobian
+   * gives values that are no numbers.
+   *
+   * @param is_affine whether x(u) is affine, so that one step ends it
+   * @param missing   u -> (x - x(u), dx/du), both in the same unit of length
+   * @param keep      u -> whether to go on; may change u
    */
   template <int dim, typename Missing, typename Keep>
   InverseImage<dim>
@@ -54,7 +69,9 @@ namespace lamella
     return found;
   }
 
-  /// Brings @p unit back to half a cube's side around the unit cube.
+  /// Brings @p unit back to half a cube's side around the unit cube. Into
+  /// [-0.5, 1.5] in each coordinate, and true: Newton's method goes on from
+  /// there. What lies further out is reported as if it were at that border.
   template <int dim>
   bool
   stay_near(dealii::Point<dim> &unit)

@@ -25,13 +25,27 @@ namespace lamella
   // The one place that decides the linear algebra of the program. A vector of
   // the whole scene has one block per body: contact couples bodies only through
   // rows, so no matrix of the whole scene exists outside the `full` strategy.
-  using DofIndex    = dealii::types::global_dof_index;
-  using Vector      = dealii::Vector<double>;
+
+  /// The number of a DoF within its body, from 0; constrained DoFs count.
+  using DofIndex = dealii::types::global_dof_index;
+
+  /// A number per DoF of one body, whole on every process: displacements u or
+  /// forces f, conjugate to each other, so that f . u is a work.
+  using Vector = dealii::Vector<double>;
+
+  /// One Vector per body, in the order of the scene's Bodies.
   using BlockVector = dealii::BlockVector<double>;
-  using Matrix      = dealii::SparseMatrix<double>;
+
+  /// A sparse matrix of one body on one process; its SparsityPattern must
+  /// outlive it.
+  using Matrix = dealii::SparseMatrix<double>;
+
+  /// u = G v + u_p: lines that give a DoF as an affine combination of others.
+  /// close() resolves chains and comes before any use.
   using Constraints = dealii::AffineConstraints<double>;
 
-  // What several processes share, by rows (base/processes.h).
+  /// What several processes share, by rows (base/processes.h): each keeps a
+  /// contiguous range of them. Declared only, so that headers need no Trilinos.
   using SharedMatrix = dealii::TrilinosWrappers::SparseMatrix;
   using SharedVector = dealii::TrilinosWrappers::MPI::Vector;
 } // namespace lamella

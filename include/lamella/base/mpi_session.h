@@ -17,29 +17,38 @@ namespace lamella
    * share: one run that ends removes that folder while the next one makes its
    * own in it, and of many runs side by side one in some hundreds fails at the
    * start (`orte_session_dir failed`). Settings of the environment come first.
+   *
+   * Every process of a run makes one, before anything that asks for the number
+   * of processes as MPI knows it; n_launched() tells it earlier. Its destructor
+   * must be the last thing that speaks to MPI.
    */
   class MpiSession
   {
   public:
-    /// One thread: deal.II takes no more than that.
+    /// One thread: deal.II takes no more than that. @p argc and @p argv are
+    /// main()'s; MPI may take words of its own out of them.
     MpiSession(int &argc, char **&argv);
 
   private:
+    /// Ends MPI in its destructor.
     dealii::Utilities::MPI::MPI_InitFinalize session;
   };
 
   /// A file that has reached its limit (SIGXFSZ), or a reader of the output
   /// that is gone (SIGPIPE; `| head -1`), is an error of that writing from now
-  /// on and not the end of the run. MpiSession sees to it.
+  /// on and not the end of the run. MpiSession sees to it. Streams then fail
+  /// and are asked (OutputFile::put_in_place()).
   void
   survive_failed_writes();
 
   /// As many processes as a launcher (mpirun) has started, or 1; known before
-  /// MPI is.
+  /// MPI is. From the launcher's environment variables (Open MPI's, PMI's).
   unsigned int
   n_launched();
 
-  /// @p n threads from now on; the BLAS would start with one a core.
+  /// @p n threads from now on; the BLAS would start with one a core. Of deal.II
+  /// and of OpenBLAS, if that is the BLAS that was loaded; another one has to
+  /// be told by its environment variable.
   void
   limit_threads(const unsigned int n);
 } // namespace lamella

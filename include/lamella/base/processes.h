@@ -14,14 +14,16 @@ namespace lamella
   // Matrices, their solution and the loops over elements are shared: each
   // process has a contiguous part of a body.
 
-  /// The communicator of the run.
+  /// The communicator of the run. All processes that were started together;
+  /// nothing is ever split off but for the memory of one machine
+  /// (sum_over_machine()).
   inline MPI_Comm
   communicator()
   {
     return MPI_COMM_WORLD;
   }
 
-  /// 1 before MPI is started, too.
+  /// The number of processes of the run; 1 before MPI is started, too.
   inline unsigned int
   n_processes()
   {
@@ -30,6 +32,7 @@ namespace lamella
              1;
   }
 
+  /// The number of this process, from 0; 0 before MPI is started, too.
   inline unsigned int
   this_process()
   {
@@ -38,14 +41,17 @@ namespace lamella
              0;
   }
 
-  /// Whether this process speaks for all: it alone prints and writes.
+  /// Whether this process speaks for all: it alone prints and writes. It is the
+  /// number 0, and computes its share like all others.
   inline bool
   is_speaker()
   {
     return this_process() == 0;
   }
 
-  /// Whether @p here holds on all processes.
+  /// Whether @p here holds on all processes. Collective: all processes must
+  /// call it, and it is how they agree on what to do where one alone has met a
+  /// fault.
   inline bool
   on_all_processes(const bool here)
   {
@@ -53,6 +59,10 @@ namespace lamella
   }
 
   /// Replaces the shares @p v of the processes by their sum, on all of them.
+  /// Collective, and the same to the last bit on all processes, which lets them
+  /// take the same decisions afterwards. @p v has the same size everywhere;
+  /// each process has left zeros where it has no share. Costs the communication
+  /// of the whole vector; nothing on one process.
   inline void
   sum_over_processes(Vector &v)
   {

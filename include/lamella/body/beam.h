@@ -19,6 +19,27 @@ namespace lamella
    * (and, where transverse shear strains are assumed, (A_shear - A_NN) (x)
    * S_shear). EBBT is TBT with Kirchhoff's constraint on each element.
    *
+   * Here i numbers the nodes of the axis, N_i are their shape functions (class
+   * Axis), alpha numbers the fields Phi_alpha of the section, vector functions
+   * made of the paper's F_tau (class Section), and d stands for the derivative
+   * along y. The strain is
+   *   epsilon = sum (N_i D_s Phi_alpha + N_i' D_y Phi_alpha) u_(i,alpha),
+   * D = D_s + D_y d/dy being the operator of Eq. 5. That is why its energy
+   * splits into four products of an integral over the axis, A_pq, and one over
+   * the section, S_pq, p and q telling which side is differentiated along y.
+   * The 3 x 3 blocks of K are the paper's fundamental nuclei k^(ij tau s), but
+   * for the linear fields, of which some combine two functions. No integral is
+   * ever taken over the volume to assemble K; a row of it is a row of A_pq
+   * times a row of S_pq.
+   *
+   * The beam shares its section and its axis with whoever else has them (beams
+   * of one mesh and theory have one section) and keeps both alive. Its own are
+   * the placement, the DoF map and the constraints.
+   *
+   * In several processes the rows of K go with the nodes of the axis
+   * (Axis::own_nodes), integrals over the volume with its elements
+   * (Axis::own_cells).
+   *
    * An element of the beam, a "cell" in Location, is the product of an axis
    * element and a section cell, numbered
    * axis element * (number of section cells) + section cell; its unit
@@ -27,55 +48,96 @@ namespace lamella
   class Beam : public Body
   {
   public:
-    /// Every axis node carries all fields of the section.
+    /// Every axis node carries all fields of the section. Throws InputError as
+    /// the other one.
     Beam(const std::string             &name,
          std::shared_ptr<const Section> section,
          std::shared_ptr<const Axis>    axis,
          const Placement               &placement);
 
-    /// Node-dependent kinematics: @p fields_of_node as in BeamDofMap.
+    /**
+     * Node-dependent kinematics: @p fields_of_node as in BeamDofMap, one list
+     * for each node of the axis. A field that a node does not carry is zero
+     * there. For EBBT, which needs B4, every node has to carry all fields.
+     * Throws InputError if there are more processes than nodes on the axis,
+     * since each has to own one.
+     */
     Beam(const std::string                            &name,
          std::shared_ptr<const Section>                section,
          std::shared_ptr<const Axis>                   axis,
          const Placement                              &placement,
          const std::vector<std::vector<unsigned int>> &fields_of_node);
 
+    /// Says as well how many polynomials of TE-N a section has left out because
+    /// they depend on the others there.
     std::string
     theory() const override;
+    /// The sum over the nodes of the fields each carries: (nodes of the axis)
+    /// times (fields of the section) if they carry all.
     DofIndex
     n_dofs() const override
     {
       return dof_map.n_dofs();
     }
+    /// Exact where all nodes carry all fields: the non-zeros of A times those
+    /// of S. Communicates nothing.
     double
     stiffness_entries() const override;
+    /// The DoFs of Axis::own_nodes().
     dealii::IndexSet
     owned_dofs() const override;
+    /// That of the DoF's field (SectionField::level).
     unsigned int
     dof_level(const DofIndex dof) const override;
+    /// On the axis through the section's centre of area, at the DoF's node.
     dealii::Point<3>
     dof_position(const DofIndex dof) const override;
+    /// Kirchhoff's of EBBT; empty for all other theories.
     const Constraints &
     kinematic_constraints() const override
     {
       return kirchhoff;
     }
+    /**
+     * With the rigid motions of a section among its fields these are a few
+     * entries a node. With v the direction in the body's axes, h the section's
+     * reference length and y_m the middle of the axis a turn is
+     *   u_x = -v_z (y - y_m),  u_z = v_x (y - y_m)        (translations),
+     *   h v_z, -h v_x                                     (slopes of u_y),
+     *   h v_y                                             (turn about the axis)
+     * in the fields of RigidField, as the linear functions are x / h and z / h.
+     */
     std::vector<Vector>
     rigid_motions() const override;
+    /// The turn about the axis for EBBT and TBT, nothing else.
     std::vector<RigidMotion>
     missing_motions() const override;
     dealii::Point<3>
     centre() const override;
+    /// Half the length, or the section's reference length if that is more.
     double
     size() const override;
     dealii::BoundingBox<3>
     bounding_box() const override;
 
+    /**
+     * By sum factorisation: at each integration point of the axis the fields'
+     * coefficients are formed once, then the section answers for all of them.
+     * A section whose fields span_the_section() does so by its moments, nine
+     * dense products of n_fields x n_fields a point of the axis, whatever the
+     * number of its cells; any other one goes through its integration points
+     * with the few fields that live at each.
+     */
     void
     add_internal_forces(const Vector &u, Vector &f) const override;
+    /// The energy likewise. Rotations are looked at in the section's
+    /// integration points, of which there are few where moments do the rest.
     Deformation
     deformation(const Vector &u) const override;
 
+    /// Within 1e-10 of the length along the axis and 1e-8 of the section's
+    /// reference length across. The axis is searched element by element, the
+    /// section by a tree of boxes.
     std::vector<std::vector<Location>>
     locate(const std::vector<dealii::Point<3>> &points) const override;
     std::vector<std::vector<Row>>
@@ -86,19 +148,37 @@ namespace lamella
     sample(const Location &location, const Vector &u) const override;
     dealii::Point<3>
     position(const Location::Place &place) const override;
+    /// Along the axis the degree of its elements, one less for EBBT, whose
+    /// rotation is -w'; across it that of LE-N, or zero.
     std::array<unsigned int, 3>
     recovery_degrees() const override;
 
     std::vector<std::string>
     surfaces() const override;
+    /**
+     * On a lateral surface a point for each node of the axis and each edge
+     * point of the section (CrossSectionElement::edge_points), with the area
+     * int N_i dy times the edge point's length. On an end the section's grid.
+     * `ends` and `all` are these one after the other: places that two of them
+     * share come twice, each with its own normal.
+     */
     std::vector<SurfacePoint>
     surface_points(const std::string &surface) const override;
+    /// Those of an end are as few as its expansion needs: three for EBBT and
+    /// TBT, however many cells the section has.
     std::vector<Location>
     fixing_points(const std::string &surface) const override;
     std::vector<Location>
     body_points() const override;
+    /// Ends first, a facet for each cell of the section, then the lateral ones,
+    /// a facet for each side of a cell on the boundary and each axis element.
     std::vector<SurfaceFacet>
     surface_facets(const std::string &surface) const override;
+    /// Numbers a node (node of the section) times (nodes of the axis) plus
+    /// (node of the axis); cells that share a vertex or a line of the section
+    /// mesh share the nodes there.
+    SurfaceTopology
+    surface_topology(const std::string &surface) const override;
     SurfacePoint
     surface_point(const SurfaceFacet     &facet,
                   const dealii::Point<2> &st) const override;
@@ -111,6 +191,7 @@ namespace lamella
     line_degree(const dealii::Point<3> &a,
                 const dealii::Point<3> &b) const override;
 
+    /// An element of the section each, in the order of its cells.
     std::vector<OutputCell>
     cut(const double       position,
         const unsigned int n,
@@ -118,6 +199,7 @@ namespace lamella
     std::vector<OutputCell>
     output_cells(const unsigned int n, const Vector &u) const override;
 
+    /// The factors, which live as long as the beam.
     const Section &
     section() const
     {
@@ -135,6 +217,8 @@ namespace lamella
     }
 
   protected:
+    /// A block is one row of K, its columns ascending: no more of K than that
+    /// is in memory, besides the factors. Own nodes only.
     void
     for_each_stiffness_block(
       const bool                                         with_values,
@@ -146,14 +230,21 @@ namespace lamella
      * an element is then fixed by w and the rotation at its two ends (Hermite's
      * polynomials), and so are both at the two nodes inside:
      *   w = H_0 w_0 + H_2 w_1 - L/h (H_1 a_0 + H_3 a_1),   a = -h w',
-     * where u_y = a (z - z_c) / h.
+     * where u_y = a (z - z_c) / h, L is the element's length, h the section's
+     * reference length, and with t = (y - y_0) / L
+     *   H_0 = 1 - H_2,        H_2 = t^2 (3 - 2 t),
+     *   H_1 = t (1 - t)^2,    H_3 = -t^2 (1 - t).
+     * Ties four DoFs of an inner node, w and a of bending in both planes, to
+     * those of the ends: the constraint is exact, no penalty is involved, and
+     * deflections are smooth from element to element.
      */
     void
     constrain_to_kirchhoff();
 
-    /// The fields' coefficients and their derivatives along y at a point of the
-    /// axis: for each alpha sum_i N_i u_(i,alpha), the same with what stands
-    /// for N_i in transverse shear, and sum_i N_i' u_(i,alpha).
+    /// The generalised displacements u_tau(y) of Eq. 1, the fields'
+    /// coefficients, and their derivatives along y at a point of the axis: for
+    /// each alpha sum_i N_i u_(i,alpha), the same with what stands for N_i in
+    /// transverse shear, and sum_i N_i' u_(i,alpha).
     struct AxisState
     {
       std::vector<double> value, shear_value, derivative;
@@ -165,39 +256,52 @@ namespace lamella
       {}
     };
 
+    /// That of the displacement @p u. Derivatives are taken of the differences
+    /// to the element's first node: a rigid translation has none, to the last
+    /// bit.
     AxisState
     axis_state(const AxisPoint &point, const Vector &u) const;
 
     /// The integration points along the axis that are this process's, first and
-    /// one past the last.
+    /// one past the last: those of Axis::own_cells().
     std::pair<unsigned int, unsigned int>
     own_points() const;
 
-    /// What the section answers at a point of the axis: the forces that do work
-    /// on each field's value, in transverse shear and else, and on its
-    /// derivative, and the strain energy per length.
+    /// What the section answers at a point of the axis, the stress resultants
+    /// of all fields: the forces that do work on each field's value without
+    /// transverse shear, on its value in transverse shear, and on its
+    /// derivative, each of n_fields(), and the strain energy per length.
     struct SectionForce
     {
       std::array<Vector, 3> work;
       double                energy = 0.;
     };
 
-    /// Calls @p use with the section force at each of own_points(), from the
-    /// moments of a section that spans_the_section(). Strains come first here,
-    /// too: those of whole fields in place of those at points.
+    /**
+     * Calls @p use with the section force at each of own_points(), from the
+     * moments of a section that spans_the_section(),
+     *   work_p = sum_q moments(p, q) e_q,   energy = sum_p e_p . work_p / 2,
+     * where e_0, e_1, e_2 are the three parts of AxisState. Strains come first
+     * here, too: those of whole fields in place of those at points, and the
+     * slope of a section joins that of the axis, w' + a / h, before anything
+     * multiplies it. An initial strain of the plies has no part in it.
+     */
     void
     for_each_section_force(
       const Vector                                                        &u,
       const std::function<void(const unsigned int, const SectionForce &)> &use)
       const;
 
-    /// The two ways of add_internal_forces(), this process' share.
+    /// The two ways of add_internal_forces(), this process' share: adds to
+    /// @p share, which has all DoFs, and communicates nothing.
     void
     add_forces_by_moments(const Vector &u, Vector &share) const;
     void
     add_forces_by_points(const Vector &u, Vector &share) const;
 
-    /// Displacement, strain and stress in the body frame.
+    /// Kinematics at a point, in the body's axes: the displacement, its
+    /// derivative along y, the strain (as the theory completes it, order of
+    /// Eq. 4), and the rotation about the axis in rad.
     struct PointState
     {
       dealii::Tensor<1, 3> displacement, slope;
@@ -205,21 +309,27 @@ namespace lamella
       double               twist = 0.;
     };
 
+    /// The sums over the fields that do not vanish at @p point. The transverse
+    /// shear strains take the shear values of @p state.
     static PointState
     point_state(const SectionPoint &point, const AxisState &state);
 
-    /// The body frame's fields in scene and ply axes.
+    /// The body frame's fields in scene and ply axes, with the stress that the
+    /// law of the section cell @p cell makes of the strain.
     FieldSample
     field_sample(const PointState &state, const unsigned int cell) const;
 
-    /// The elements of one axis element with n x m x n grids of samples, m = n
-    /// or, for a cut, one layer at @p eta.
+    /// The elements of one axis element, a section cell each, with grids of
+    /// (n + 1) x m x (n + 1) samples, one layer for each of the m places @p
+    /// etas in [0, 1] along it: n + 1 of them for pictures, one for a cut.
     std::vector<OutputCell>
     sample_axis_cell(const unsigned int         axis_cell,
                      const std::vector<double> &etas,
                      const unsigned int         n,
                      const Vector              &u) const;
 
+    /// The location with the one place @p eta of @p axis_cell, @p unit of
+    /// @p section_cell; @p position (scene axes) is that of it.
     Location
     location(const dealii::Point<3> &position,
              const unsigned int      axis_cell,
@@ -227,16 +337,23 @@ namespace lamella
              const unsigned int      section_cell,
              const dealii::Point<2> &unit) const;
 
+    /// The surface point over @p edge of the section at the place @p eta of
+    /// @p axis_cell, its area the weight of the edge (a length) times @p weight
+    /// (a length along the axis).
     SurfacePoint
     lateral_point(const EdgePoint   &edge,
                   const double       weight,
                   const unsigned int axis_cell,
                   const double       eta) const;
 
+    /// The surface point at @p point of the section on one of the ends, its
+    /// area the point's weight, its depth the length of the axis element there.
     SurfacePoint
     end_point(const EdgePoint &point, const bool at_start) const;
 
-    /// The facet whose unit square @p facet maps to, its corners and degrees.
+    /// Fills in the corners and degrees of @p facet, whose cell and square are
+    /// set. Along the axis the degrees are those of its elements, in the
+    /// section those of the expansion and of its trace.
     void
     complete(SurfaceFacet &facet) const;
 
@@ -244,7 +361,8 @@ namespace lamella
     std::shared_ptr<const Axis>    beam_axis;
     Placement                      placement;
     BeamDofMap                     dof_map;
-    Constraints                    kirchhoff;
+    /// Closed; without lines but for EBBT.
+    Constraints kirchhoff;
   };
 } // namespace lamella
 

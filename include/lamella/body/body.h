@@ -5,6 +5,12 @@
 // section), the solid (hexahedra on the same section mesh), where they stand in
 // the scene, and the fields at their points. A body never knows what holds or
 // touches it: no supports, no contact.
+//
+// Where to start reading: Body is the interface, Location and Row (base/row.h)
+// are the two words that everything said to a body is made of. "Put a force at
+// this point", "hold this edge", "how far are these surfaces apart" all become
+// Body::locate(), which finds the elements that hold a point, and Body::rows(),
+// which gives the displacement there as a linear functional of the body's DoFs.
 
 #ifndef lamella_body_body_h
 #define lamella_body_body_h
@@ -23,7 +29,9 @@
 
 namespace lamella
 {
-  /// What rows and samples can speak of.
+  /// What rows and samples can speak of: the three fields of linear elasticity,
+  /// u, epsilon = D u (Eq. 5) and sigma = C (epsilon - epsilon_0) (Eq. 6 with
+  /// the law's initial strain epsilon_0).
   enum class Quantity
   {
     displacement, ///< three components, scene axes
@@ -31,51 +39,100 @@ namespace lamella
     stress        ///< six, order of Eq. 4
   };
 
-  /// The axes that a strain or a stress is given in.
+  /// The axes that a strain or a stress is given in. Displacements are always
+  /// in those of the scene.
   enum class Frame
   {
-    scene,
+    scene, ///< x, y, z of the scene, whatever the body's placement
     ply ///< 1 along the fibre, 2 across, 3 normal to the ply: 11,22,33,12,13,23
   };
 
   /**
-   * A point of a body on one side of its ply interfaces. Where elements of the
-   * same ply meet it has a place in each of them, and stands for their mean.
+   * A point of a body on one side of its ply interfaces: the answer to "which
+   * element holds x, and where in it". Where elements of the same ply meet it
+   * has a place in each of them, and stands for their mean: displacements agree
+   * there, strains and stresses of a finite-element space do not.
+   *
+   * Elements of different plies are never averaged. In an interface sigma_xx,
+   * sigma_yy and sigma_xy of a laminate jump, and rightly so; a point of it has
+   * one location a ply (Body::locate).
+   *
+   * Plain numbers: a location stays good as long as the body's mesh, which
+   * never changes.
    */
   struct Location
   {
     struct Place
     {
-      unsigned int     cell;
+      /// The element, as the body numbers them: of a beam axis element times
+      /// section cell (class Beam), of a solid the hexahedron.
+      unsigned int cell;
+      /// Where on its unit cube, (xi, place along the axis, eta) in [0, 1]^3:
+      /// the first and the last are those of the section's cell, for beams and
+      /// solids alike.
       dealii::Point<3> unit;
     };
-    dealii::Point<3>   position;
-    unsigned int       ply = 0;
+    /// The point that was asked for, scene axes. Where it lies beyond a curved
+    /// edge its places may be a little beside it.
+    dealii::Point<3> position;
+    /// The ply that all places belong to, a number in the section mesh's plies.
+    unsigned int ply = 0;
+    /// At least one.
     std::vector<Place> places;
   };
 
-  /// The fields at a location.
+  /**
+   * All fields at a location, as probes, lines, cuts and pictures show them:
+   * the means over its places. They come of the displacements by the law of the
+   * ply there, sigma = C (epsilon - epsilon_0); nothing is smoothed or
+   * recovered here (recover/recovery.h does that).
+   */
   struct FieldSample
   {
+    /// In the scene's axes; a length.
     dealii::Tensor<1, 3> displacement;
-    Voigt                strain, stress;
-    Voigt                ply_stress;
+    /// In the scene's axes, order of Eq. 4, {xx, yy, zz, xy, xz, yz}; the last
+    /// three of the strain are engineering shear strains, gamma = 2 epsilon.
+    Voigt strain, stress;
+    /// The stress in the ply's own axes, {11, 22, 33, 12, 13, 23}: what
+    /// strengths are compared with.
+    Voigt ply_stress;
     /// The largest difference of stress between the places of the location over
     /// the largest stress there, Euclidean norms: what the mesh leaves open.
     double jump = 0.;
   };
 
-  /// A point of a body's surface, at a node or at an integration point.
+  /**
+   * A point of a body's surface, with what collocation asks for there: the
+   * normal n_1 of the gap function (Eqs. 14 to 17), the area that a nodal force
+   * is spread over, and how stiff the body is below. Where the point comes from
+   * surface_points() it is a node, where it comes from surface_point() any
+   * place of a facet.
+   */
   struct SurfacePoint
   {
-    dealii::Point<3>     position;
+    /// In the undeformed scene.
+    dealii::Point<3> position;
+    /// Unit length, outward, scene axes; at a node where several sides meet the
+    /// mean of theirs, weighted by area. (A beam keeps the points of different
+    /// named surfaces apart, even where they are at one place.)
     dealii::Tensor<1, 3> normal;
-    /// The tributary area, or the integration weight.
+    /// The tributary area of a node (length^2), or at a place of a facet the
+    /// area per unit of its square, |dX/ds x dX/dt|, still to be multiplied
+    /// with a quadrature weight.
     double area = 0.;
-    /// Whether sides of different normals meet there.
-    bool     corner = false;
+    /// Whether sides of different normals, by some 20 degrees and more, meet
+    /// there: a normal displacement or a gap has no direction at such a node.
+    bool corner = false;
+    /// The same point for rows() and sample(): one place, in the cell below.
     Location location;
-    /// n.n : C : n.n of the ply there, and the depth of the cell below.
+    /**
+     * What the automatic penalty is made of, a column of material below the
+     * point with the stiffness E_n A / d (contact/enforcement.h):
+     * E_n = (n n) : C : (n n), the modulus of confined compression along n in
+     * the ply there (force / length^2), and the depth d of the cell below,
+     * normal to the surface (length).
+     */
     double normal_modulus = 0., depth = 0.;
   };
 
@@ -83,13 +140,23 @@ namespace lamella
    * One side of one cell of a body: a piece of its surface that is the image of
    * the unit square under one polynomial map. The point (s, t) of the square is
    * the point origin + s along_s + t along_t of the cell's unit cube.
+   *
+   * On a lateral surface s goes along the edge of the section and t along the
+   * axis; on the ends s and t are the two coordinates of the section. Whether
+   * (along_s) x (along_t) points out of the body or into it depends on the
+   * side: take the normal from Body::surface_point() or FacetMap::outward().
+   *
+   * Plain numbers, as a location: surface integrals of loads and of mortar
+   * contact are sums over facets, each by its own quadrature.
    */
   struct SurfaceFacet
   {
-    unsigned int         cell = 0;
+    /// As Location::Place::cell.
+    unsigned int cell = 0;
+    /// Of the unit cube: its corner that is (0, 0), and two of its axes.
     dealii::Point<3>     origin;
     dealii::Tensor<1, 3> along_s, along_t;
-    /// Where (0, 0), (1, 0), (0, 1) and (1, 1) are.
+    /// Where (0, 0), (1, 0), (0, 1) and (1, 1) are, scene axes.
     std::array<dealii::Point<3>, 4> corners;
     /// The degree of the expansion in s and in t: what a grid of nodes has.
     unsigned int degree_s = 0, degree_t = 0;
@@ -98,36 +165,77 @@ namespace lamella
     unsigned int trace_degree_s = 0, trace_degree_t = 0;
   };
 
-  /// An element of a body for pictures: fields on a grid of (n+1)^3 points, the
-  /// first coordinate running fastest.
+  struct SurfaceTopology;
+
+  /**
+   * An element of a body for pictures: fields on a regular grid of its unit
+   * cube, (n+1)^3 points of an element and (n+1)^2 of a cut through it. The
+   * coordinate xi of the section runs fastest, then that of the axis, then the
+   * other one of the section.
+   *
+   * Elements do not share points: stresses differ from side to side, and a
+   * picture should show that.
+   */
   struct OutputCell
   {
-    unsigned int                  ply = 0;
-    dealii::Tensor<1, 3>          fibre;
+    /// The element's ply, and the direction of its fibres (unit length, scene
+    /// axes).
+    unsigned int         ply = 0;
+    dealii::Tensor<1, 3> fibre;
+    /// Undeformed, scene axes; as many samples as positions.
     std::vector<dealii::Point<3>> positions;
     std::vector<FieldSample>      samples;
   };
 
-  /// What a displacement field does to a body as a whole.
+  /// What a displacement field does to a body as a whole: one number for the
+  /// energy balance, one for the limits of geometrical linearity.
   struct Deformation
   {
+    /// The strain energy, integral (epsilon - epsilon_0) . C (epsilon -
+    /// epsilon_0) / 2 dV (force times length): by Clapeyron's theorem half the
+    /// work of all forces on a linear body that has no initial strain.
     double energy = 0.;
-    /// The largest |curl u| / 2 at the integration points, in rad.
+    /// The largest |curl u| / 2 at the integration points, in rad. The theory
+    /// is that of small rotations; solve/checks.h warns or fails beyond them.
     double max_rotation = 0.;
   };
 
-  /// Three translations along the scene's axes and three rotations about them.
+  /// A rigid motion as amplitudes: three translations along the scene's axes
+  /// (length) and three rotations about them (rad) through Body::centre().
   using RigidMotion = std::array<double, 6>;
 
   /**
-   * A linear elastic body: DoFs, a stiffness, rows at its points, points on its
+   * A linear elastic body as a discretised boundary-value problem without its
+   * boundary conditions: DoFs, a stiffness, rows at its points, points on its
    * surfaces. Supports, loads, contact and reports see nothing else of it, so
    * they do not know whether it is a beam or a solid. All positions are those
    * of the scene. A body takes displacements as an argument and stores none.
+   *
+   * What follows from the principle of virtual displacements (Eqs. 8 to 12) is
+   * split accordingly. The body owns the left-hand side,
+   *   delta L_int = delta u . K u,   K = int B^T C B dV,
+   * where epsilon = B u at a point is what rows(.., Quantity::strain) gives.
+   * The right-hand side is made by others of rows: a force P at X is
+   *   f_k += sum_c P_c r_c,k   with   u_c(X) = sum_k r_c,k u_k
+   * (Row::add_to), a prescribed displacement is r_c(u) = value, a gap of two
+   * bodies the difference of their rows along a normal (Eq. 16).
+   *
+   * The functions come in five groups, in this order: DoFs and rigid motions;
+   * forces and energy; points, rows and samples; surfaces and lines; pictures
+   * and solvers.
+   *
+   * Where several processes run, each holds the same body and whole vectors.
+   * Those functions that share work are collective, which is said at each:
+   * all processes call them with the same arguments. The others communicate
+   * nothing and say the same everywhere.
+   *
+   * Vectors u and f have n_dofs() entries. The product u . f is a work, force
+   * times length, whatever the single DoFs mean.
    */
   class Body
   {
   public:
+    /// @p name is the scene's, for messages.
     explicit Body(std::string name);
     virtual ~Body();
 
@@ -137,20 +245,26 @@ namespace lamella
       return body_name;
     }
 
-    /// The structural theory, as the user writes it.
+    /// The structural theory, as the user writes it, and what the mesh has of
+    /// it: `LE-2, 20 B4`, `solid-2, 720 hexahedra`. For messages and tables;
+    /// nothing is decided by it.
     virtual std::string
     theory() const = 0;
 
+    /// Of the unconstrained body, on all processes together.
     virtual DofIndex
     n_dofs() const = 0;
 
     /// An estimate of the non-zeros of the stiffness from above, known before
-    /// it is assembled. Here the sum over all blocks; bodies know better.
+    /// it is assembled. Here the sum over all blocks; bodies know better. A
+    /// double, since products of sizes overflow integers before memory is
+    /// asked for. Collective.
     virtual double
     stiffness_entries() const;
 
     /// Whether DoF 3 i + c is the displacement component c at node i. Only then
-    /// does algebraic multigrid understand the matrix, and `cg` is offered.
+    /// does algebraic multigrid understand the matrix, and `cg` is offered. Not
+    /// so of a beam, whose DoFs are amplitudes of fields of its section.
     virtual bool
     is_nodal() const
     {
@@ -158,15 +272,20 @@ namespace lamella
     }
 
     /// The DoFs whose rows of the stiffness this process keeps: contiguous, and
-    /// all of them where there is one process.
+    /// all of them where there is one process. The processes' sets follow upon
+    /// each other and do not overlap.
     virtual dealii::IndexSet
     owned_dofs() const
     {
       return dealii::complete_index_set(n_dofs());
     }
 
-    /// 0 for DoFs that hold the rigid motions, higher for finer ones. Supports
-    /// eliminate coarse DoFs first and so leave the hierarchy intact.
+    /**
+     * The place of @p dof in the hierarchy of the basis (doc/stable-basis.md):
+     * 0 for DoFs that hold the rigid motions, higher for finer ones. Supports
+     * eliminate coarse DoFs first and so leave the hierarchy intact, which is
+     * what keeps the digits of slender beams. 0 for all DoFs of a nodal basis.
+     */
     virtual unsigned int
     dof_level(const DofIndex dof) const = 0;
 
@@ -175,88 +294,146 @@ namespace lamella
     virtual dealii::Point<3>
     dof_position(const DofIndex dof) const = 0;
 
-    /// What the theory itself ties together, whatever the supports:
-    /// displacements of the body satisfy these homogeneous constraints.
+    /**
+     * What the theory itself ties together, whatever the supports:
+     * displacements of the body satisfy these homogeneous constraints. They are
+     * closed; the stiffness blocks and the rows below are those of the
+     * unconstrained DoFs, and whoever solves applies the constraints first
+     * (Row::reduced). Kirchhoff's of EBBT, the hanging nodes of a refined
+     * solid, none otherwise.
+     */
     virtual const Constraints &
     kinematic_constraints() const = 0;
 
-    /// The six rigid motions as displacement vectors: three unit translations
-    /// along the scene's axes, three unit rotations about them through
-    /// centre().
+    /**
+     * The six rigid motions as displacement vectors, three unit translations
+     * along the scene's axes and three unit rotations about them through the
+     * centre,
+     *   u(X) = e_m,   u(X) = e_m x (X - centre()),   m = x, y, z.
+     * They span the null space of the stiffness: what supports have to hold,
+     * and what multigrid has to keep. Of one that the theory does not contain
+     * (missing_motions()) the vector holds the part that it does.
+     */
     virtual std::vector<Vector>
     rigid_motions() const = 0;
 
     /// Those rigid motions that the theory's displacements do not contain (EBBT
-    /// and TBT cannot turn about their axis): nothing needs to hold them.
+    /// and TBT cannot turn about their axis): nothing needs to hold them, and
+    /// no couple about them does work.
     virtual std::vector<RigidMotion>
     missing_motions() const
     {
       return {};
     }
 
+    /// The point that rigid rotations turn about and moments are taken about,
+    /// scene axes: of a beam the section's centre of area half way along the
+    /// axis, of a solid the middle of the box around its nodes.
     virtual dealii::Point<3>
     centre() const = 0;
 
     /// Half the largest extension: the length that makes a rotation comparable
-    /// with a translation.
+    /// with a translation. A scale for tolerances, no measure.
     virtual double
     size() const = 0;
 
+    /// Of the undeformed body, its sides along the scene's axes. It goes by
+    /// vertices or nodes, so curved edges may leave it a little.
     virtual dealii::BoundingBox<3>
     bounding_box() const = 0;
 
     /**
-     * f += integral B^T C (B u) dV, strain first: the rounding is that of the
-     * strains and not that of the entries of an assembled matrix, which loses
-     * the bending energy of slender bodies (doc/stable-basis.md).
+     * f += integral B^T sigma(B u) dV, strain first: the rounding is that of
+     * the strains and not that of the entries of an assembled matrix, which
+     * loses the bending energy of slender bodies (doc/stable-basis.md).
+     * Residuals, reactions and the iterative refinement of solutions all go
+     * this way; in exact arithmetic it is f + K u.
+     *
+     * No constraints are applied: the entries of @p f at constrained DoFs are
+     * those of the forces that act there. @p u and @p f are whole, on every
+     * process the same. Collective.
      */
     virtual void
     add_internal_forces(const Vector &u, Vector &f) const = 0;
 
+    /// The strain energy of @p u and the largest rotation in it. Collective;
+    /// all processes get the same.
     virtual Deformation
     deformation(const Vector &u) const = 0;
 
-    /// The places of each point, one location a ply; none outside of the body.
+    /**
+     * The places of each point, by point and by ply: one location a ply, plies
+     * ascending, and none for a point outside of the body. @p points are of the
+     * undeformed scene.
+     *
+     * Tolerances are far above the rounding of positions that come out of
+     * decimal texts and rotations, and far below any element. Beyond a curved
+     * edge, which the mesh interpolates, a point counts as on the body within
+     * 2 % of the size of the cell.
+     */
     virtual std::vector<std::vector<Location>>
     locate(const std::vector<dealii::Point<3>> &points) const = 0;
 
-    /// For each location the rows of @p quantity: three for displacements, six
-    /// for strains and stresses (in @p frame).
+    /**
+     * For each location the rows of @p quantity, functionals of this body's
+     * DoFs (base/row.h): three for displacements, scene axes, and six for
+     * strains and stresses, order of Eq. 4, in the axes of @p frame, which
+     * displacements ignore. Of a location with several places they are the
+     * means of those of the places. The rows of a stress have the constant
+     * -C epsilon_0 of the ply's law; all others have none.
+     *
+     * Entries are sorted by DoF. Shape functions that vanish but for rounding,
+     * as those of all other nodes do at a node, have none, so that rows there
+     * are short.
+     */
     virtual std::vector<std::vector<Row>>
     rows(const std::vector<Location> &locations,
          const Quantity               quantity,
          const Frame                  frame = Frame::scene) const = 0;
 
+    /// All fields of the displacement @p u at @p location, the means over its
+    /// places and how much these differ. The numbers are those of rows(), at
+    /// less cost: six stresses at once.
     virtual FieldSample
     sample(const Location &location, const Vector &u) const = 0;
 
-    /// Where @p place is. With locate() it gives an element's neighbours: those
-    /// that have a place at one of its corners.
+    /// Where @p place is, scene axes. With locate() it gives an element's
+    /// neighbours: those that have a place at one of its corners.
     virtual dealii::Point<3>
     position(const Location::Place &place) const = 0;
 
     /**
      * How the recovery of strains sees an element (recover/recovery.h): for
-     * each unit coordinate the degree of the displacements whose derivatives
-     * are best at that many Gauss points. Zero along a coordinate in which one
-     * expansion spans all elements, so that strains are smooth there and leave
-     * nothing to recover: across the section of Taylor theories.
+     * each unit coordinate the degree p of the displacements, whose derivatives
+     * are best at the p Gauss points (superconvergence). Zero along a
+     * coordinate in which one expansion spans all elements, so that strains are
+     * smooth there and leave nothing to recover: across the section of Taylor
+     * theories. The order is that of Location::Place::unit.
      */
     virtual std::array<unsigned int, 3>
     recovery_degrees() const = 0;
 
-    /// Names that the functions below take; `all` is the whole surface.
+    /// Names that the functions below take: the named boundaries of the
+    /// section, swept along the axis, then the two sections `start` and `end`,
+    /// both of them as `ends`, and `all`, the whole surface. Who takes a name
+    /// from a user compares it with these: of an unknown one there are simply
+    /// no points.
     virtual std::vector<std::string>
     surfaces() const = 0;
 
     /**
      * Points that fix the trace on @p surface, with outward normals and
-     * tributary areas int N_i F_tau dA, which sum to the area.
+     * tributary areas: int N_i F_tau dA of the nodal functions there, which sum
+     * to the area (on the ends of a beam with curved edges only nearly). Where
+     * node-to-node contact (the paper's Sec. 3.3) is collocated, and supports
+     * of the normal displacement.
      */
     virtual std::vector<SurfacePoint>
     surface_points(const std::string &surface) const = 0;
 
-    /// Locations that fix the displacement on @p surface, as few as that takes.
+    /// Locations that fix the displacement on @p surface, as few as that takes:
+    /// with u given at all of them it is given on the whole surface. What a
+    /// support that prescribes u there is made of.
     virtual std::vector<Location>
     fixing_points(const std::string &surface) const = 0;
 
@@ -264,59 +441,94 @@ namespace lamella
     virtual std::vector<Location>
     body_points() const = 0;
 
-    /// The facets that @p surface is made of.
+    /// The facets that @p surface is made of, without gaps and overlaps: the
+    /// cells of surface integrals.
     virtual std::vector<SurfaceFacet>
     surface_facets(const std::string &surface) const = 0;
 
-    /// The point of @p facet at (s, t) = @p st; its area is the area per unit
-    /// of the square, |dX/ds x dX/dt|.
+    /// The same facets with the nodes that they share, by the body's own
+    /// numbers (body/surface_topology.h): what makes nodal functions on the
+    /// surface continuous.
+    virtual SurfaceTopology
+    surface_topology(const std::string &surface) const = 0;
+
+    /**
+     * The point of @p facet, one of this body's, at (s, t) = @p st in [0, 1]^2;
+     * its area is the area per unit of the square, |dX/ds x dX/dt|, so that
+     *   int f dA = int_0^1 int_0^1 f area ds dt.
+     * Callers with many points take a FacetMap instead.
+     */
     virtual SurfacePoint
     surface_point(const SurfaceFacet     &facet,
                   const dealii::Point<2> &st) const = 0;
 
-    /// The parameters in [0, 1], ascending, where the segment from @p a to @p b
-    /// crosses from element to element, its ends among them.
+    /**
+     * The parameters in [0, 1], ascending, where the segment from @p a to @p b
+     * crosses from element to element, its ends among them: between two of them
+     * the displacement along it is one polynomial. Scene axes. Curved edges of
+     * the section count as straight here, from vertex to vertex.
+     */
     virtual std::vector<double>
     line_breaks(const dealii::Point<3> &a, const dealii::Point<3> &b) const = 0;
 
     /// The largest polynomial degree of displacements along a coordinate of an
-    /// element: for pictures.
+    /// element: how finely pictures have to divide it.
     virtual unsigned int
     degree() const = 0;
 
     /// The polynomial degree of displacements along the segment from @p a to
-    /// @p b within an element: on a skew line the sum of those it runs along.
+    /// @p b within an element: on a skew line the sum of those it runs along,
+    /// since the functions are products. Zero only where a equals b.
     virtual unsigned int
     line_degree(const dealii::Point<3> &a, const dealii::Point<3> &b) const = 0;
 
-    /// Points of the segment from @p a to @p b that fix the displacement there.
+    /// Points of the segment from @p a to @p b that fix the displacement there:
+    /// line_degree() + 1 Gauss-Lobatto points between each two of its
+    /// line_breaks(), those at breaks once. In the order of the segment. It
+    /// must have a length.
     std::vector<dealii::Point<3>>
     line_points(const dealii::Point<3> &a, const dealii::Point<3> &b) const;
 
-    /// Numbers of the elements in the section at @p position along the axis and
-    /// their fields on an n x n grid each, for contours.
+    /**
+     * The section at @p position (a length from the start of the axis), element
+     * by element, with the fields of @p u on (n + 1) x (n + 1) points each, for
+     * contours. Where it lies between two elements along the axis the fields
+     * are the means of both, with their jump. Empty if @p position is outside
+     * of the body. The whole section on every process.
+     */
     virtual std::vector<OutputCell>
     cut(const double position, const unsigned int n, const Vector &u) const = 0;
 
     /// The elements of this process, all together those of the body, with the
-    /// fields on their grids.
+    /// fields on (n + 1)^3 points each. Nothing is averaged, and no jump is
+    /// known. @p n is at least 1.
     virtual std::vector<OutputCell>
     output_cells(const unsigned int n, const Vector &u) const = 0;
 
-    /// What @p asked means for this body, never `automatic`. Throws InputError
-    /// where it is not offered.
+    /**
+     * What @p asked means for this body and this number of processes, never
+     * `automatic`: that one is `cg` for nodal bodies of more than 300000 DoFs,
+     * whose factor would take tens of gigabytes, else CHOLMOD on one process
+     * and MUMPS on several. Throws InputError where it is not offered:
+     * `cholmod` on several processes, `cg` for a body that is not nodal.
+     */
     SolverKind
     solver_kind(const SolverKind asked) const;
 
     /// What the stiffness is assembled from: blocks without constraints, and
-    /// @p springs. Refers to the body.
+    /// the terms k r^T r of @p springs, whose rows are of this body. Refers to
+    /// the body, which must outlive it.
     StiffnessTerms
     stiffness_terms(const std::vector<SpringTerm> &springs = {}) const;
 
     /**
      * The stiffness with @p springs, condensed by the homogeneous part of
      * @p constraints (constrained DoFs keep a positive diagonal and nothing
-     * else), for a solver as @p asked.
+     * else), for a solver as @p asked. With u = T v + u_0, where v are the free
+     * DoFs and u_0 is a particular solution, it is
+     *   T^T (K + sum k r^T r) T.
+     * @p constraints are those of the supports with the kinematic ones, closed.
+     * Throws InputError as solver_kind() does. Collective.
      */
     std::unique_ptr<StiffnessMatrix>
     assembled_stiffness(const Constraints             &constraints,
@@ -327,8 +539,10 @@ namespace lamella
      * What solves with that matrix. Here it is assembled, factorised (or
      * prepared for iterations), and dropped where its solver does without; a
      * body that knows the structure of its matrix may never assemble it.
-     * @p monitor is told when it is there and how large a factor becomes.
-     * Throws NumericsError if it is not positive definite.
+     * @p monitor is told when it is there and how large a factor becomes; what
+     * it throws passes through. Throws NumericsError if the matrix is not
+     * positive definite, with the place in the scene where that shows first,
+     * and InputError as solver_kind() does. Collective.
      */
     virtual std::unique_ptr<LinearSolver>
     make_solver(const Constraints             &constraints,
@@ -337,8 +551,13 @@ namespace lamella
                 const SolverMonitor           &monitor = {}) const;
 
   protected:
-    /// Calls @p use with block after block of the unconstrained stiffness, this
-    /// process's share of them, with values if @p with_values.
+    /**
+     * Calls @p use with block after block of the unconstrained stiffness, this
+     * process's share of them, with values if @p with_values (else for the
+     * pattern alone, which needs no integrals). The sum of all blocks of all
+     * processes is K. A beam's blocks are single rows, a solid's the matrices
+     * of its elements; the block is good until @p use returns.
+     */
     virtual void
     for_each_stiffness_block(
       const bool                                         with_values,
@@ -347,6 +566,10 @@ namespace lamella
   private:
     std::string body_name;
   };
+
+  /// The bodies of a scene, in the order of its list: a body's number
+  /// (BodyRow::body, blocks of vectors) is its place here.
+  using Bodies = std::vector<std::unique_ptr<Body>>;
 } // namespace lamella
 
 #endif

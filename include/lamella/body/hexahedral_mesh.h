@@ -11,6 +11,9 @@
 
 #include <deal.II/distributed/tria.h>
 
+#include <boost/serialization/array.hpp>
+#include <boost/serialization/vector.hpp>
+
 #include <array>
 #include <memory>
 #include <string>
@@ -62,6 +65,13 @@ namespace lamella
       std::vector<unsigned int> nodes;
       /// Number in sides() of each face, deal.II's order, or inside.
       std::array<int, 6> sides;
+
+      template <typename Archive>
+      void
+      serialize(Archive &archive, const unsigned int)
+      {
+        archive &ply &nodes &sides;
+      }
     };
 
     /// A node that hangs: its value is the sum of weights times others.

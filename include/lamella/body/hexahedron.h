@@ -6,11 +6,15 @@
 #include <lamella/material/elasticity.h>
 
 #include <deal.II/base/point.h>
-#include <deal.II/base/quadrature_lib.h>
 
 #include <deal.II/fe/fe_q.h>
+#include <deal.II/fe/mapping_q_cache.h>
+
+#include <deal.II/grid/tria.h>
 
 #include <deal.II/lac/full_matrix.h>
+
+#include <deal.II/matrix_free/fe_point_evaluation.h>
 
 #include <vector>
 
@@ -21,9 +25,20 @@ namespace lamella
   {
     dealii::Point<3> unit, position;
     /// d(x, y, z) / d(unit coordinates).
-    dealii::Tensor<2, 3>              jacobian;
+    dealii::Tensor<2, 3> jacobian;
+    /// Of a quadrature point: its weight times det(jacobian).
+    double                            JxW = 0.;
     std::vector<double>               N;
     std::vector<dealii::Tensor<1, 3>> gradients;
+  };
+
+  /// What the modes of a hexahedron of degree 1 are made from.
+  struct IncompatibleModes
+  {
+    /// A of a = A u, 9 x 24; empty where there are no modes.
+    dealii::FullMatrix<double> A;
+    /// det J_0 J_0^-T.
+    dealii::Tensor<2, 3> middle;
   };
 
   /**
@@ -38,6 +53,12 @@ namespace lamella
    * a = A u with A = -K_aa^-1 K_au, and complete its strains.
    *
    * DoF 3 i + c of a hexahedron is the component c at its node i.
+   *
+   * Geometry and shape functions are deal.II's, which wants a cell of a
+   * triangulation. A process has those of its own cells only, and matrices,
+   * points and surfaces are asked for on all of them: so one cell stands for
+   * any, its mapping made from the nodes in question, with the same numbers on
+   * every process. Each call changes it: no two threads may share a Hexahedron.
    */
   class Hexahedron
   {
@@ -65,39 +86,43 @@ namespace lamella
       return fe.get_unit_support_points()[i];
     }
 
+    /// The cell, on which mapping() is now that of @p nodes, from the unit cube
+    /// to x - x_0, x_0 the first node: no digits are lost far from the origin.
+    dealii::Triangulation<3>::active_cell_iterator
+    cell(const Nodes &nodes) const;
+
+    const dealii::Mapping<3> &
+    mapping() const
+    {
+      return geometry;
+    }
+
     HexahedronPoint
     evaluate(const Nodes &nodes, const dealii::Point<3> &unit) const;
 
-    const dealii::Quadrature<3> &
-    quadrature() const
-    {
-      return gauss;
-    }
+    /// Those of full integration.
+    std::vector<HexahedronPoint>
+    quadrature_points(const Nodes &nodes) const;
 
-    /// A of a = A u, 9 x 24; empty for degree 2, which has no modes.
-    dealii::FullMatrix<double>
+    IncompatibleModes
     incompatible_modes(const Nodes &nodes, const ElasticTensor &C) const;
 
-    /// The strains that each DoF alone makes at @p point, the modes @p A
-    /// included: epsilon = sum strains[d] u_d.
+    /// The strains that each DoF alone makes at @p point, @p modes included:
+    /// epsilon = sum strains[d] u_d.
     std::vector<Voigt>
-    strains(const Nodes                      &nodes,
-            const HexahedronPoint            &point,
-            const dealii::FullMatrix<double> &A) const;
+    strains(const HexahedronPoint &point, const IncompatibleModes &modes) const;
 
     /// int B^T C B dV.
     dealii::FullMatrix<double>
-    stiffness(const Nodes                      &nodes,
-              const ElasticTensor              &C,
-              const dealii::FullMatrix<double> &A) const;
+    stiffness(const Nodes             &nodes,
+              const ElasticTensor     &C,
+              const IncompatibleModes &modes) const;
 
   private:
-    /// The strains of the nine modes at @p point.
-    std::vector<Voigt>
-    mode_strains(const Nodes &nodes, const HexahedronPoint &point) const;
-
-    dealii::FE_Q<3>   fe;
-    dealii::QGauss<3> gauss;
+    dealii::FE_Q<3>                         fe;
+    dealii::Triangulation<3>                any_cell;
+    mutable dealii::MappingQCache<3>        geometry;
+    mutable dealii::FEPointEvaluation<1, 3> at_point;
   };
 } // namespace lamella
 

@@ -9,9 +9,20 @@
 
 namespace lamella
 {
-  /// Adds the parameters t at which the line a + t d of a section's plane
-  /// passes the ends of the edge from @p p to @p q or crosses it; what is
-  /// closer than @p tolerance (a length) touches.
+  // Where a line through a body passes from element to element, seen in the
+  // plane of the section (x, z): there sides of cells are edges, and the line
+  // is its projection. Along the axis the bodies do the rest.
+
+  /**
+   * Adds to @p crossings the parameters t at which the line a + t d passes the
+   * ends of the straight edge from @p p to @p q or crosses it; what is closer
+   * than @p tolerance (a length) touches. An edge that lies on the line gives
+   * its two ends.
+   *
+   * The line has no ends here: t may be any number. @p d, which need not have
+   * unit length, must not be zero. The same crossing comes once from each edge
+   * that has it; tidy_breaks() sorts that out.
+   */
   void
   add_edge_crossings(const dealii::Point<2>     &p,
                      const dealii::Point<2>     &q,
@@ -20,7 +31,8 @@ namespace lamella
                      const double                tolerance,
                      std::vector<double>        &crossings);
 
-  /// Those of @p breaks in [0, 1], ascending, once each, and 0 and 1.
+  /// Those of @p breaks in [0, 1], ascending, once each, and 0 and 1: the
+  /// pieces of a segment. What is closer together than 1e-9 is one break.
   std::vector<double>
   tidy_breaks(std::vector<double> breaks);
 } // namespace lamella

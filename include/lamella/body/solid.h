@@ -113,6 +113,8 @@ namespace lamella
     body_points() const override;
     std::vector<SurfaceFacet>
     surface_facets(const std::string &surface) const override;
+    SurfaceTopology
+    surface_topology(const std::string &surface) const override;
     SurfacePoint
     surface_point(const SurfaceFacet     &facet,
                   const dealii::Point<2> &st) const override;
@@ -159,9 +161,9 @@ namespace lamella
     /// process.
     struct Kind
     {
-      unsigned int               cell = 0;
-      dealii::FullMatrix<double> modes;
-      std::vector<unsigned int>  own_cells;
+      unsigned int              cell = 0;
+      IncompatibleModes         modes;
+      std::vector<unsigned int> own_cells;
     };
 
     void

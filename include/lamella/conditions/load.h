@@ -13,57 +13,77 @@
 namespace lamella
 {
   /**
-   * A given force, as numbers or functions of the scene's x, y, z.
+   * A given force, as numbers or functions of the scene's x, y, z. Dead loads
+   * of linear theory: position and normal are those of the undeformed body, and
+   * all of it is multiplied by the load factor of the step. Either force or
+   * pressure counts.
    */
   struct Load
   {
-    std::string         name;
+    /// As in `subsection Load NAME`.
+    std::string name;
+    /// Points, lines and surfaces, on one body or several; never a whole body.
+    /// Each carries the load anew: a force at two points is there twice.
     std::vector<Region> on;
     /// Scene components: a force at a point, a force per length along a line, a
-    /// force per area on a surface. Empty if the load is a pressure.
+    /// force per area on a surface. In [force], [force/length],
+    /// [force/length^2]. Empty if the load is a pressure.
     std::array<Formula, 3> force;
-    /// On a surface, force per area against its outward normal.
+    /// On a surface, force per area against its outward normal. So a positive
+    /// one pushes into the body. Empty if the load is a force.
     Formula pressure;
   };
 
   /**
    * Forces at points of a body that stand for a load t on one of its regions:
-   * they do the same work on all displacements that the body can have there.
-   * On a surface the points are the trace nodes X_k of each facet and the
-   * forces integral phi_k t dA, with phi_k the facet's trace functions; where t
-   * is constant on a plane facet, Gauss points for these functions.
+   * they do the same work on all displacements that the body can have there. On
+   * a surface the points are the trace nodes X_k of each facet and the forces
+   * integral phi_k t dA, with phi_k the facet's trace functions; where t is
+   * constant on a plane facet, Gauss points for these functions. What follows
+   * the two lists tells how well the integration went; `checked`, `size` and
+   * `error` concern expressions that vary, since constant ones are integrated
+   * exactly but for curved facets.
    */
   struct PointForces
   {
-    std::vector<Location>             locations;
+    /// As many as forces, one for each.
+    std::vector<Location> locations;
+    /// Scene components [force].
     std::vector<dealii::Tensor<1, 3>> forces;
 
     /// What the region carries in all, and its moment about the scene's origin.
+    /// [force] and [force x length].
     dealii::Tensor<1, 3> force, moment;
     /// Whether t varies and what follows was found.
     bool checked = false;
-    /// integral |t|.
+    /// integral |t| [force]: what errors are compared with. Zero where the load
+    /// was zero wherever it was looked at.
     double size = 0.;
     /// The sum of another, finer rule, and what the integrals may be off by.
+    /// Both [force].
     dealii::Tensor<1, 3> independent;
     double               error = 0.;
-    /// How often an element had to be bisected, and around which point.
+    /// How often an element had to be bisected along one of its parameters, and
+    /// (place, in the scene) around which point.
     unsigned int     bisections = 0;
     dealii::Point<3> place;
   };
 
   /// @p load at load factor 1 on @p region, one of its own, of @p body:
-  /// integrated adaptively along a line and on a surface
-  /// (adaptive_moments()). Throws InputError as add_load() does.
+  /// integrated adaptively along a line and on a surface (adaptive_moments()).
+  /// Throws InputError as add_load() does. Nothing is communicated: every
+  /// process computes all of it. At points the forces are the values of the
+  /// expressions there; pressure needs a surface.
   PointForces
   point_forces(const Load &load, const Region &region, const Body &body);
 
-  /// What a load is in all.
+  /// What a load is in all. For the summary: the sums that reactions must
+  /// balance.
   struct LoadResultant
   {
     std::string name;
     /// On all of its regions, at load factor 1; the moment about the scene's
-    /// origin.
+    /// origin. [force] and [force x length], scene axes.
     dealii::Tensor<1, 3> force, moment;
     /// What the user should know of how it was integrated and of what its
     /// bodies cannot feel, a sentence each.
@@ -75,6 +95,12 @@ namespace lamella
    *   f . v = sum or integral of force . v.
    * Throws InputError for regions outside of their body and for expressions
    * that do not parse or are not finite.
+   *
+   * So delta L_ext = f . delta u (Eq. 10), integrated consistently: the load
+   * does the same work on every displacement that the body has there as the
+   * given traction does. A torque about the axis of a body whose theory cannot
+   * turn about it does no work and is left out, which a note says. @p f has one
+   * block per body of @p bodies; constrained DoFs get their share, too.
    */
   LoadResultant
   add_load(const Load &load, const Bodies &bodies, BlockVector &f);

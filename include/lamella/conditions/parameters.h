@@ -3,48 +3,76 @@
 #ifndef lamella_conditions_parameters_h
 #define lamella_conditions_parameters_h
 
+#include <lamella/base/entry.h>
 #include <lamella/conditions/load.h>
 #include <lamella/conditions/support.h>
 
 #include <deal.II/base/parameter_handler.h>
 
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace lamella
 {
-  /// `BODY: rest` with the body's number among @p bodies. Throws InputError,
-  /// beginning with @p what, for a name that is none of them.
+  /**
+   * The body's number among @p bodies and the rest of an entry, or of a piece
+   * of one, `BODY: rest`. Throws InputError for a text without a colon and for
+   * a name that is none of them. @p bodies are the names in the order of the
+   * scene; the number counts from 0. The message gives the nearest name.
+   */
   std::pair<unsigned int, std::string>
-  parse_on_body(const std::string              &text,
-                const std::vector<std::string> &bodies,
-                const std::string              &what);
+  parse_on_body(const Entry &entry, const std::vector<std::string> &bodies);
 
-  /// The regions of the entries `On` and `At`; InputError beginning with
-  /// @p what.
+  /**
+   * The regions that @p on names, `BODY: point | line | body | SURFACE` between
+   * semicolons, points and lines at the positions of @p at. Throws InputError
+   * for none, for one that is named twice, and for positions that are too few,
+   * too many or that nothing uses. Surfaces are not known yet and are checked
+   * on the body (check_surface()). A semicolon at the end is no fault. All
+   * points of @p at are one region; a line has exactly two different ends.
+   */
   std::vector<Region>
-  parse_regions(const std::string              &on,
-                const std::string              &at,
-                const std::vector<std::string> &bodies,
-                const std::string              &what);
-
-  void
-  declare_support(dealii::ParameterHandler &prm);
-
-  /// The entries of a `subsection Support NAME`.
-  Support
-  parse_support(const dealii::ParameterHandler &prm,
-                const std::string              &name,
+  parse_regions(const Entry                    &on,
+                const Entry                    &at,
                 const std::vector<std::string> &bodies);
 
-  void
-  declare_load(dealii::ParameterHandler &prm);
+  /// The entries of a `subsection Support NAME`. `On`, `At`, `u`, `Normal
+  /// displacement`.
+  struct SupportParameters
+  {
+    /// Declares them in the subsection that @p prm is in.
+    static void
+    declare(dealii::ParameterHandler &prm);
 
-  /// The entries of a `subsection Load NAME`.
-  Load
-  parse_load(const dealii::ParameterHandler &prm,
-             const std::string              &name,
-             const std::vector<std::string> &bodies);
+    /// The support @p name of bodies with the names @p bodies. Throws
+    /// InputError. An empty u holds all three components; `free` leaves one
+    /// free, but not all. A normal displacement excludes u and is for surfaces
+    /// only.
+    static Support
+    parse(const Entries                  &in,
+          const std::string              &name,
+          const std::vector<std::string> &bodies);
+  };
+
+  /// The entries of a `subsection Load NAME`. `On`, `At`, and either `Force` or
+  /// `Pressure`.
+  struct LoadParameters
+  {
+    /// Declares them in the subsection that @p prm is in.
+    static void
+    declare(dealii::ParameterHandler &prm);
+
+    /// The load @p name on bodies with the names @p bodies, its expressions not
+    /// yet parsed. Throws InputError. Regions of which one is part of another
+    /// on the same body (`all`, `ends`) are refused: the load would act twice
+    /// there. So are loads on a whole body, and pressure on anything but a
+    /// surface.
+    static Load
+    parse(const Entries                  &in,
+          const std::string              &name,
+          const std::vector<std::string> &bodies);
+  };
 } // namespace lamella
 
 #endif

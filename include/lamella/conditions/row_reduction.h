@@ -14,14 +14,24 @@
 namespace lamella
 {
   /**
-   * The prescribed rows R u = d of one body, reduced to
-   * u = G v + u_p with the unconstrained DoFs v, together with the body's own
-   * kinematic constraints, which come first: as many DoFs are eliminated as
-   * rows are independent (Gauss-Jordan elimination of the rows of each group
-   * that shares DoFs, with rank detection). Coarse DoFs go first, so that what
-   * stays is still hierarchical; among rows with a pivot within a factor of ten
-   * of the largest the shortest is taken, which keeps the fill low. A group
-   * that is the one before it, shifted along the axis, is not eliminated again.
+   * The prescribed rows R u = d of one body, reduced to u = G v + u_p with the
+   * unconstrained DoFs v, together with the body's own kinematic constraints,
+   * which come first: as many DoFs are eliminated as rows are independent
+   * (Gauss-Jordan elimination of the rows of each group that shares DoFs, with
+   * rank detection). Coarse DoFs go first, so that what stays is still
+   * hierarchical; among rows with a pivot within a factor of ten of the largest
+   * the shortest is taken, which keeps the fill low. A group that is the one
+   * before it, shifted along the axis, is not eliminated again.
+   *
+   *   R = P (pivot columns) + Q (others),  u_P = P^-1 d - P^-1 Q u_Q:
+   *
+   * the elimination leaves these equations as lines of constraints. Exact to
+   * rounding, without a penalty. Rows may depend on each other; what is left of
+   * a dependent one must be 0 = 0. An entry below 1e-9 of the largest of its
+   * column counts as zero, a value below 1e-6 of the largest as agreement.
+   *
+   * Refers to the kinematic constraints of its body, which must outlive it. All
+   * processes compute all of it.
    */
   class RowReduction
   {
@@ -29,21 +39,27 @@ namespace lamella
     /**
      * Takes those of @p rows that belong to @p body, number @p index. Throws
      * InputError if rows contradict each other; @p support_names then name
-     * them.
+     * them. @p rows may be those of all bodies. @p support_names are the names
+     * of supports by PrescribedRow::support. Each row must name a DoF once
+     * (Row::compress()).
      */
     RowReduction(const Body                       &body,
                  const unsigned int                index,
                  const std::vector<PrescribedRow> &rows,
                  const std::vector<std::string>   &support_names);
 
-    /// u = G v, for load factor 0.
+    /// u = G v, for load factor 0. Supports and kinematic constraints together,
+    /// closed and homogeneous: what the stiffness is condensed by and solutions
+    /// are distributed with.
     const Constraints &
     constraints() const
     {
       return homogeneous;
     }
 
-    /// u_p at load factor 1: non-zero in constrained DoFs only.
+    /// u_p at load factor 1: non-zero in constrained DoFs only. Times the load
+    /// factor s of the step it satisfies R u = s d and the kinematic
+    /// constraints, whatever its energy.
     const Vector &
     particular() const
     {
@@ -57,16 +73,24 @@ namespace lamella
      * body, in the direction of the row's component. Rows that depend on others
      * have none: the multipliers of dependent rows are not unique, their
      * resultants are.
+     *
+     * In the independent rows R_P^T mu = residual_P, pivots only, with the
+     * residual condensed by the kinematic constraints first: one solution with
+     * a sparse LU factor a group. Reactions are their sums; a moment is that of
+     * forces at the rows' positions.
      */
     std::vector<std::pair<unsigned int, double>>
     multipliers(const Vector &residual) const;
 
   private:
-    /// The independent rows of a group and the DoFs that they eliminate.
+    /// The independent rows of a group and the DoFs that they eliminate. Groups
+    /// share no DoF, so each is solved for by itself.
     struct Group
     {
+      /// Numbers in the constructor's list.
       std::vector<unsigned int> rows;
-      std::vector<DofIndex>     pivots;
+      /// The DoF that rows[k] eliminates.
+      std::vector<DofIndex> pivots;
       /// The factorised transpose of the rows in the pivots' columns; groups
       /// that are the same but for a shift share it.
       std::shared_ptr<const dealii::SparseDirectUMFPACK> transposed;
@@ -95,6 +119,7 @@ namespace lamella
     static void
     factorise(Group &independent, const std::vector<Row> &functionals);
 
+    /// Of the body; then supports and these together, and u_p for all its DoFs.
     const Constraints &kinematic;
     Constraints        homogeneous;
     Vector             particular_solution;

@@ -13,48 +13,76 @@
 namespace lamella
 {
   /// Prescribed displacements, imposed exactly.
+  ///
+  ///   u_c(X) = s d_c for all X of its regions, or n(X) . u(X) = s d,
+  ///
+  /// with the load factor s of the step. Dirichlet conditions, eliminated from
+  /// the unknowns (RowReduction); there is no penalty and no multiplier in the
+  /// system. Either u or normal counts.
   struct Support
   {
-    std::string         name;
+    /// As in `subsection Support NAME`.
+    std::string name;
+    /// May lie on several bodies.
     std::vector<Region> on;
-    /// The scene components of u at load factor 1; those without are free.
+    /// The scene components of u at load factor 1; those without are free
+    /// [length]. 0 holds the point.
     std::array<std::optional<double>, 3> u;
     /// On surfaces, n . u with the outward normal n: 0 is symmetry, whichever
-    /// way the body is turned.
+    /// way the body is turned. Positive outwards [length].
     std::optional<double> normal = std::nullopt;
   };
 
-  /// The displacement of one point along a direction: row(u) = value.
+  /// The displacement of one point along a direction: row(u) = value. The force
+  /// in the row, its multiplier, is a reaction: force along direction on the
+  /// body, and work with value.
   struct PrescribedRow
   {
-    BodyRow      row;
-    double       value   = 0.;
+    /// Compressed, with no constant part and no entries that are rounding.
+    BodyRow row;
+    /// At load factor 1 [length].
+    double value = 0.;
+    /// Its number in the list of supports.
     unsigned int support = 0;
     /// A unit vector of the scene; the force in the row acts along it.
     dealii::Tensor<1, 3> direction;
-    dealii::Point<3>     position;
+    /// Where it acts, in the scene: for moments of reactions and for messages.
+    dealii::Point<3> position;
   };
 
-  /// The direction of the scene's axis @p c.
+  /// The unit vector along the scene's axis @p c, 0, 1 or 2 for x, y, z.
   dealii::Tensor<1, 3>
   scene_axis(const unsigned int c);
 
   /**
    * The rows of @p supports. They may depend on each other; RowReduction sees
-   * to that. Throws InputError for regions that are not in their body.
+   * to that. Throws InputError for regions that are not in their body. Support
+   * by support, region by region, point by point; of u three rows a point or
+   * fewer, of normal one. Weights below 1e-13 of a row's largest are dropped,
+   * so that what rounding leaves at other nodes does not tie rows together.
+   * Throws InputError, too, for a normal displacement on a surface with
+   * corners, where there is no normal.
    */
   std::vector<PrescribedRow>
   prescribed_rows(const std::vector<Support> &supports, const Bodies &bodies);
 
-  /// A rigid motion that nothing prevents.
+  /// A rigid motion that nothing prevents. The stiffness of the body is
+  /// singular along it: a Stabilisation has to make it definite for contact to
+  /// hold the body, or the scene is refused.
   struct FreeMotion
   {
-    /// The rotations about the body's centre() times its size().
+    /// The rotations about the body's centre() times its size(), so that all
+    /// six numbers are displacements of comparable size.
     RigidMotion motion;
-    /// As in "translation along x with rotation about y".
+    /// As in "translation along x with rotation about y". Parts below a
+    /// hundredth of the largest are left out.
     std::string words;
 
     /// The displacement at @p x of @p body.
+    ///
+    ///   u(x) = t + w x (x - centre), w = rotations / size,
+    ///
+    /// in scene axes, for small rotations. @p body is the one it was found for.
     dealii::Tensor<1, 3>
     at(const dealii::Point<3> &x, const Body &body) const;
   };
@@ -65,7 +93,13 @@ namespace lamella
    *
    * They are the null space of R E, where E are the body's rigid motions (the
    * rotations scaled with its size), found by a singular value decomposition
-   * with the threshold 1e-8 of the largest singular value.
+   * with the threshold 1e-8 of the largest singular value. Motions that the
+   * theory does not contain (Body::missing_motions()) count as held. The result
+   * is brought to echelon form, rotations first: each motion has a rotation, or
+   * failing that a translation, that no other has, so that a user can recognise
+   * it. It is not orthonormal. Rows are folded, sixty at a time, into six of
+   * the same singular values: the cost is linear in their number and the
+   * conditioning not squared, as that of a Gram matrix is.
    */
   std::vector<FreeMotion>
   free_rigid_motions(const Body                       &body,

@@ -25,6 +25,9 @@
 
 namespace lamella
 {
+  /// How the gap function (Eq. 16) is sampled along two surfaces.
+  /// doc/contact.md compares the three on patch tests: only the last one passes
+  /// with any meshes.
   enum class Discretisation
   {
     undefined,
@@ -33,7 +36,18 @@ namespace lamella
     surface_to_surface ///< gaps averaged with hat functions of one side
   };
 
-  /// What becomes of bodies that overlap from the start.
+  template <>
+  struct Names<Discretisation>
+  {
+    static constexpr NameOf<Discretisation> all[] = {
+      {Discretisation::node_to_node, "node to node"},
+      {Discretisation::node_to_surface, "node to surface"},
+      {Discretisation::surface_to_surface, "surface to surface"}};
+  };
+
+  /// What becomes of bodies that overlap from the start. An overlap is g_init <
+  /// 0. One that is deeper than the cells below is no overclosure but an
+  /// InputError, whatever this says.
   enum class Overclosure
   {
     undefined,
@@ -42,8 +56,18 @@ namespace lamella
     refuse      ///< an error
   };
 
+  template <>
+  struct Names<Overclosure>
+  {
+    static constexpr NameOf<Overclosure> all[] = {
+      {Overclosure::push_apart, "push apart"},
+      {Overclosure::adjust, "adjust"},
+      {Overclosure::refuse, "error"}};
+  };
+
   /// Which side carries the points of `node to surface` and the hat functions
-  /// of `surface to surface`.
+  /// of `surface to surface`. In the words of mortar methods that is the slave
+  /// (non-mortar) side. Unused by `node to node`.
   enum class PointsOn
   {
     undefined,
@@ -52,46 +76,84 @@ namespace lamella
     second
   };
 
-  /// Two surfaces that may touch, as a scene says it.
+  template <>
+  struct Names<PointsOn>
+  {
+    static constexpr NameOf<PointsOn> all[] = {{PointsOn::automatic, "auto"},
+                                               {PointsOn::first, "first"},
+                                               {PointsOn::second, "second"}};
+  };
+
+  /**
+   * Two surfaces that may touch without friction, as a scene says it: what
+   * ContactParameters::parse() reads and make_interface() turns into gap rows.
+   * Lengths are those of the scene, surfaces are named and not yet looked for.
+   *
+   * First and Second decide signs, nothing else: n of Eq. 16 is the outward
+   * normal of First.
+   */
   struct ContactPair
   {
+    /// As in `subsection Contact NAME`; messages, tables and files are named by
+    /// it.
     std::string name;
-    Region      first, second;
-    /// A rigid obstacle in the place of `second`, if not null.
+    /// Surfaces of two different bodies; `second` is unused with an obstacle.
+    Region first, second;
+    /// A rigid obstacle in the place of `second`, if not null. It has no nodes:
+    /// `node to node` and points on the second side are not for it.
     std::shared_ptr<const Obstacle> obstacle;
 
+    /// These two have to be set: `undefined` fails an assertion.
     Discretisation discretisation = Discretisation::undefined;
     Enforcement    enforcement    = Enforcement::undefined;
     Overclosure    overclosure    = Overclosure::push_apart;
     PointsOn       points_on      = PointsOn::automatic;
-    Penalty        penalty;
-    /// Of facing nodes, see pair_node_to_node().
+    /// Of `augmented lagrangian` and `exact`, too, where it is no part of the
+    /// law but sets how fast estimates of the force become right.
+    Penalty penalty;
+    /// How far sideways facing nodes may be off, over the root of their
+    /// tributary area (no unit): of `node to node` only, see
+    /// pair_node_to_node().
     double tolerance = 1e-6;
-    /// Places further apart than this along the normal are not paired; none
-    /// for automatic_search_distance().
+    /// Places further apart than this along the normal are not paired; none for
+    /// automatic_search_distance(). [length]
     std::optional<double> search_distance;
   };
 
   /**
-   * The gap of one pair of points (Eq. 16),
-   *   g(u) = n . (u_2(X_2) - u_1(X_1)) + g_init,
-   * or an average of such, a row over the DoFs of the bodies with the sign
-   * within the parts. A contact force lambda >= 0 in it loads the bodies with
-   * lambda times the row's transpose. Nothing in `solve` knows where it came
-   * from.
+   * The linearised gap function of one pair of points (Eq. 16),
+   *   g(u, t) = n . (u_2(X_2) - u_1(X_1)) + g_init + t g_rate,
+   * or a weighted average of such: a row b of the matrix B over the DoFs of the
+   * bodies (the sign of either side is in the parts), a constant, and what an
+   * obstacle's motion adds at load factor t. All lengths, scene units.
+   *
+   * The Hertz-Signorini-Moreau conditions (Eq. 18) hold for each row,
+   *   g >= 0,  lambda >= 0,  g lambda = 0,
+   * softened by `penalty` (enforcement.h). lambda [force] is positive in
+   * compression: over the row's area it is -p_N of the paper. It loads the
+   * bodies with lambda b^T, lambda n on the second side and -lambda n on the
+   * first, so action and reaction balance.
+   *
+   * Nothing in `solve` knows where a row came from.
    */
   struct GapRow
   {
-    /// One for each body that deforms.
+    /// One for each body that deforms. The first is First's, -sum w . u_1; the
+    /// second, if any, +sum v . u_2.
     std::vector<BodyRow> parts;
-    double               initial_gap = 0.;
-    /// What a rigid obstacle that moves adds to the gap at load factor 1.
+    /// (X_2 - X_1) . n of the undeformed bodies (Eq. 17 with the averaged
+    /// normal), or its average; negative where they overlap. [length]
+    double initial_gap = 0.;
+    /// What a rigid obstacle that moves adds to the gap at load factor 1. n
+    /// times its displacement [length]; 0 between two bodies.
     double      gap_rate    = 0.;
     Enforcement enforcement = Enforcement::penalty;
-    /// epsilon_N in force / length.
+    /// epsilon_N in force / length. From row_penalty(), never 0 in a row of
+    /// make_interface().
     double penalty = 0.;
 
-    /// n . (u_2 - u_1) of the bodies that deform.
+    /// n . (u_2 - u_1) of the bodies that deform. @p u has a block for each
+    /// body of the scene. [length]
     double
     opening(const BlockVector &u) const
     {
@@ -101,14 +163,16 @@ namespace lamella
       return sum;
     }
 
-    /// g at load factor @p factor.
+    /// g at load factor @p factor. Negative: the bodies penetrate there.
+    /// [length]
     double
     gap(const BlockVector &u, const double factor) const
     {
       return opening(u) + initial_gap + factor * gap_rate;
     }
 
-    /// f += factor times the row's transpose.
+    /// f += factor times the row's transpose. With the contact force for
+    /// @p factor that is the row's share of the load.
     void
     add_to(BlockVector &f, const double factor) const
     {
@@ -117,9 +181,19 @@ namespace lamella
     }
   };
 
-  /// The rows of one contact, which it owns, with the geometry behind each.
+  /**
+   * The discretised contact of one ContactPair: its gap rows, which it owns,
+   * and the geometry behind each. It is made once, from the undeformed bodies,
+   * and never changes: linear kinematics holds places apart that faced each
+   * other at the start (assumptions.h checks that).
+   *
+   * rows[k] and points[k] belong together. It refers to no body: bodies are
+   * numbers in Bodies; `places` name cells of the bodies that it was made from.
+   * The obstacle is shared with the scene. Every process has all of it.
+   */
   struct ContactInterface
   {
+    /// Where a row is: what tables and pictures of contact show. Scene axes.
     struct Point
     {
       /// X_1 and X_2: of `surface to surface` a node of the carrying side and
@@ -129,27 +203,42 @@ namespace lamella
       /// is lambda n, on the first -lambda n. Of `surface to surface` it is the
       /// mean of n over the row's area, shorter than 1 where surfaces curve.
       dealii::Tensor<1, 3> normal;
-      double               area = 0.;
-      /// Between the normals of the two sides (n_1 and -n_2), in rad.
+      /// The tributary area A [length^2], by which lambda becomes a pressure:
+      /// the smaller one of both nodes, that of the node, or of `surface to
+      /// surface` A_i = int phi_i dA over what faces the other side.
+      double area = 0.;
+      /// Between the normals of the two sides (n_1 and -n_2), in rad. Of
+      /// `surface to surface` at its node.
       double angle = 0.;
       /// Of the points around: the root of the area that belongs to the point
       /// on its own side, whether all of that faces the other side or a sliver.
+      /// [length]
       double spacing = 0.;
+      /// The node of the side that carries the points.
+      Location node = {};
     };
+    /// These as in the ContactPair.
     std::string    name;
     Discretisation discretisation = Discretisation::undefined;
-    unsigned int   first_body     = 0;
+    /// Number in Bodies.
+    unsigned int first_body = 0;
     /// None where the second is a rigid obstacle.
     std::optional<unsigned int> second_body;
     /// That obstacle, else null.
     std::shared_ptr<const Obstacle> obstacle;
-    /// Of the body or the obstacle.
+    /// Of the body or the obstacle. For messages and reports.
     std::string second_name;
-    /// Whether the second side carries the points.
+    /// Whether the second side carries the points. `automatic` is decided here.
+    /// Never with an obstacle or `node to node`.
     bool points_on_second = false;
+    /// What the surface of that side is called.
+    std::string carrying_surface;
     /// Nodes of either side that face nothing of the other: of `node to node`
-    /// no node.
-    unsigned int        unpaired = 0, unpaired_second = 0;
+    /// no node. They can pass through the other body. Of an obstacle there are
+    /// none.
+    unsigned int unpaired = 0, unpaired_second = 0;
+    /// One for each pair of nodes, or each node of the carrying side that faces
+    /// something.
     std::vector<GapRow> rows;
     std::vector<Point>  points;
     /// What the rows were made from: on First, where weights are along -n, and
@@ -161,19 +250,26 @@ namespace lamella
 
   /**
    * The rows of several contacts one after the other, as those who solve see
-   * them: numbered through from 0, with a vector of forces by that number. A
-   * view that copies no row; who owns the rows has to live longer.
+   * them: the matrix B of all contacts, numbered through from 0 contact by
+   * contact, with a vector of forces by that number. A view that copies no row
+   * (a pointer each); who owns the rows has to live longer and must not move
+   * them.
    */
   class GapRows
   {
   public:
+    /// No row and no contact: only size(), empty() and the iterators may be
+    /// called.
     GapRows() = default;
+    /// Contact number k is @p contacts[k], also where it has no row.
     GapRows(const std::vector<ContactInterface> &contacts);
-    /// Rows of no contact in particular.
+    /// Rows of no contact in particular. They count as contact 0.
     GapRows(const std::vector<GapRow> &rows);
+    /// Temporaries would be gone before the view is used.
     GapRows(std::vector<ContactInterface> &&contacts) = delete;
     GapRows(std::vector<GapRow> &&rows)               = delete;
 
+    /// The number of rows of all contacts, so the size of a vector of forces.
     unsigned int
     size() const
     {
@@ -186,12 +282,14 @@ namespace lamella
       return rows.empty();
     }
 
+    /// @p row below size(); not checked.
     const GapRow &
     operator[](const unsigned int row) const
     {
       return *rows[row];
     }
 
+    /// Iterators over the rows themselves, not over pointers.
     auto
     begin() const
     {
@@ -204,23 +302,27 @@ namespace lamella
       return boost::make_indirect_iterator(rows.end());
     }
 
-    /// The contact that @p row belongs to, and its number there.
+    /// The contact that @p row belongs to, and its number there. @p row must be
+    /// below size(). A binary search in the contacts.
     std::pair<unsigned int, unsigned int>
     in_contact(const unsigned int row) const;
 
-    /// Those of @p values, one for each row, that belong to @p contact.
+    /// Those of @p values, one for each row, that belong to @p contact. A view
+    /// of @p values, which must have size() entries and live longer.
     dealii::ArrayView<const double>
     of_contact(const unsigned int         contact,
                const std::vector<double> &values) const;
 
     /// Those of @p some rows that belong to @p contact, by their numbers there.
+    /// Their order is kept; those of other contacts are left out.
     std::vector<unsigned int>
     of_contact(const unsigned int               contact,
                const std::vector<unsigned int> &some) const;
 
   private:
     std::vector<const GapRow *> rows;
-    /// The first row of each contact, and behind the last.
+    /// The first row of each contact, and behind the last. One entry more than
+    /// there are contacts; empty in a view of nothing.
     std::vector<unsigned int> firsts;
   };
 
@@ -230,28 +332,49 @@ namespace lamella
    * of linear kinematics, and rows that never close cost next to nothing.
    * (How far they may overlap is decided by the depth of the cells below, see
    * make_interface().)
+   * Twice Body::size(); with an obstacle the length of First's body. [length]
    */
   double
   automatic_search_distance(const ContactPair &contact, const Bodies &bodies);
 
   /**
-   * Searches, pairs and makes the gap rows of @p contact. Throws InputError if
-   * a surface does not exist, if nothing faces the other side (the message
-   * gives the nearest distance of nodes), if the surfaces look away from each
-   * other or the bodies lie in each other by more than the cells are deep.
+   * Searches, pairs and makes the gap rows of @p contact on the undeformed
+   * @p bodies: 1. the two surfaces with their normals and search trees
+   * (MeshSurface); 2. the side that carries the points: as PointsOn says,
+   * `automatic` the one with more grid cells where the two face each other
+   * (cells_facing()), of equal ones the body that comes first in the scene; 3.
+   * gaps, normals, areas and weights: pair_node_to_node(),
+   * pair_node_to_surface() or weighted_gaps(); 4. weights times the bodies'
+   * displacement rows, penalties from the local stiffnesses; 5. overlaps as
+   * Overclosure says. A gap of rounding (1e-14 of the coordinates) becomes
+   * zero.
+   *
+   * Throws InputError if a surface does not exist, if nothing faces the other
+   * side within the search distance (the message gives the nearest distance of
+   * nodes), if the surfaces look away from each other or the bodies lie in each
+   * other by more than the cells are deep, and for any overlap under
+   * Overclosure::refuse. Places behind each other by more than the cells are
+   * deep are left out where they look away from each other through their own
+   * bodies (the upper half of a roller).
    */
   ContactInterface
   make_interface(const ContactPair &contact, const Bodies &bodies);
 
   /**
-   * The rows of @p contact on @p bodies, the same bodies in another
-   * discretisation: the same places, weights, gaps and penalties. Throws
-   * InputError if one of the places is not in the body there.
+   * The rows of @p contact on @p bodies, the same bodies (same numbers, same
+   * geometry) in another discretisation: the same places, weights, gaps and
+   * penalties, so forces of the one are forces of the other. Places are located
+   * anew, in the ply that they were in if it is there. Nothing is searched or
+   * paired.
+   *
+   * Throws InputError if one of the places is not in the body there.
    */
   std::vector<GapRow>
   rows_on(const ContactInterface &contact, const Bodies &bodies);
 
-  /// The same with places up to @p reach apart, whatever the Search distance.
+  /// make_interface() with places up to @p reach [length] apart, whatever the
+  /// search distance; the names of the surfaces are taken for checked. Throws
+  /// InputError as make_interface() does.
   ContactInterface
   interface_within(const ContactPair &contact,
                    const Bodies      &bodies,

@@ -4,7 +4,8 @@
 #define lamella_contact_mesh_surface_h
 
 #include <lamella/base/gauss_lobatto_basis.h>
-#include <lamella/body/body.h>
+#include <lamella/body/facet_map.h>
+#include <lamella/body/surface_topology.h>
 #include <lamella/contact/obstacle.h>
 #include <lamella/contact/search.h>
 
@@ -19,14 +20,22 @@
 namespace lamella
 {
   /// Where a ray meets a surface, and on which facet if the surface has any;
-  /// the normal is that of MeshSurface::smooth_normal().
+  /// the normal is that of MeshSurface::smooth_normal(). An obstacle has no
+  /// facets: then `facet` is invalid_unsigned_int.
   struct SurfaceHit : public Hit
   {
-    unsigned int     facet = dealii::numbers::invalid_unsigned_int;
+    unsigned int facet = dealii::numbers::invalid_unsigned_int;
+    /// The place on the facet's unit square; up to 1e-7 outside of it.
     dealii::Point<2> st;
   };
 
-  /// A surface as the points of another one see it, which may come to touch it.
+  /**
+   * A surface as the points of another one see it, which may come to touch it:
+   * all that the projection of points onto the other side needs (closest-point
+   * projection along an averaged normal, opposing_place()). Implemented by the
+   * mesh of a body, by some of its facets and by a rigid obstacle. Undeformed
+   * positions, scene axes; lengths in scene units.
+   */
   class OpposingSurface
   {
   public:
@@ -36,6 +45,9 @@ namespace lamella
      * The place nearest to @p x, ahead or behind and at most @p reach away,
      * where the line x + t d, d a unit vector, meets the surface with d against
      * its outward normal.
+     *
+     * The hit's distance is t, negative where the surfaces overlap. Nothing if
+     * there is no such place.
      */
     virtual std::optional<SurfaceHit>
     meet(const dealii::Point<3>     &x,
@@ -43,18 +55,20 @@ namespace lamella
          const double                reach) const = 0;
 
     /// The outward normal somewhere near the point of the surface nearest to
-    /// @p x.
+    /// @p x. A first guess for opposing_place(), of length 1 (on the axis of a
+    /// cylinder 0).
     virtual dealii::Tensor<1, 3>
     normal_near(const dealii::Point<3> &x) const = 0;
   };
 
-  /// Where a point X_1 with the outward normal n_1 faces another surface.
+  /// Where a point X_1 with the outward normal n_1 faces another surface: the
+  /// pair of places that a gap function is made of.
   struct Opposition
   {
     SurfaceHit hit;
-    /// n below; the gap is hit.distance.
+    /// The unit normal n of opposing_place(); the initial gap is hit.distance.
     dealii::Tensor<1, 3> normal;
-    /// Between n_1 and -n_2, in rad.
+    /// Between n_1 and -n_2, in rad. 0 where they are opposed.
     double angle = 0.;
   };
 
@@ -68,6 +82,10 @@ namespace lamella
    * of a place nearby, if the line along n_1 misses). None if the normals are
    * not opposed to @p opposed, the cosine of the angle between n_1 and -n_2: 60
    * degrees.
+   *
+   * None either if the other surface lies further off than @p reach [length]
+   * along n, or if the iteration does not settle to 1e-11 in 50 steps (on flat
+   * faces it needs none, near contact two or three).
    */
   std::optional<Opposition>
   opposing_place(const OpposingSurface      &other,
@@ -76,7 +94,8 @@ namespace lamella
                  const double                reach,
                  const double                opposed = 0.5);
 
-  /// The surface of a rigid obstacle.
+  /// The surface of a rigid obstacle in closed form (see meet() of an
+  /// Obstacle), where it stands before it moves. Shares the obstacle.
   class ObstacleSurface : public OpposingSurface
   {
   public:
@@ -94,8 +113,8 @@ namespace lamella
   };
 
   /**
-   * A named surface of a body. Each facet keeps its own map X(s, t), as
-   * polynomials; rays are met with it as it is, curved or not.
+   * A named surface of a body. Each facet keeps its own map X(s, t)
+   * (FacetMap); rays are met with it as it is, curved or not.
    *
    * Where facets meet smoothly their normals differ by what the interpolation
    * of curves leaves. Contact takes a continuous field: the average normal
@@ -105,43 +124,53 @@ namespace lamella
    * sharper than 45 degrees each side keeps its own.
    *
    * Displacements of a facet are polynomials, too: their values at its trace
-   * nodes, a Gauss-Lobatto grid, fix them. Trace nodes at one place have one
-   * number.
+   * nodes, a Gauss-Lobatto grid, fix them. What nodes facets share, and which
+   * hang, the body says (SurfaceTopology).
+   *
+   * The facets and their normals are made once, with a box tree over the
+   * facets; after that the body is asked for locations only, but it is referred
+   * to and has to live longer. All of the undeformed body, scene axes.
    */
   class MeshSurface : public OpposingSurface
   {
   public:
+    /// @p surface is one of Body::surfaces() and has facets: check_surface()
+    /// before.
     MeshSurface(const Body &body, const std::string &surface);
 
-    /// A point and the derivatives of the map there.
-    struct Place
-    {
-      dealii::Point<3>     position;
-      dealii::Tensor<1, 3> d_s, d_t;
-    };
+    using Place = FacetMap::Place;
 
+    /// One side of one cell: a patch of the surface with what contact needs to
+    /// know of it, so that no virtual function of the body is called at its
+    /// points.
     struct Facet
     {
+      Facet(const SurfaceFacet &side, const FacetMap &map)
+        : side(side)
+        , map(map)
+      {}
+
       SurfaceFacet side;
-      /// Bases of the grid of nodes, of the traces, and of the map: as low as
-      /// the shape allows.
-      const GaussLobattoBasis      *grid_s, *grid_t, *trace_s, *trace_t;
-      const GaussLobattoBasis      *map_s, *map_t;
-      std::vector<dealii::Point<3>> map_nodes;
-      /// Whether the map is affine: position and derivatives, then, at (0, 0).
-      bool  is_affine = false;
-      Place origin;
-      /// +1 if d_s x d_t points outwards, -1 if inwards.
-      double orientation = 1.;
-      /// A ball around the facet, and the outward normal in the middle.
+      FacetMap     map;
+      /// Bases of the grid of nodes, and of the traces. They belong to the
+      /// program and never end.
+      const GaussLobattoBasis *grid_s = nullptr, *grid_t = nullptr,
+                              *trace_s = nullptr, *trace_t = nullptr;
+      /// A ball around the facet [length], the coarse test of meet_facet(), and
+      /// the facet's own unit normal, outwards, in the middle (s, t) = (0.5,
+      /// 0.5).
       dealii::Point<3>     centre;
       double               radius = 0.;
       dealii::Tensor<1, 3> normal;
-      /// Numbers of its trace nodes, the first coordinate running fastest.
+      /// Numbers of its trace nodes, below n_trace_nodes(), the first
+      /// coordinate running fastest.
       std::vector<unsigned int> trace_nodes;
-      /// Likewise of the nodes of its grid.
+      /// Likewise of the nodes of its grid, numbers in grid_nodes().
       std::vector<unsigned int> grid_nodes;
-      /// Whether all of these have the facet's own normal.
+      /// Whether the facet is a plane parallelogram and all of its nodes have
+      /// its own normal, so that smooth_normal() is that one. Then E_n = n.n :
+      /// C : n.n of the ply in the middle [force/length^2], and the depth of
+      /// the cell below [length].
       bool   is_flat        = false;
       double normal_modulus = 0., depth = 0.;
     };
@@ -152,47 +181,50 @@ namespace lamella
       return surface_body;
     }
 
+    /// In the body's order; numbers of facets are places in here.
     const std::vector<Facet> &
     facets() const
     {
       return all_facets;
     }
 
-    /// X and its derivatives at @p st of @p facet.
-    Place
-    map(const Facet &facet, const dealii::Point<2> &st) const;
-
-    /// The facet's own normal.
+    /// The unit normal of the facet's own map at @p place, +- d_s x d_t
+    /// normalised.
     dealii::Tensor<1, 3>
     outward_normal(const Facet &facet, const Place &place) const;
 
-    /// The continuous field of normals.
+    /// The continuous field of normals at @p st, a unit vector: the node
+    /// normals
+    ///   n ~ sum_i L_i(s, t) n_i
+    /// in the Gauss-Lobatto basis of the facet's grid.
     dealii::Tensor<1, 3>
     smooth_normal(const Facet &facet, const dealii::Point<2> &st) const;
 
-    /// A node of the grids; nodes of facets that meet smoothly are one.
+    /// A node of the grids; nodes of facets that meet smoothly are one. At a
+    /// sharp edge there is one for each side, at the same place. Scene axes;
+    /// @p normal is n_i above, of length 1.
     struct GridNode
     {
       dealii::Point<3>     position;
       dealii::Tensor<1, 3> normal;
     };
 
+    /// The carriers of weighted gaps: row i of a mortar contact belongs to one.
     const std::vector<GridNode> &
     grid_nodes() const
     {
       return nodes;
     }
 
-    /// A node of a grid that lies in the middle of an edge of another facet's
-    /// grid, as where a solid is locally refined: functions that are continuous
-    /// and linear along that edge have the mean of its @p ends there.
-    struct HangingNode
-    {
-      unsigned int                node = 0;
-      std::array<unsigned int, 2> ends{};
-    };
+    /// Where the node @p node of the grids lies in the body.
+    Location
+    grid_location(const unsigned int node) const;
 
-    /// Those that others hang on come after them.
+    using HangingNode = SurfaceTopology::HangingNode;
+
+    /// Those that others hang on come after them. Numbers are those of
+    /// grid_nodes(). A node whose ends lie on the other side of a sharp edge
+    /// does not hang.
     const std::vector<HangingNode> &
     hanging_nodes() const
     {
@@ -200,60 +232,81 @@ namespace lamella
     }
 
     /// The trace functions of @p facet at @p st, in the order of trace_nodes.
+    /// They are the tensor products of the Gauss-Lobatto bases of the trace's
+    /// degrees: u on the facet is the sum of @p values times u at the trace
+    /// nodes. @p values is cleared first.
     void
     evaluate_trace(const Facet            &facet,
                    const dealii::Point<2> &st,
                    std::vector<double>    &values) const;
 
+    /// Those that facets share count once.
     unsigned int
     n_trace_nodes() const
     {
       return trace_places.size();
     }
 
-    /// Where the trace node @p node lies in the body.
+    /// Where the trace node @p node lies in the body. On the first facet that
+    /// has it. What body().rows() takes.
     Location
     trace_location(const unsigned int node) const;
 
-    /// Where the line x + t d meets the one @p facet with d against its outward
-    /// normal.
+    /**
+     * Where the line x + t d meets the one @p facet with d against its outward
+     * normal.
+     * Newton's method on the two components of X(s, t) - x across d, from the
+     * middle of the facet; an affine facet takes one step. Nothing if the line
+     * misses the facet's ball, if the iteration leaves the facet far behind, or
+     * where d does not enter through both the facet's own and the smooth
+     * normal.
+     */
     std::optional<SurfaceHit>
     meet_facet(const unsigned int          facet,
                const dealii::Point<3>     &x,
                const dealii::Tensor<1, 3> &d) const;
 
-    /// The nearest of the hits of @p facets.
+    /// The nearest of the hits of @p facets, numbers in facets(), at most
+    /// @p reach away: by the size of the distance, ahead or behind.
     std::optional<SurfaceHit>
     meet_among(const std::vector<unsigned int> &facets,
                const dealii::Point<3>          &x,
                const dealii::Tensor<1, 3>      &d,
                const double                     reach) const;
 
+    /// Only the facets whose boxes meet the box of the segment x +- reach d are
+    /// tried. @p reach must be finite.
     std::optional<SurfaceHit>
     meet(const dealii::Point<3>     &x,
          const dealii::Tensor<1, 3> &d,
          const double                reach) const override;
 
+    /// The normal in the middle of the facet whose box is nearest to @p x.
     dealii::Tensor<1, 3>
     normal_near(const dealii::Point<3> &x) const override;
 
-    /// Facets whose boxes meet the smallest box around @p points.
+    /// Facets whose boxes meet the smallest box around @p points. Boxes in the
+    /// surface's own axes; ascending numbers. A safe superset of the facets
+    /// that come into the convex hull of @p points.
     std::vector<unsigned int>
     facets_near(const std::vector<dealii::Point<3>> &points) const;
 
   private:
+    /// Adds a facet; its trace nodes keep the numbers of the body.
     void
-    make_map(Facet &facet);
+    make_facet(const SurfaceTopology::Facet &from);
+    /// Numbers the grid nodes, apart on the sides of edges sharper than 45
+    /// degrees, and carries the hanging ones over.
     void
-    number_trace_nodes(Facet &facet, PointNumbering &numbering);
-    void
-    number_grid_nodes();
-    void
-    find_hanging_nodes(const PointNumbering &numbering);
+    split_at_edges(const SurfaceTopology &topology);
+    /// Sets the n_i, those of hanging nodes as the mean of their ends, and
+    /// is_flat.
     void
     average_normals();
+    /// The boxes of the facets in axes along the first one.
     void
     make_search();
+    /// @p x in the axes of the boxes.
     dealii::Point<3>
     to_frame(const dealii::Point<3> &x) const;
 
@@ -261,6 +314,8 @@ namespace lamella
     std::vector<Facet> all_facets;
     /// Of each trace node a facet and the place on it.
     std::vector<std::pair<unsigned int, dealii::Point<2>>> trace_places;
+    /// Likewise of each node of the grids.
+    std::vector<std::pair<unsigned int, dealii::Point<2>>> grid_places;
     std::vector<GridNode>                                  nodes;
     std::vector<HangingNode>                               hanging;
     /// Boxes stand in axes of the surface's own, so that rays along its normals
@@ -269,7 +324,9 @@ namespace lamella
     BoxSearch            boxes;
   };
 
-  /// Some facets of a surface, as an opposing surface.
+  /// Some facets of a surface, as an opposing surface: where a point is known
+  /// to face one of a few. Refers to the surface and to the list, which have to
+  /// live longer; normal_near() is that of the whole surface.
   class SurfacePart : public OpposingSurface
   {
   public:

@@ -3,6 +3,8 @@
 #ifndef lamella_contact_obstacle_h
 #define lamella_contact_obstacle_h
 
+#include <lamella/base/names.h>
+
 #include <deal.II/base/point.h>
 
 #include <optional>
@@ -14,9 +16,14 @@ namespace lamella
    * A rigid body of a simple shape that others may touch: a floor (the half
    * space behind a plane) or a roller (a circular cylinder without ends). It
    * has no DoFs; its motion is prescribed.
+   *
+   * Contact treats it as the second side: it carries no points and no weights,
+   * and a row against it has the body's part alone. A pure description, which a
+   * scene makes and the contacts on it share.
    */
   struct Obstacle
   {
+    /// `undefined` fails an assertion in meet().
     enum class Shape
     {
       undefined,
@@ -24,36 +31,61 @@ namespace lamella
       cylinder
     };
 
+    /// As in `subsection Obstacle NAME`, and in the `Second` of contacts.
     std::string name;
     Shape       shape = Shape::undefined;
-    /// A point of the plane, or of the cylinder's axis.
+    /// A point of the plane, or of the cylinder's axis. Before it moves; scene
+    /// axes.
     dealii::Point<3> point;
     /// The unit normal that points away from the half space, or the unit
     /// direction of the cylinder's axis.
     dealii::Tensor<1, 3> direction;
-    double               radius = 0.;
-    /// At load factor 1.
+    /// Of the cylinder [length]; unused by a plane.
+    double radius = 0.;
+    /// The prescribed translation at load factor 1 [length], scene axes; at
+    /// load factor t it is t times that.
     dealii::Tensor<1, 3> displacement;
   };
 
-  /// Where a ray meets a surface.
+  template <>
+  struct Names<Obstacle::Shape>
+  {
+    static constexpr NameOf<Obstacle::Shape> all[] = {
+      {Obstacle::Shape::plane, "plane"},
+      {Obstacle::Shape::cylinder, "cylinder"}};
+  };
+
+  /// Where a ray meets a surface, with the surface's outward unit normal there.
   struct Hit
   {
     dealii::Point<3>     position;
     dealii::Tensor<1, 3> normal;
-    /// Along the ray, negative behind its origin.
+    /// Along the ray [length], negative behind its origin: the gap, if the ray
+    /// starts at X_1 along n.
     double distance = 0.;
   };
 
-  /// The place nearest to @p x, ahead or behind, where the line x + t d, d a
-  /// unit vector, meets the surface of @p obstacle with d against its outward
-  /// normal.
+  /**
+   * The place nearest to @p x, ahead or behind, where the line x + t d, d a
+   * unit vector, meets the surface of @p obstacle with d against its outward
+   * normal,
+   *   plane:     t = (p - x) . N / (d . N),
+   *   cylinder:  |r + t e| = R, the smaller root t,
+   * with p, N, R the obstacle's point, direction and radius and r, e what x - p
+   * and d have across the axis. So a line enters the obstacle there and never
+   * leaves it.
+   *
+   * Nothing where the line runs along the plane or the axis, leads out of the
+   * half space, or passes the cylinder by. The obstacle is where it stands
+   * before it moves.
+   */
   std::optional<Hit>
   meet(const Obstacle             &obstacle,
        const dealii::Point<3>     &x,
        const dealii::Tensor<1, 3> &d);
 
-  /// Whether @p x is in @p obstacle.
+  /// Whether @p x lies inside of @p obstacle, not on its surface, before it
+  /// moves.
   bool
   contains(const Obstacle &obstacle, const dealii::Point<3> &x);
 } // namespace lamella

@@ -11,18 +11,29 @@
 namespace lamella
 {
   /**
-   * What the rows of a contact were made from on one side of it: row r is
+   * The geometry of the gap rows on one side of a contact, free of any
+   * discretisation of the body: row r is
    *   sum_k w_rk . u(X_k)
-   * over the places X_k, for whatever displacement field u the body has. So the
-   * same body in another discretisation can be given the same gaps, and be
-   * loaded with the same contact forces (rows_on()).
+   * over the places X_k, for whatever displacement field u the body has. A gap
+   * function needs no more of a body than that; B of the DoFs is W times the
+   * displacement rows of Body::rows(). So the same body in another
+   * discretisation can be given the same gaps, and be loaded with the same
+   * contact forces (rows_on()).
+   *
+   * For pairs of points a row has one place and its weight is -n on First or n
+   * on Second; for weighted gaps the places are the trace nodes of the facets
+   * around, and the weights 1/A_i int phi_i psi_k n dA, psi_k the trace
+   * functions.
    */
   struct RowGeometry
   {
+    /// Of one row: pairs of k and w_rk (no unit, scene axes).
     using Weights = std::vector<std::pair<unsigned int, dealii::Tensor<1, 3>>>;
 
+    /// The X_k, in cells of the body that the contact was made from.
     std::vector<Location> places;
-    /// Of each row, by numbers of places.
+    /// Of each row, by numbers of places. As many as rows, in their order; none
+    /// on an obstacle's side.
     std::vector<Weights> weights;
   };
 } // namespace lamella

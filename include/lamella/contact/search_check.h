@@ -16,17 +16,34 @@ namespace lamella
    * the reach have a part of their area only. So for each state the rows are
    * made again with as much more reach as bodies have moved, and must not touch
    * where those of the contact are missing.
+   *
+   * One for each contact, kept through the load steps. The rows with more reach
+   * cost another search, but only where displacements grow beyond what has been
+   * looked at. Without a Search distance of the user's own there is nothing to
+   * check.
    */
   class SearchCheck
   {
   public:
-    /// What is referred to stays where it is while the object lives.
+    /// Refers to both, which stay where they are while the object lives.
+    /// Nothing is searched yet.
     SearchCheck(const ContactPair &contact, const Bodies &bodies);
 
-    /// Throws NumericsError if a place that @p interface, the contact's own,
-    /// has no row for, or one with a part of its area, has come to touch in the
-    /// state @p u at load factor @p factor; @p active are the rows that touch,
-    /// numbered from 0. The message gives the Search distance to take.
+    /**
+     * Throws NumericsError if a place that @p interface, the contact's own,
+     * has no row for, or one with a part of its area, has come to touch in the
+     * state @p u at load factor @p factor; @p active are the rows that touch,
+     * numbered from 0. The message gives the Search distance to take.
+     * How far is looked in addition: 2 sqrt(3) times the largest component of
+     * @p u, since two surfaces come nearer by no more than both move, and what
+     * the obstacle has moved; at most automatic_search_distance(). A place has
+     * come to touch if the gap that its full row would have is negative by more
+     * than 1e-9 of the displacements, or if its part of a row is in @p active,
+     * which is ascending.
+     *
+     * Bodies whose surfaces do not suit each other within the longer reach are
+     * let pass. Done on every process alike.
+     */
     void
     check(const ContactInterface          &interface,
           const BlockVector               &u,
@@ -38,17 +55,22 @@ namespace lamella
     /// with a part of its area, if it has any.
     struct Unseen
     {
-      GapRow                      row;
-      dealii::Point<3>            position;
+      /// With its whole area, within the longer reach.
+      GapRow           row;
+      dealii::Point<3> position;
+      /// Number of the contact's own row, if it has one with less of its area.
       std::optional<unsigned int> seen;
     };
 
+    /// Fills `unseen` from the rows within @p new_reach; the points stay on the
+    /// side that carries them in @p interface.
     void
     look_within(const double new_reach, const ContactInterface &interface);
 
     const ContactPair &contact;
     const Bodies      &bodies;
-    /// How far unseen places have been looked for.
+    /// How far unseen places have been looked for. [length]; 0 before the first
+    /// look. It only grows.
     double              reach = 0.;
     std::vector<Unseen> unseen;
   };

@@ -12,10 +12,13 @@
 
 namespace lamella
 {
-  /// The corners of a convex polygon, counterclockwise.
+  /// The corners of a polygon in a chord plane [length], counterclockwise;
+  /// convex in all that follows. Empty: nothing.
   using Polygon = std::vector<dealii::Point<2>>;
 
-  /// Its area; negative if the corners run clockwise.
+  /// Its area, 0 of fewer than three corners; negative if the corners run
+  /// clockwise. A fan of triangles from the first corner, so digits are those
+  /// of the polygon and not of its distance to the origin.
   double
   area(const Polygon &polygon);
 
@@ -24,41 +27,57 @@ namespace lamella
   centroid(const Polygon &polygon);
 
   /// The part of @p polygon inside of @p window, both convex and
-  /// counterclockwise (Sutherland and Hodgman).
+  /// counterclockwise (Sutherland and Hodgman). Empty if they have nothing in
+  /// common. At most as many corners as both have together.
   Polygon
   clipped(const Polygon &polygon, const Polygon &window);
 
-  /// A rule on the triangle (0, 0), (1, 0), (0, 1) that integrates polynomials
-  /// of @p degree exactly; all weights are positive.
+  /**
+   * A rule on the triangle (0, 0), (1, 0), (0, 1) that integrates polynomials
+   * of @p degree exactly; all weights are positive. Weights sum to 1/2. Rules
+   * of Witherden and Vincent up to degree 13, above it Gauss points of the
+   * square collapsed onto the triangle. Each is made once and kept; the list of
+   * them is not guarded against several threads.
+   */
   const dealii::Quadrature<2> &
   triangle_rule(const unsigned int degree);
 
   /**
    * A quadrilateral piece of a surface, in the plane of its chords, with axes
    * along its first side and across.
+   *
+   * The plane through the first corner along both diagonals, in which mortar
+   * segments are cut: straight sides make polygons of what are curved patches.
    */
   struct ChordPlane
   {
     /// @p corners at (0, 0), (1, 0), (0, 1), (1, 1) of a facet or of a part of
-    /// it; @p outward tells the side that the normal is to look to.
+    /// it; @p outward tells the side that the normal is to look to. The piece
+    /// must not be degenerate: its diagonals span the plane.
     ChordPlane(const std::array<dealii::Point<3>, 4> &corners,
                const dealii::Tensor<1, 3>            &outward);
 
-    /// The place of @p x in the plane, moved along @p direction.
+    /// The place of @p x in the plane, moved along @p direction. Coordinates
+    /// along e1 and e2 from the origin [length]. @p direction must not lie in
+    /// the plane; its length does not matter.
     dealii::Point<2>
     project(const dealii::Point<3>     &x,
             const dealii::Tensor<1, 3> &direction) const;
 
+    /// The first corner; an orthonormal right-handed frame with the normal
+    /// outwards. Scene axes.
     dealii::Point<3>     origin;
     dealii::Tensor<1, 3> e1, e2, normal;
-    Polygon              outline;
-    double               area = 0.;
+    /// The corners projected along the normal, and the area of that [length^2].
+    Polygon outline;
+    double  area = 0.;
   };
 
   /// What a piece of a surface and one facet of another have in common, in the
-  /// piece's chord plane.
+  /// piece's chord plane. A mortar segment: on it no integrand has a kink.
   struct Segment
   {
+    /// Of the other surface; polygon and area [length^2] in the chord plane.
     unsigned int facet = 0;
     Polygon      polygon;
     double       area = 0.;
@@ -68,6 +87,10 @@ namespace lamella
    * Cuts the piece @p plane with the facets of @p other that lie within
    * @p reach, projected along @p direction (the averaged normal in the middle
    * of the piece). Slivers below 1e-11 of the piece's area are left out.
+   *
+   * Facets that are seen from the side, their normal within a cosine of 0.1 of
+   * square to @p direction or turned away, are left out as well. Segments of
+   * facets that lie behind each other overlap. By ascending facets.
    */
   std::vector<Segment>
   cut(const ChordPlane           &plane,

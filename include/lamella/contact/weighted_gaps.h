@@ -25,6 +25,28 @@ namespace lamella
    * each cell is cut into segments with the facets opposite, in its chord
    * plane, and these into triangles with Gauss points: exact to rounding where
    * both sides are flat.
+   *
+   * The weights of a row are the mortar integrals
+   *   w_j = 1/A_i int phi_i psi_j n dA,   v_k = 1/A_i int phi_i chi_k n dA
+   * with psi_j and chi_k the trace functions of the carrying and the opposing
+   * side, so B u is exact for whatever both expansions can do, and the two sum
+   * to the same mean normal: action and reaction balance.
+   *
+   * - A segment faces the other side as a whole or not at all, as its centroid
+   *   does within the reach. Of facets opposite that lie behind each other the
+   *   nearest counts.
+   * - Points behind the other side by more than the cells are deep are left out
+   *   and returned in Gaps::too_deep.
+   * - A node whose hat function meets the other side on less than 1e-12 of its
+   *   own integral is unpaired.
+   * - Hats are those of a continuous space: that of a hanging node is shared
+   *   out in halves to the nodes that it hangs between, and has no row.
+   * - Against an obstacle there are no kinks: Gauss points on the cells
+   *   themselves, two degrees higher, and no opposing weights.
+   *
+   * Rows are in the order of the carrying side's grid nodes. The cost is that
+   * of the Gauss points, each of which is carried along n to the other side by
+   * a fixed point iteration: 2401 rows with some 10^5 points took 0.25 s.
    */
   Gaps
   weighted_gaps(const Sides &sides);

@@ -13,11 +13,13 @@
 
 namespace lamella
 {
-  /// A contact as CalculiX understands it: it integrates over the faces of the
-  /// slave.
+  /// A contact as CalculiX understands it, surface to surface: it integrates
+  /// over the faces of the slave what separates them from the master.
   struct CalculixContact
   {
-    std::string   name;
+    /// The scene's.
+    std::string name;
+    /// Faces of bodies, or the master's of an obstacle's layer.
     CalculixFaces slave, master;
     /// Whether the slave is the scene's second side.
     bool slave_is_second = false;
@@ -39,32 +41,43 @@ namespace lamella
    * For a slender body, whose smallest extension d is below a tenth of its
    * largest one L, it is 10 d / L times that: it gives way by bending far more
    * than where it is touched, and CalculiX' iterations on a contact much
-   * stiffer than the body end in wrong states (doc/calculix.md).
+   * stiffer than the body end in wrong states (doc/calculix.md). It is a
+   * penalty per area, eps_N of Eq. 20, a force over length^3.
+   *
+   * The slave, over whose faces CalculiX integrates, is the side that
+   * `Points on` names, else the one with the smaller faces in the mean, of
+   * equal ones the first; against an obstacle always the body. Refers to the
+   * scene; numbers of obstacles' nodes and elements follow those of the mesh.
    */
   class CalculixContacts
   {
   public:
-    /// Throws InputError for Overclosure = adjust and for surfaces that face
-    /// nothing of an obstacle.
+    /// @p stiffness replaces the automatic K of all contacts. Throws InputError
+    /// for Overclosure = adjust, for surfaces that bodies do not have and for
+    /// those that face nothing of an obstacle within the search distance.
     CalculixContacts(const Scene                 &scene,
                      const CalculixMesh          &mesh,
                      const std::optional<double> &stiffness);
 
+    /// In the order of the scene.
     const std::vector<CalculixContact> &
     contacts() const
     {
       return list;
     }
 
-    /// CONTACT1_SLAVE, CONTACT1_MASTER, ...
+    /// The name of a surface of contact @p k, from 0: CONTACT1_SLAVE,
+    /// CONTACT1_MASTER, ...
     static std::string
     surface_name(const unsigned int k, const bool slave);
 
-    /// Layers of obstacles, surfaces, laws and pairs.
+    /// Layers of obstacles, surfaces, laws and pairs: what stands before the
+    /// first step.
     void
     write_model(std::ostream &deck) const;
 
-    /// The motion of the obstacles in the load step of @p factor.
+    /// The motion of the obstacles in the load step of @p factor: all nodes of
+    /// their layers are moved by it times their displacement.
     void
     write_step(std::ostream &deck, const double factor) const;
 
@@ -74,12 +87,16 @@ namespace lamella
     write_output(std::ostream &deck) const;
 
   private:
+    /// Adds the scene's contact @p k with its automatic K.
     void
     add(const unsigned int k, const CalculixMesh &mesh);
+    /// Nodes, elements and a material, which does not matter, of the obstacle
+    /// of contact @p k: the sets OBSTACLE1, ...
     void
     write_layer(std::ostream &deck, const unsigned int k) const;
 
-    const Scene                 &scene;
+    const Scene &scene;
+    /// contacts().
     std::vector<CalculixContact> list;
     /// The next free numbers.
     unsigned int next_node, next_element;

@@ -13,12 +13,16 @@
 namespace lamella
 {
   /// A layer of 20-node hexahedra along a part of an obstacle's surface, which
-  /// is face 2 (CalculiX') of each. Nodes are numbered from 0.
+  /// is face 2 (CalculiX') of each: a rigid surface for a program that knows
+  /// contact between elements only. Nodes are numbered from 0.
   struct ObstacleLayer
   {
-    std::vector<dealii::Point<3>>          nodes;
+    /// Positions in the scene's axes.
+    std::vector<dealii::Point<3>> nodes;
+    /// Twenty nodes each, in CalculiX' order.
     std::vector<std::vector<unsigned int>> elements;
-    dealii::Tensor<1, 3>                   displacement;
+    /// The obstacle's at load factor 1, of all nodes alike.
+    dealii::Tensor<1, 3> displacement;
   };
 
   /**
@@ -26,8 +30,12 @@ namespace lamella
    * and a margin: a twentieth of its extension on all sides, and as far as the
    * obstacle moves along itself.
    *
-   * Around a cylinder each element spans 2 degrees at most. The parabola
-   * through its three nodes is off the circle by less than 1e-8 radii.
+   * Along a plane there are 8 x 8 elements, a tenth of the larger extension
+   * deep. Around a cylinder each element spans 2 degrees at most, is about ten
+   * times as long as wide and a tenth of the radius deep. The parabola through
+   * its three nodes is off the circle by less than 1e-8 radii.
+   *
+   * @p facing must not be empty; of it only the extension is kept.
    */
   ObstacleLayer
   make_layer(const Obstacle                      &obstacle,

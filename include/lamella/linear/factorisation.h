@@ -9,15 +9,20 @@
 namespace lamella
 {
   /// A factorisation that broke down at the DoF @p dof (of the matrix, not in
-  /// the order of elimination).
+  /// the order of elimination). Who knows what a DoF is says where in the body
+  /// that is (Body::make_solver()). Its usual causes are a rigid motion that
+  /// nothing holds, and a slenderness or a ratio of stiffnesses that double
+  /// precision cannot hold.
   class NotPositiveDefinite : public NumericsError
   {
   public:
+    /// @p message for the user, as of any NumericsError.
     NotPositiveDefinite(const std::string &message, const DofIndex dof)
       : NumericsError(message)
       , dof(dof)
     {}
 
+    /// The first DoF, in the order of elimination, whose pivot is not positive.
     const DofIndex dof;
   };
 
@@ -30,6 +35,12 @@ namespace lamella
    *
    * Throws NumericsError if a pivot is not positive; @p what then names the
    * matrix in the message.
+   *
+   * The matrix is copied (exact zeros left out, which would only cause fill)
+   * and may go afterwards. @p monitor is called between the symbolic analysis
+   * and the factorisation; what it throws passes through, with all memory
+   * freed. Also throws NumericsError if the factor does not fit in memory.
+   * Serial: other processes need not take part.
    */
   std::unique_ptr<LinearSolver>
   factorise(const Matrix        &matrix,
@@ -38,9 +49,10 @@ namespace lamella
 
   /// Entries of the upper triangle of a symmetric matrix, rows and columns
   /// counted from 1 as MUMPS does. Those of one place add up, those of all
-  /// processes, too.
+  /// processes, too. 16 bytes an entry, MUMPS's coordinate format.
   struct UpperTriangle
   {
+    /// Entry k is values[k] at (rows[k], columns[k]), columns[k] >= rows[k].
     std::vector<int>    rows, columns;
     std::vector<double> values;
 
@@ -59,7 +71,9 @@ namespace lamella
 
   /**
    * A matrix of which only the values change: analysed once for its places,
-   * factorised as often as one likes. Otherwise as factorise_shared().
+   * factorised as often as one likes. Otherwise as factorise_shared(). For
+   * Newton's method of the `full` strategy, whose K + K^p (Eq. 22) keeps its
+   * places while contact opens and closes.
    */
   class RepeatedFactorisation
   {
@@ -68,16 +82,20 @@ namespace lamella
 
     /// Factorises the matrix with the values @p values in the places that it
     /// was made for, in their order. Throws NumericsError as factorise() does.
+    /// As many as the pattern has entries on this process. Collective.
     virtual void
     factorise(std::vector<double> values) = 0;
 
-    /// x = A^-1 x of the last factorisation.
+    /// x = A^-1 x of the last factorisation. Whole vectors, the same on all
+    /// processes. Collective.
     virtual void
     solve(Vector &x) const = 0;
   };
 
   /// For the matrix of @p n rows in the places of @p pattern, whose values are
-  /// not looked at; @p what names it in messages.
+  /// not looked at; @p what names it in messages. It must have as many of them
+  /// as places, though. Collective; each process hands over its part. Throws
+  /// NumericsError if the analysis fails.
   std::unique_ptr<RepeatedFactorisation>
   analyse_shared(const DofIndex     n,
                  UpperTriangle      pattern,
@@ -93,6 +111,12 @@ namespace lamella
    * at a time, which contact has many of; so MUMPS is called itself.
    *
    * Throws NumericsError as factorise() does.
+   *
+   * Each process hands over the entries it has and keeps none of them: they are
+   * freed once the factor is there. The ordering is minimum degree, and nested
+   * dissection where that would leave much fill (doc/running-in-parallel.md).
+   * Entries that are no finite numbers throw NumericsError before MUMPS sees
+   * them. There is no condition estimate. Its solved rows are RowProducts.
    */
   std::unique_ptr<LinearSolver>
   factorise_shared(const DofIndex       n,

@@ -15,49 +15,71 @@ namespace lamella
    * same rows: supernode s has the columns column[s] to column[s+1] and the
    * rows row[first_row[s]] to row[first_row[s+1]], of which the first are its
    * columns; its entries begin at entry[first_entry[s]], column by column. The
-   * layout is CHOLMOD's; all is referred to.
+   * layout is CHOLMOD's; all is referred to. A view without ownership: the
+   * factor must outlive it and not change.
    */
   struct SupernodalFactor
   {
+    /// Rows of L, and the number of supernodes; see above for the arrays, which
+    /// have n_supernodes + 1 entries (column, first_row, first_entry).
     std::size_t         n = 0, n_supernodes = 0;
     const std::int64_t *column = nullptr, *first_row = nullptr,
                        *first_entry = nullptr, *row = nullptr;
+    /// The dense blocks of all supernodes, each with as many rows as the
+    /// supernode and stored by columns, so that LAPACK and the BLAS take them
+    /// as they are.
     const double *entry = nullptr;
     /// Row i of P A P^T is row permutation[i] of A.
     const std::int64_t *permutation = nullptr;
   };
 
   /**
-   * Rows b_k half solved, the columns of Y = L^-1 P B^T, with
-   * B A^-1 B^T = Y^T Y.
+   * Rows b_k half solved, the columns of Y = L^-1 P B^T, with B A^-1 B^T = Y^T
+   * Y.
    *
    * A row names a few DoFs, so its column vanishes outside of the supernodes
    * that these DoFs belong to and their ancestors in the elimination tree (the
    * parent of a supernode has its first row below the columns; Gilbert 1994).
    * Only those are computed and kept: per supernode a dense block of all
    * columns that pass through it.
+   *
+   *   A^-1 = P^T L^-T L^-1 P, so b_i A^-1 b_j = (L^-1 P b_i) . (L^-1 P b_j):
+   *
+   * one half of the solution is enough for all products, and it is the half in
+   * which a sparse row stays sparse. Supernodes are eliminated from the leaves
+   * up for all new columns together, by LAPACK's trtrs and the BLAS's gemm.
+   * Memory is 8 bytes for each row of a supernode and column that passes
+   * through it; the root block is common to all columns, the leaves to next to
+   * none.
    */
   class HalfSolvedRows
   {
   public:
+    /// What @p factor points to must outlive this object.
     explicit HalfSolvedRows(const SupernodalFactor &factor);
 
-    /// Half solves @p rows, all at once: the more, the faster a row.
+    /// Half solves @p rows, all at once: the more, the faster a row. Weights of
+    /// one DoF that come several times add up; constants are ignored.
     void
     append(const std::vector<Row> &rows);
 
+    /// The number m of columns of Y.
     unsigned int
     size() const
     {
       return n_columns;
     }
 
-    /// y_i . y_j of the columns i from @p first on with all j, at
-    /// [j * (size() - first) + i - first].
+    /// y_i . y_j of the columns i from @p first on with all j, at [j * (size()
+    /// - first) + i - first]. (m - first) x m numbers, column by column: m (m -
+    /// first) times the mean length of the columns that meet, done as dense
+    /// products per supernode.
     std::vector<double>
     products(const unsigned int first) const;
 
-    /// Y @p lambda, all columns, in the order of L.
+    /// Y @p lambda, all columns, in the order of L. P^T L^-T of it is A^-1 B^T
+    /// lambda: the backward half that the caller does once for all rows.
+    /// @p lambda has one number per column; zeros are skipped.
     Vector
     combination(const std::vector<double> &lambda) const;
 
@@ -71,6 +93,7 @@ namespace lamella
       std::vector<double> values;
     };
 
+    /// The number of columns of @p supernode.
     std::size_t
     width(const std::size_t supernode) const
     {
@@ -90,10 +113,14 @@ namespace lamella
     void
     eliminate(const std::size_t supernode);
 
-    SupernodalFactor                factor;
-    std::vector<std::size_t>        position, supernode_of;
+    /// Then the place of each row of A in L, and the supernode of each column
+    /// of L.
+    SupernodalFactor         factor;
+    std::vector<std::size_t> position, supernode_of;
+    /// Of each supernode, one per call of append() that passed through it.
     std::vector<std::vector<Block>> blocks;
-    unsigned int                    n_columns = 0;
+    /// Columns of Y so far.
+    unsigned int n_columns = 0;
   };
 } // namespace lamella
 

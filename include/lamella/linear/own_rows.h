@@ -20,6 +20,11 @@ namespace lamella
    * process keeps: a number, a vector of numbers and a pointer to as many
    * values, which lives as long as the call. (deal.II's iterators copy a row
    * for each entry.)
+   *
+   * Columns are numbered as in the whole matrix, and come in the order in which
+   * Trilinos keeps them: not sorted. The matrix must be compressed. Nothing is
+   * communicated, so processes may call it or not; together they see each row
+   * once.
    */
   template <typename Use>
   void

@@ -3,6 +3,7 @@
 #ifndef lamella_material_library_h
 #define lamella_material_library_h
 
+#include <lamella/base/entry.h>
 #include <lamella/base/units.h>
 #include <lamella/material/material.h>
 
@@ -11,19 +12,24 @@
 
 namespace lamella
 {
-  /// The names of the built-in materials.
+  /// The names of the built-in materials. In the order of the library, for
+  /// messages and the documentation.
   std::vector<std::string>
   library_materials();
 
   /**
-   * The built-in material @p name in the stresses of
-   * @p units: those of the paper's Tables 3 (IM7-8552) and 7
-   * (glass-polyester), of its sandwich core (foam-35) and of its half-cylinders
-   * (hertz-200, whose modulus has no unit and is not converted).
-   * Throws InputError with the nearest name if there is none.
+   * The built-in material @p name in the stresses of @p units: those of the
+   * paper's Tables 3 (IM7-8552) and 7 (glass-polyester), of its sandwich core
+   * (foam-35) and of its half-cylinders (hertz-200, whose modulus has no unit
+   * and is not converted). Throws InputError with the nearest name if there is
+   * none; the second form takes the name from an entry and says which one it
+   * is. Moduli are multiplied with Units::pascal, ratios stay. Elastic
+   * constants are all that is known of these materials.
    */
   Material
   library_material(const std::string &name, const Units &units);
+  Material
+  library_material(const Entry &entry, const Units &units);
 } // namespace lamella
 
 #endif

@@ -19,35 +19,45 @@ namespace lamella
 {
   /// The strengths of an orthotropic material in its own axes, all positive,
   /// stresses in the units of the scene: tension (t) and compression (c) along
-  /// 1, 2 and 3 as X, Y and Z, and shear.
+  /// 1, 2 and 3 as X, Y and Z, and shear. What a failure criterion compares
+  /// stresses in ply axes with. Xc is the size of the compressive strength and
+  /// so positive, too. No entry of a scene sets them as yet.
   struct Strengths
   {
+    /// Tension and compression along 1, 2 and 3 [force/length^2].
     double Xt = 0., Xc = 0., Yt = 0., Yc = 0., Zt = 0., Zc = 0.;
+    /// Shear in the planes 12, 13 and 23 [force/length^2].
     double S12 = 0., S13 = 0., S23 = 0.;
   };
 
   /**
    * A material, in its own axes and the units of the scene: the elastic
-   * constants, which every one has, and what only some scenes ask for.
+   * constants, which every one has, and what only some scenes ask for. What is
+   * optional is empty where nobody has said it, and never a default that
+   * somebody might mistake for a measurement. Materials are plain values,
+   * copied into each ply that is made of them.
    */
   struct Material
   {
     Material() = default;
 
-    /// One of which nothing but its elasticity is known.
+    /// One of which nothing but its elasticity is known. Implicit on purpose:
+    /// such constants are a material.
     Material(const EngineeringConstants &elastic)
       : elastic(elastic)
     {}
 
+    /// Zero, and so no material, until set.
     EngineeringConstants elastic;
-    /// Mass per volume.
+    /// Mass per volume. No entry of a scene sets it as yet.
     std::optional<double> density;
-    /// alpha_1, alpha_2, alpha_3: strain per kelvin.
+    /// alpha_1, alpha_2, alpha_3: strain per kelvin. In the material's own
+    /// axes. No entry of a scene sets them as yet.
     std::optional<dealii::Tensor<1, 3>> expansion;
     std::optional<Strengths>            strengths;
   };
 
-  /// Name in the scene -> material.
+  /// Name in the scene -> material. Sorted by name.
   using Materials = std::map<std::string, Material>;
 
   /**
@@ -55,37 +65,51 @@ namespace lamella
    * nothing causes but the material itself: heat, cure). Everything that turns
    * strains into stresses asks one of these, so that no stress, force or energy
    * forgets what another remembers.
+   *
+   *   sigma = C (epsilon - epsilon_0)
+   *   W     = 1/2 (epsilon - epsilon_0) . C (epsilon - epsilon_0)
+   *
+   * so that sigma = dW/depsilon. Strains are Voigt vectors with engineering
+   * shear strains (Eq. 4), and C is symmetric positive definite. The part -C
+   * epsilon_0 is what makes stress rows affine (Row::constant()) and what loads
+   * a body without any force from outside. 42 numbers, copied freely.
    */
   class ElasticLaw
   {
   public:
-    /// C and epsilon_0 in the same axes.
+    /// C and epsilon_0 in the same axes. Of a section these are the body's axes
+    /// (Ply::stiffness()). Nothing is checked.
     explicit ElasticLaw(const ElasticTensor &stiffness,
                         const Voigt         &initial_strain = Voigt())
       : C(stiffness)
       , initial(initial_strain)
     {}
 
+    /// C, 6 x 6 [force/length^2].
     const ElasticTensor &
     stiffness() const
     {
       return C;
     }
 
+    /// epsilon_0; zero if nothing strains the material but stress.
     const Voigt &
     initial_strain() const
     {
       return initial;
     }
 
-    /// C (@p strain - epsilon_0).
+    /// C (@p strain - epsilon_0). @p strain is the whole strain D u (Eq. 5), in
+    /// the law's axes; the result is in the same axes and in the order of Eq. 4
+    /// [force/length^2].
     Voigt
     stress(const Voigt &strain) const
     {
       return C * (strain - initial);
     }
 
-    /// (@p strain - epsilon_0) . C (@p strain - epsilon_0) / 2.
+    /// (@p strain - epsilon_0) . C (@p strain - epsilon_0) / 2. Energy per
+    /// volume [force/length^2]: zero where the strain is the initial one.
     double
     energy_density(const Voigt &strain) const
     {
@@ -93,6 +117,7 @@ namespace lamella
     }
 
   private:
+    /// In the same axes as the initial strain.
     ElasticTensor C;
     Voigt         initial;
   };

@@ -3,31 +3,30 @@
 #ifndef lamella_material_parameters_h
 #define lamella_material_parameters_h
 
+#include <lamella/base/entry.h>
 #include <lamella/base/units.h>
 #include <lamella/material/material.h>
 
 #include <deal.II/base/parameter_handler.h>
 
-#include <string>
-
 namespace lamella
 {
-  /// The entries of a `subsection Material NAME`.
+  /// The entries of a `subsection Material NAME`. `Library`, `Engineering
+  /// constants` (nine) or `Isotropic` (E, nu), one of the three; moduli in the
+  /// scene's unit of stress.
   struct MaterialParameters
   {
-    std::string library, engineering_constants, isotropic;
-
+    /// Declares them in the subsection that @p prm is in.
     static void
     declare(dealii::ParameterHandler &prm);
 
-    static MaterialParameters
-    parse(const dealii::ParameterHandler &prm);
-
-    /// The material in the stresses of @p units. Throws InputError, beginning
-    /// with @p what (`Material NAME`), unless exactly one entry is given and
-    /// the constants are positive definite.
-    Material
-    material(const Units &units, const std::string &what) const;
+    /// The material in the stresses of @p units. Throws InputError unless
+    /// exactly one entry is given and the constants are positive definite. It
+    /// also refuses a material of the library, whose constants have units, in a
+    /// scene without units, but for hertz-200; nu outside of (-1, 1/2); and any
+    /// number of constants but nine or two.
+    static Material
+    parse(const Entries &in, const Units &units);
   };
 } // namespace lamella
 

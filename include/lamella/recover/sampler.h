@@ -15,42 +15,62 @@ namespace lamella
    * The fields of a state where the scene asks for them: at probes, along lines
    * and over cuts. Construction locates all of these, so that one outside of
    * its body is an error before anything is solved.
+   *
+   * Lines are cut into pieces of one ply each; the places where they enter and
+   * leave a ply are sampled on either side, so transverse stresses can be
+   * compared across interfaces. A line that runs in an interface is sampled in
+   * the lower ply first and then in the upper one. Every process does all of
+   * it.
    */
   class Sampler
   {
   public:
-    /// All are referred to. Throws InputError for places outside of a body.
+    /// All four are referred to and have to live longer. Throws InputError for
+    /// a probe or a line's end outside of its body, and for a cut that its axis
+    /// does not reach; the message names the entry.
     Sampler(const Bodies             &bodies,
             const std::vector<Probe> &probes,
             const std::vector<Line>  &lines,
             const std::vector<Cut>   &cuts);
 
-    /// Fills the probes, lines, cuts and jumps of @p results for the
-    /// displacements @p u.
+    /**
+     * Fills the probes, lines, cuts and jumps of @p results for the
+     * displacements @p u.
+     * @p u has a block for each body. Of each probe a row a ply, of each line
+     * rows along its pieces with the InterfaceJump, of each cut the grids of
+     * its cells. @p results must not have any of these yet: rows are appended.
+     * Recoveries are made anew for each state, one for each body and kind.
+     */
     void
     sample(const BlockVector &u, StepResults &results) const;
 
   private:
-    /// A sample of a line and its arc length.
+    /// A sample of a line and its arc length from the start [length].
     struct LinePlace
     {
       double   s;
       Location location;
     };
 
+    /// In each ply that the line crosses Line::samples places, equally spaced,
+    /// both ends among them. Throws InputError for places outside of the body.
     std::vector<LinePlace>
     places_of(const Line &line) const;
+    /// Throws InputError if the body has no section there.
     void
     check_cut(const Cut &cut) const;
 
     /// The recoveries of one state, by body and kind.
     class Recoveries;
+    /// The row of a table for @p location, its fields by @p recovery.
     FieldRow
     row_at(const unsigned int body,
            const Location    &location,
            StressRecovery    &recovery) const;
     std::vector<LineRow>
     line_rows(const unsigned int line, Recoveries &recoveries) const;
+    /// The elements' own fields, replaced by the recovery's where the cut asks
+    /// for them.
     std::vector<CutRow>
     cut_rows(const Cut         &cut,
              const BlockVector &u,
@@ -61,11 +81,22 @@ namespace lamella
     const std::vector<Line>  &lines;
     const std::vector<Cut>   &cuts;
 
+    /// Of each probe its location in each ply; of each line its places, in
+    /// order.
     std::vector<std::vector<Location>>  probe_locations;
     std::vector<std::vector<LinePlace>> line_places;
   };
 
-  /// What @p rows, of a line in the direction @p d, meet at ply interfaces.
+  /**
+   * What @p rows, of a line in the direction @p d, meet at ply interfaces:
+   * wherever two rows that follow each other have the same arc length and
+   * different plies, the traction t = sigma . d on either side is compared,
+   *   relative = max |t_upper - t_lower| / max |t|,
+   * the second maximum over the whole line. Equilibrium makes it vanish where
+   * the line is normal to the plies, so it is an error estimate of transverse
+   * stresses. 0 where the tractions are below 1e-9 of the stresses. The length
+   * of @p d does not matter.
+   */
   InterfaceJump
   interface_jump(const std::vector<LineRow> &rows,
                  const dealii::Tensor<1, 3> &d);

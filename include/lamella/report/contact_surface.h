@@ -14,27 +14,32 @@
 namespace lamella
 {
   /**
-   * The mesh that the points of a contact form: where those of the side that
-   * carries them lie on a grid on a face of an element, as nodes of a Lagrange
-   * body and grids of Taylor bodies do, neighbours span quadrilaterals. Points
-   * in none (with no paired neighbours) stand alone.
+   * The mesh that the points of a contact form: the cells of the grids of the
+   * carrying side's facets (SurfaceTopology) that have points at all four
+   * corners. Points in none (with no paired neighbours) stand alone. Where
+   * several points share a grid node, as at an edge on which each side keeps
+   * its own normal, a facet takes the one whose normal is most like its own.
+   *
+   * It is a picture only, and nothing is computed from it. The neighbours are
+   * searched for once, the surface is drawn in each load step.
    */
   class ContactSurface
   {
   public:
     using Quadrilateral = std::array<unsigned int, 4>;
 
-    /// Both are referred to.
+    /// Both are referred to and must outlive it; the bodies of @p structure are
+    /// those that @p contact was made on.
     ContactSurface(const ContactInterface &contact, const Structure &structure);
 
-    /// Numbers of points, corners in a ring.
+    /// Numbers of points in the contact, corners in a ring.
     const std::vector<Quadrilateral> &
     quadrilaterals() const
     {
       return quads;
     }
 
-    /// Points in no quadrilateral.
+    /// Numbers of the points in no quadrilateral.
     const std::vector<unsigned int> &
     lone_points() const
     {
@@ -48,7 +53,9 @@ namespace lamella
      * `status`), and `separation`, the vector to the displaced partner: gap
      * times normal where that is on a rigid obstacle. What is drawn is the
      * contact's @p rows in the load step number @p step and the displacements
-     * @p u there. Numbers are doubles in text. Returns the file's name.
+     * @p u there, of the scene. Numbers are doubles in text. Returns the file's
+     * name without the folder. Throws InputError if it cannot be written. One
+     * process calls it.
      */
     std::string
     write_vtu(const std::string             &directory,
@@ -57,8 +64,9 @@ namespace lamella
               const std::vector<ContactRow> &rows) const;
 
   private:
-    const ContactInterface    &contact;
-    const Structure           &structure;
+    const ContactInterface &contact;
+    const Structure        &structure;
+    /// quadrilaterals() and lone_points().
     std::vector<Quadrilateral> quads;
     std::vector<unsigned int>  alone;
     /// Of the points on the first body, and of those on the second if that

@@ -26,40 +26,56 @@ namespace lamella
    * ended: rows of all tables, VTU files and their collections, the summary,
    * and what it takes to go on from there. Whatever ends the run later leaves
    * the steps before it whole. All functions are called by all processes.
+   *
+   * The order within a step is what makes it safe: pictures, rows of tables,
+   * the summary, and last the restart, which says how long the tables were when
+   * the step was whole. Each file but a table that grows is written beside its
+   * place and renamed into it.
    */
   class ResultsWriter
   {
   public:
-    /// What pictures are made of, beyond results.
+    /// What pictures are made of, beyond results. All of it is referred to and
+    /// must outlive the writer.
     struct Scenery
     {
-      const Structure                     &structure;
+      /// The bodies that are drawn.
+      const Structure &structure;
+      /// In the order of the contacts in Results.
       const std::vector<ContactInterface> &contacts;
+      /// By the name of the section.
       const std::map<std::string, std::shared_ptr<const SectionMesh>> &sections;
       /// The scene as it is run.
       const std::string &resolved;
-      bool               write_vtu = true;
+      /// Whether to write VTU files and their collections.
+      bool write_vtu = true;
     };
 
     /// The results of @p scenery go into the folder @p directory, which is this
-    /// run's from now on. Throws InputError (ResultsFolder).
+    /// run's from now on, as long as the object lives. Throws InputError
+    /// (ResultsFolder).
     ResultsWriter(const std::string &directory, const Scenery &scenery);
 
-    /// The steps that the run in the folder has whole; the tables are cut to
-    /// them. Throws InputError (read_restart()).
+    /// The steps that the run in the folder has whole, as Restart keeps them;
+    /// the tables are cut to them. To be called before any step is written.
+    /// Throws InputError (read_restart()), or if a table has become shorter.
     std::vector<StepResults>
     resume();
 
-    /// Writes the last load step of @p results. Throws InputError if that
-    /// fails; the steps before are whole.
+    /// Writes the last load step of @p results, which must have its rows. With
+    /// the first one come scene.prm, the sections and the tables' headers, and
+    /// what an earlier run left goes. Throws InputError if that fails; the
+    /// steps before are whole.
     void
     write_step(const Results &results);
 
-    /// Writes the summary of @p results at the end of the run; nothing if no
-    /// step was solved.
+    /// Writes the summary of @p results at the end of the run, which must have
+    /// the checks of its last step; nothing if no step was solved. If all
+    /// steps were, the restart becomes a word that says so.
     void
     write_end(const Results &results);
 
+    /// Owned by the writer.
     const ResultsFolder &
     folder() const
     {
@@ -67,15 +83,20 @@ namespace lamella
     }
 
   private:
+    /// Appends the rows of the last step to all tables; of the first step
+    /// writes them anew.
     void
     write_tables(const Results &results);
+    /// The bodies, the contacts' surfaces, and the collections with them.
     void
     write_vtu_files(const StepResults &step);
+    /// The summary and the restart.
     void
     write_standing(const Results &results);
 
-    Scenery                     scenery;
-    ResultsFolder               place;
+    Scenery       scenery;
+    ResultsFolder place;
+    /// Of each contact; none without VTU files.
     std::vector<ContactSurface> surfaces;
     /// What is there so far.
     Restart standing;

@@ -14,7 +14,9 @@ namespace lamella
    * ply (from 1), material and angle, then for its four sides,
    * counter-clockwise, the names of the boundaries that they lie on (empty
    * inside) and their points `x z;x z;...`: both ends, and seven between where
-   * the side is curved.
+   * the side is curved. Lengths are the scene's, in the section's own axes x
+   * (across) and z (up); the angle is that of the fibre, in degrees. Only sides
+   * on the boundary are drawn curved.
    */
   std::string
   section_table(const SectionMesh &section);

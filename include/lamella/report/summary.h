@@ -9,14 +9,11 @@
 
 namespace lamella
 {
-  /// As in a scene file: `node to node`, `penalty`, ...
-  std::string
-  name_of(const Discretisation discretisation);
-  std::string
-  name_of(const Enforcement enforcement);
-
   /// What summary.json says of @p results, keys as fixed in doc/output.md:
-  /// resultants and checks are those of the last load step.
+  /// resultants and checks are those of the last load step, whose checks,
+  /// changes and jumps must be there; warnings are those of all. Without any
+  /// step they are left out. Bytes that are no UTF-8 are replaced. Ends with a
+  /// line feed.
   std::string
   summary_text(const Results &results);
 } // namespace lamella

@@ -14,8 +14,16 @@
 
 namespace lamella
 {
-  /// Prints the ply table of a section called @p name, the laminate's A, B, D
-  /// and the section's EA, EI, GA, k G A and, by @p section, its G J.
+  /**
+   * Prints the ply table of a section called @p name, the laminate's A, B, D
+   * and the section's EA, EI, GA, k G A and, by @p section, its G J: what a
+   * hand calculation of the beam begins with. A, B, D are those of classical
+   * lamination theory about the mid-plane, in the order yy, xx, xy with y along
+   * the beam (force / length, force, force length); EA, EI are of the laminate
+   * free to contract and twist, k G A comes from the equilibrium of the plies.
+   * @p plies are from the bottom, at least one; @p width is the section's.
+   * Entries of A, B, D that are rounding are printed as zero.
+   */
   void
   print_laminate(std::ostream           &out,
                  const std::string      &name,
@@ -24,9 +32,10 @@ namespace lamella
                  const SectionMesh      &section,
                  const Units            &units);
 
-  /// Prints what the section @p name of the kind @p shape amounts to: cells,
-  /// extension, area, second moments, boundaries with their lengths, materials
-  /// with their areas, G J.
+  /// Prints what the section @p name of the kind @p shape (its name) amounts
+  /// to: cells, extension, area, centroid, second moments about it, boundaries
+  /// with their lengths, parts with their materials and areas, and G J by
+  /// Saint-Venant's torsion where that is known. @p units label it.
   void
   print_section(std::ostream      &out,
                 const std::string &name,
@@ -34,7 +43,8 @@ namespace lamella
                 const SectionMesh &section,
                 const Units       &units);
 
-  /// Prints a line a body, a load (what it is in all) and a contact.
+  /// Prints a line a body (theory, DoFs), a load (what it is in all at load
+  /// factor 1) and a contact (pairs that may touch, nodes without a partner).
   void
   print_bodies(std::ostream                        &out,
                const Structure                     &structure,

@@ -17,11 +17,14 @@ namespace lamella
    * axis element, positions displaced by u (so do not warp again; subtract
    * `displacement` for the undeformed scene), strains and stresses
    * discontinuous between elements and so per ply, the ply's number (from 1 at
-   * the bottom), the fibre direction, the body's number. Returns the file's
-   * name. Values in a VTU are single precision: pictures, not numbers.
+   * the bottom), the fibre direction, the body's number (from 1). Returns the
+   * file's name without the folder. Values in a VTU are single precision:
+   * pictures, not numbers. Cells are of the degree of the body's expansion, 4
+   * at most; @p factor is the time and @p step the cycle that ParaView shows.
    *
    * Several processes write solution_STEP.PROCESS.vtu each, of their elements,
-   * and solution_STEP.pvtu for all of them.
+   * and solution_STEP.pvtu for all of them, whose name is returned: all call
+   * this. Throws InputError, on all, if one cannot write.
    */
   std::string
   write_vtu(const std::string &directory,
@@ -30,8 +33,9 @@ namespace lamella
             const Structure   &structure,
             const BlockVector &u);
 
-  /// Writes @p name.pvd, the collection of (load step, file) for ParaView, if
-  /// there are @p files.
+  /// Writes @p name.pvd into @p directory, the collection of (load step, file)
+  /// for ParaView, if there are @p files; one of the same name is replaced.
+  /// Throws InputError if it cannot. One process calls it.
   void
   write_pvd(const std::string                                 &directory,
             const std::string                                 &name,

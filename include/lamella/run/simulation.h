@@ -4,6 +4,11 @@
 // driver, Simulation, in which the main loop is, and the command line. All work
 // is done by the rooms below, in the order that stands here; the driver never
 // does mechanics of its own.
+//
+// Where to start reading: Simulation::solve() and what it calls, in
+// source/run/simulation.cc, is the whole program in a page: build, factorise,
+// and for each load step the linear solution, contact on top of it, checks,
+// results.
 
 #ifndef lamella_run_simulation_h
 #define lamella_run_simulation_h
@@ -24,29 +29,49 @@
 
 namespace lamella
 {
-  /// The main loop: from a scene to its results.
+  /**
+   * The main loop: from a scene to its results. For each load factor t in turn
+   *   1. the linear solution without contact (ContactSolver::solve_free()),
+   *   2. contact on top of it, from the active rows of the step before, and the
+   *      release of stabilising springs,
+   *   3. checks, which end the run if the state is not to be trusted, or if a
+   *      contact's search distance was too short,
+   *   4. fields at probes, lines and cuts.
+   * Kinematics is linear and contact without friction or memory, so a step
+   * depends on the one before by its start only, not by its result.
+   *
+   * Owns all that is built of the scene, and the results. On several processes
+   * each builds and holds all of it and calls the same functions; who does not
+   * speak for all hands in a stream that goes nowhere.
+   */
   class Simulation
   {
   public:
     /// Builds everything that a scene can be wrong in: bodies, supports, loads,
     /// contacts, probes. Throws InputError; nothing is written. Progress goes
-    /// to @p out. What it needs of @p given is copied.
+    /// to @p out, which is referred to. What it needs of @p given is copied. No
+    /// stiffness matrix of a body is assembled yet. Collective.
     Simulation(const Scene &given, std::ostream &out);
     ~Simulation();
 
-    /// Is handed the results each time that a load step is added to them.
+    /// Is handed the results each time that a load step is added to them; what
+    /// it throws ends the run.
     using Observer = std::function<void(const Results &)>;
 
     /**
-     * Solves all load steps. Throws InputError if the memory does not suffice,
-     * NumericsError for a step that cannot be solved; results() then has those
-     * before it. With an @p observer the state and the tables of a step are
-     * dropped when the next one is there: what it has not taken is gone.
+     * Solves all load steps that are not solved yet, and returns results().
+     * Throws InputError if the memory does not suffice, NumericsError for a
+     * step that cannot be solved or is not to be trusted, or in which a search
+     * distance turns out too short; results() then has the steps before it.
+     * With an @p observer the state and the tables of a step are dropped when
+     * the next one is there: what it has not taken is gone. Without one all
+     * steps stay whole. Collective.
      */
     const Results &
     solve(const Observer &observer = {});
 
-    /// What is solved so far.
+    /// What is solved so far; before solve() names, notes and loads only. It
+    /// lives as long as this object.
     const Results &
     results() const
     {
@@ -57,31 +82,45 @@ namespace lamella
      * solve(), each step written into @p directory when it is done
      * (ResultsWriter), and what a user wants to read of it to the output. With
      * @p resume the run that is there goes on after the steps that it has.
+     * Throws as solve() does, and InputError for a folder that cannot be
+     * written, is another run's, or has nothing to resume. Where a step fails,
+     * the summary of those before it is written before that is thrown.
      */
     void
     run(const std::string &directory, const bool resume = false);
 
-    /// Prints plies, laminate stiffnesses, bodies and contacts, without
-    /// solving.
+    /// Prints plies, laminate stiffnesses, bodies, contacts and notes, without
+    /// solving: what --validate is for.
     void
     print_validation() const;
 
   private:
     // Building.
+
+    /// Section meshes, bodies, supports, loads and stabilising springs.
     void
     build_structure();
+    /// Search and pairing: the gap rows of all contacts, none twice.
     void
     build_contacts();
+    /// What results say of the scene itself: names, sizes, notes.
     void
     describe();
 
     // Solving.
+
+    /// Looks whether the matrices fit, assembles and factorises, and makes the
+    /// strategy that finds which rows are active.
     void
     prepare();
+    /// Load step number @p step, from 1, at load factor @p factor: `state` and
+    /// one more element of the results' steps.
     void
     solve_step(const unsigned int step,
                const double       factor,
                const Observer    &observer);
+    /// The present state as results; @p previous, that of the step before,
+    /// tells which pairs began and ceased to touch.
     StepResults
     take_results(const unsigned int step,
                  const double       factor,
@@ -97,34 +136,46 @@ namespace lamella
     /// Contact, body and position of the gap row @p row, for messages.
     std::string
     describe_row(const unsigned int row) const;
-    /// What the user should know of this load step.
+    /// What the user should know of this load step: of the state, and of what
+    /// pairing assumed (small sliding, collinear normals).
     std::vector<std::string>
     warnings_of_step(const double factor, const Checks &checks) const;
+    /// What a user wants to read of the last load step.
     void
     print_results(const std::string &directory) const;
 
     // What is to be solved.
-    const Scene         scene;
-    std::ostream       &out;
+    const Scene   scene;
+    std::ostream &out;
+    /// Wall seconds of each Phase, and of the object's whole life.
     dealii::TimerOutput timer;
     dealii::Timer       wall;
     /// All sections of the scene, whether a body has them or not.
-    SectionMeshes                 sections;
-    std::unique_ptr<Structure>    structure;
+    SectionMeshes              sections;
+    std::unique_ptr<Structure> structure;
+    /// Of each contact its rows with their geometry, and what tells whether
+    /// its search distance was enough.
     std::vector<ContactInterface> contacts;
     std::vector<SearchCheck>      search_checks;
-    std::unique_ptr<Sampler>      sampler;
+    /// The places of probes, lines and cuts in their bodies.
+    std::unique_ptr<Sampler> sampler;
 
     // How it is solved.
-    GapRows                        gap_rows;
+
+    /// A view of the rows of `contacts`, numbered through.
+    GapRows gap_rows;
+    /// Null before prepare(). Refers to structure and rows.
     std::unique_ptr<ContactSolver> solver;
 
     // Where it stands, and what was found.
+
+    /// Of the last load step; empty before the first.
     State   state;
     Results found;
   };
   /// The simulation of @p scene, out of @p text: faults that show when bodies
-  /// are built are InputErrors with the line of the text, too.
+  /// are built are InputErrors with the line of the text, too. @p text is not
+  /// kept.
   std::unique_ptr<Simulation>
   make_simulation(const Scene &scene, const SceneText &text, std::ostream &out);
 } // namespace lamella

@@ -2,24 +2,24 @@
 
 // The room `scene`: the text of a scene and what it means. It owns the grammar,
 // the messages that name entry, value, rule and remedy with their line, the
-// descriptions that the text is resolved into, and the bodies made of them. It
-// never runs anything: a scene is data.
+// descriptions that the text is resolved into. What the entries of a subject
+// are its own room knows; here they are put together. It never runs anything: a
+// scene is data.
+//
+// Where to start reading: SceneText is the text with its lines, read_scene()
+// makes a Scene of it, and Simulation (run/simulation.h) is made of that.
 
 #ifndef lamella_scene_scene_h
 #define lamella_scene_scene_h
 
-#include <lamella/axis/axis.h>
 #include <lamella/base/units.h>
-#include <lamella/body/hexahedral_mesh.h>
-#include <lamella/body/placement.h>
+#include <lamella/body/parameters.h>
 #include <lamella/conditions/load.h>
-#include <lamella/conditions/stabilisation.h>
 #include <lamella/conditions/support.h>
 #include <lamella/contact/parameters.h>
 #include <lamella/recover/requests.h>
 #include <lamella/scene/scene_text.h>
 #include <lamella/scene/trade_parameters.h>
-#include <lamella/section/theory.h>
 #include <lamella/shape/shapes.h>
 #include <lamella/solve/parameters.h>
 
@@ -27,80 +27,102 @@
 #include <string>
 #include <vector>
 
+
 namespace lamella
 {
-  /// A body as the scene describes it.
-  struct BodyDescription
-  {
-    std::string   name, section;
-    Theory        theory;
-    Placement     placement;
-    AxisMesh      axis;
-    Stabilisation stabilisation;
-    /// Of a solid.
-    SolidRefinement refinement;
-  };
-
-  /// References of a resultant, see ResultantReferences.
+  /// References of the resultants of supports or of contacts, by their names:
+  /// of fx, fy and fz. A name without any has an empty list.
   using ReferencesByName = std::map<std::string, std::vector<Reference>>;
 
-  /// A scene, read and checked: plain data, names resolved.
+  /**
+   * A scene, read and checked: plain data, names resolved. A boundary value
+   * problem with contact in the order in which it is built: what bodies are
+   * made of, their cross-sections, the bodies themselves (a section swept along
+   * an axis, with the theory that expands the displacements over it), what
+   * holds, loads and touches them, how that is solved, and what is asked of the
+   * solution.
+   *
+   * Lists are in the order of the lists of names in the text. Bodies are
+   * referred to by their place in `bodies`, materials and sections by name.
+   * Lengths, forces and stresses are in the scene's units throughout, positions
+   * in its axes unless they say otherwise; nothing is converted later. No mesh
+   * is there yet, so a scene is cheap to copy.
+   */
   struct Scene
   {
+    /// Printed with the results; may be empty.
     std::string title;
-    Units       units;
+    /// Labels of results; the built-in materials are converted to them.
+    Units units;
 
-    Materials                           materials;
+    /// By name, with the elastic constants in the material's axes.
+    Materials materials;
+    /// By name: what a section mesh is made from.
     std::map<std::string, SectionShape> sections;
-    std::vector<BodyDescription>        bodies;
+    /// Name, section, theory (Eq. 1), axis and placement of each body.
+    std::vector<BodyDescription> bodies;
 
-    std::vector<Support>     supports;
-    std::vector<Load>        loads;
-    Obstacles                obstacles;
+    /// Prescribed displacements, at load factor 1.
+    std::vector<Support> supports;
+    /// Forces, at load factor 1.
+    std::vector<Load> loads;
+    /// Rigid bodies that contacts refer to.
+    Obstacles obstacles;
+    /// Pairs of surfaces that may touch; those with an obstacle share it.
     std::vector<ContactPair> contacts;
-    SolveParameters          solve;
+    /// Load factors, strategy, limits.
+    SolveParameters solve;
 
+    /// Points, segments and sections at which fields are reported.
     std::vector<Probe> probes;
     std::vector<Line>  lines;
     std::vector<Cut>   cuts;
-    ReferencesByName   support_references, contact_references;
-    bool               write_vtu = true;
-    TradeParameters    trade;
+    /// What the resultants are compared with; probes have their own.
+    ReferencesByName support_references, contact_references;
+    /// Whether a run leaves pictures for ParaView.
+    bool write_vtu = true;
+    /// What `lamella trade` is asked; a run does not look at it.
+    TradeParameters trade;
 
-    /// What is known to be inaccurate in the choices made, a sentence each.
+    /// What is known to be inaccurate in the choices made, a sentence each
+    /// (notes_on_choices()).
     std::vector<std::string> warnings;
 
-    /// The scene as it was run, every entry with its value.
+    /// The scene as it was run: the text of every entry with its value, from
+    /// which read_scene() makes the same scene. A mesh file has its absolute
+    /// path in it.
     std::string resolved;
   };
 
-  /// Reads @p text in two passes: the names first, then all entries. Throws
-  /// InputError with the place in the text.
+  /**
+   * Reads @p text in two passes: the names first (the lists at its top level
+   * say which subsections there are), then all entries. Each subsection is
+   * parsed by the parameters of its own room; what belongs to several of them
+   * is checked here: names that are resolved, surfaces that two contacts pair,
+   * sizes that no memory holds. No mesh is made and, but for the paths of mesh
+   * files, no other file is looked at: whether a point lies in its body shows
+   * when Simulation builds. Throws InputError with the place in the text.
+   */
   Scene
   read_scene(const SceneText &text);
 
   /// Throws InputError for entries and subsections of @p text that no scene
-  /// has; their values are not looked at.
+  /// has; their values, but for the lists of names, are not looked at.
   void
   check_entries(const SceneText &text);
 
-  /// All entries with documentation and default, with one subsection of each
-  /// kind, called NAME.
+  /// All entries with documentation and default, as the text of a scene with
+  /// one subsection of each kind, called NAME: what --print-parameters prints
+  /// without a scene.
   std::string
   parameter_documentation();
 
-  /// Section meshes by the name of the section.
-  using SectionMeshes =
-    std::map<std::string, std::shared_ptr<const SectionMesh>>;
-
-  /// The meshes of all sections of @p scene, whether a body has them or not.
+  /// The meshes of all sections of @p scene by name, whether a body has them or
+  /// not; bodies share them. Throws InputError for a shape that cannot be
+  /// meshed, for a mesh file that cannot be used and for cells that are out of
+  /// proportion.
   SectionMeshes
   build_section_meshes(const Scene &scene);
-
-  /// The bodies of @p scene on its section meshes @p meshes. Those with the
-  /// same section and theory share it.
-  Bodies
-  build_bodies(const Scene &scene, const SectionMeshes &meshes);
 } // namespace lamella
 
 #endif

@@ -3,6 +3,7 @@
 #ifndef lamella_scene_trade_parameters_h
 #define lamella_scene_trade_parameters_h
 
+#include <lamella/base/entry.h>
 #include <lamella/recover/requests.h>
 
 #include <deal.II/base/parameter_handler.h>
@@ -19,22 +20,25 @@ namespace lamella
   /// the last load step.
   struct TradeQuantity
   {
+    /// What it is a number of.
     enum class Of
     {
       undefined,
       probe,
-      support,
-      contact
+      support, ///< the reaction on the bodies
+      contact  ///< the resultant on the second side
     };
-    Of          of = Of::undefined;
+    Of of = Of::undefined;
+    /// Of the probe, support or contact.
     std::string name;
     /// Of a probe on a ply interface, from 1 at the bottom; 0: not said.
     unsigned int ply = 0;
-    std::string  column;
+    /// `uz`, `syy`, ... of a probe; `fx`, `fy` or `fz` of a resultant.
+    std::string column;
     /// The first of the scene's References of this quantity.
     std::optional<double> given;
 
-    /// `upper_top: uz`, as the scene says it.
+    /// `upper_top: uz`, with a ply `middle/2: syz`, as the scene says it.
     std::string
     label() const;
   };
@@ -45,14 +49,17 @@ namespace lamella
   {
     /// As the scene says it: `LE-2, axis 2`.
     std::string name;
+    /// `LE-2`, one that Theory::parse() knows.
     std::string theory;
-    /// Factors on the axis elements and on the section's cells (per direction).
+    /// Factors on the axis elements and on the section's cells (per direction),
+    /// from 0.05 to 20.
     double axis = 1., section = 1.;
-    /// PATH=VALUE each, as of --set.
+    /// PATH=VALUE each, as of --set. Not checked against the scene yet.
     std::vector<std::string> overrides;
   };
 
-  /// What the names in a trade can mean.
+  /// What the names in a trade can mean: the names of a scene, with the
+  /// References that it gives for each.
   struct TradeNames
   {
     std::vector<std::string>                      bodies;
@@ -63,28 +70,35 @@ namespace lamella
   /// The entries of `subsection Trade`, see `lamella trade`.
   struct TradeParameters
   {
+    /// At least two, cheap ones first and the finest last.
     std::vector<LadderEntry> ladder;
     /// Those named; or those that the scene gives References for.
     std::vector<TradeQuantity> quantities;
     /// Probes that Quantities, left empty, asks for without naming columns: the
-    /// largest displacement and stress there are taken.
+    /// largest displacement and stress there are taken. None where the
+    /// reference is `given`, which has no numbers for them.
     std::vector<std::string> whole_probes;
-    /// Whose theory and meshes the ladder changes.
+    /// Names of those whose theory and meshes the ladder changes; all by
+    /// default.
     std::vector<std::string> bodies;
-    /// `finest`, `solid`, `given`, or the name of a rung.
+    /// What errors are taken against: `finest`, the last rung that succeeds;
+    /// `solid`, the last hexahedra that do; `given`, the scene's References; or
+    /// the name of a rung.
     std::string reference = "finest";
-    /// Relative errors that the last sentences ask for.
+    /// Relative errors that the last sentences ask for, as shares of 1 (the
+    /// scene says them in per cent).
     std::vector<double> tolerances;
     /// Processor seconds that a rung may take; 0: as long as it wants.
     double time_limit = 0.;
 
+    /// Declares the entries of `subsection Trade`, which must be entered.
     static void
     declare(dealii::ParameterHandler &prm);
-    /// Throws InputError for a rung that does not parse, a quantity that no
-    /// probe, support or contact of @p names gives, and references that are
-    /// missing or zero where `given` needs them.
+    /// From `subsection Trade`. Throws InputError for a rung that does not
+    /// parse, a quantity that no probe, support or contact of @p names gives,
+    /// and references that are missing or zero where `given` needs them.
     static TradeParameters
-    parse(const dealii::ParameterHandler &prm, const TradeNames &names);
+    parse(const Entries &in, const TradeNames &names);
   };
 } // namespace lamella
 

@@ -35,6 +35,8 @@ namespace lamella
    */
   struct SectionField
   {
+    /// @p factor times F of number @p function, in direction @p component: 0,
+    /// 1, 2 for x, y, z of the body frame.
     struct Term
     {
       unsigned int function;
@@ -47,7 +49,15 @@ namespace lamella
     unsigned int level = 0;
   };
 
-  /// The numbers of the fields that make up the rigid motions.
+  /**
+   * The numbers of the fields that make up the rigid motions. With h the
+   * reference length: unit translations u_x, u_y, u_z; the slopes u_y = (x -
+   * x_c) / h and u_y = (z - z_c) / h, which turn the section about z and x; and
+   * the rotation 1 / h about y, u_x = (z - z_c) / h, u_z = -(x - x_c) / h,
+   * which EBBT and TBT do not have. Each moves the section rigidly. A rigid
+   * rotation of the whole beam about x or z is a constant slope with a
+   * translation that is linear in y.
+   */
   namespace RigidField
   {
     constexpr unsigned int translation_x = 0, translation_y = 1,
@@ -66,11 +76,28 @@ namespace lamella
    *
    * Fields: the five of a plane section for EBBT and TBT (no torsion), nine
    * linear ones for the others, then each further F_tau times a unit vector.
+   *
+   * The displacement is
+   *   u(x, y, z) = sum_alpha Phi_alpha(x, z) q_alpha(y),
+   * Eq. 1 with its three components as fields of their own (n_fields() of
+   * them). D_s has the derivatives with respect to x and z of Eq. 5, D_y those
+   * with respect to y, so that with shape functions N_i(y) the stiffness is the
+   * sum of four Kronecker products of these matrices with the axis integrals
+   *   int N_i N_j, int N_i N_j', int N_i' N_j, int N_i' N_j'  dy;
+   * the transverse shear part of S_00 is kept apart as S_shear(), for shear
+   * strains that are interpolated along the axis (MITC). The 3 x 3 nucleus of
+   * Eq. 12 for tau, s is the block of fields F_tau e_c, F_s e_d.
+   *
+   * Memory: the matrices are sparse for layer-wise expansions (fields couple
+   * that share a cell; the rows of the linear ones are full), dense for Taylor
+   * ones. It is immutable; it shares the section mesh.
    */
   class Section
   {
   public:
-    /// @p element must be one of @p theory; make_section() sees to that.
+    /// Makes the fields, the integration points and the matrices: nearly all of
+    /// a section's cost. @p element must be one of @p theory; make_section()
+    /// sees to that.
     Section(std::unique_ptr<const CrossSectionElement> element,
             const Theory                              &theory);
 
@@ -86,18 +113,21 @@ namespace lamella
       return *expansion;
     }
 
+    /// The homogeneous parts of the section, bottom to top in a laminate.
     const std::vector<Ply> &
     plies() const
     {
       return expansion->section_mesh().plies;
     }
 
+    /// Displacement DoFs of an axis node, before constraints.
     unsigned int
     n_fields() const
     {
       return fields.size();
     }
 
+    /// @p alpha below n_fields(); the rigid ones as RigidField says.
     const SectionField &
     field(const unsigned int alpha) const
     {
@@ -126,6 +156,9 @@ namespace lamella
       return laws[ply_of_cell[cell]];
     }
 
+    /// The fields that live on @p cell at @p unit with their strains, completed
+    /// as the theory demands: displacements, strains and stresses of a beam are
+    /// made of these. Refers to this object by SectionPoint::fields.
     SectionPoint
     evaluate(const unsigned int cell, const dealii::Point<2> &unit) const;
 
@@ -143,6 +176,10 @@ namespace lamella
      * that a field's value multiplies, without transverse shear, e_1 its
      * transverse shear strains, and e_2 those that its derivative along y
      * multiplies. Of a section that spans_the_section().
+     *
+     * @p p, @p q in {0, 1, 2}; n_fields() x n_fields() each, empty for other
+     * sections. With them a residual costs n_fields()^2 an axis point, however
+     * many cells there are.
      */
     const dealii::LAPACKFullMatrix<double> &
     moments(const unsigned int p, const unsigned int q) const
@@ -150,20 +187,29 @@ namespace lamella
       return strain_moments[p][q];
     }
 
-    /// The integration points, n_gauss_points()^2 a cell, with weights.
+    /// The integration points, n_gauss_points()^2 a cell, cell by cell, their
+    /// strains completed. Of a section that spans_the_section() fewer, for
+    /// pictures and the rotation: some 500 in all or one a cell, without
+    /// weights.
     const std::vector<SectionPoint> &
     integration_points() const
     {
       return points;
     }
 
+    /// Gauss weight times Jacobian [length^2] of each; they sum to the area.
+    /// Empty for a section that spans_the_section(), whose integrals are in
+    /// moments().
     const std::vector<double> &
     integration_weights() const
     {
       return weights;
     }
 
-    /// S_pq for p, q in {0, 1}. All share one sparsity pattern.
+    /// S_pq for p, q in {0, 1}. All share one sparsity pattern. n_fields() x
+    /// n_fields(), S_10 the transpose of S_01. Fields have no unit, so S_00 is
+    /// in force / length^2, S_01 in force / length, S_11 in force. TBT's shear
+    /// factor and the completion of strains are in them.
     const Matrix &
     S(const unsigned int p, const unsigned int q) const
     {
@@ -171,7 +217,8 @@ namespace lamella
     }
 
     /// The part of S_00 that has a transverse shear strain on either side: what
-    /// the axis multiplies with the projected shape functions.
+    /// the axis multiplies with the projected shape functions. Of EBBT zero:
+    /// its transverse shear strains are dropped.
     const Matrix &
     S_shear() const
     {
@@ -183,23 +230,33 @@ namespace lamella
      * its place on the unit square; none if it lies outside of the section.
      * Outside of a curved edge a point is on the section if it is within 2 % of
      * the cell's size: the expansion interpolates the curve.
+     *
+     * The inverse map by Newton's method in the cells whose boxes are near (an
+     * R-tree). By ascending cells; a point on a side is in both of its cells.
+     * The 2 % hold on straight sides, too, of a section of which any edge is
+     * curved; then the nearest cell alone is returned. Nothing is thrown.
      */
     std::vector<std::pair<unsigned int, dealii::Point<2>>>
     locate(const dealii::Point<2> &x, const double tolerance) const;
 
-    /// The integral of dA.
+    /// The integral of dA over the cells as the expansion maps them [length^2];
+    /// looked at anew at each call.
     double
     area() const;
 
   private:
+    /// The fields, in the order of RigidField and then of the functions, and
+    /// for each cell those that live on it.
     void
     make_fields();
+    /// integration_points() and, for the theories that need it, the completion.
     void
     make_points();
     /// A reduced set of points, for the rotation: a Taylor expansion is smooth
     /// over all cells.
     void
     make_sample_points();
+    /// Fields couple that share a cell.
     void
     make_pattern();
     /// The matrices of fields that live on few cells, cell by cell.
@@ -222,24 +279,30 @@ namespace lamella
       const std::array<dealii::LAPACKFullMatrix<double>, 3> &strain,
       const std::array<dealii::LAPACKFullMatrix<double>, 3> &stress,
       DenseRows                                             &dense);
+    /// The cells' boxes; those of a section with curved edges grow by a fifth.
     void
     make_boxes();
 
-    /// The place of the point of @p cell nearest to @p x and its distance.
+    /// The place of the point of @p cell nearest to @p x and its distance. The
+    /// distance is 0 up to rounding inside of the cell. [length]
     std::pair<dealii::Point<2>, double>
     nearest_in_cell(const unsigned int cell, const dealii::Point<2> &x) const;
 
-    /// The fields at a point with the strains of their displacements.
+    /// The fields at a point with the strains of their displacements. Not yet
+    /// completed. EBBT's transverse shear strains are zero.
     SectionPoint
     evaluate_fields(const unsigned int      cell,
                     const dealii::Point<2> &unit) const;
 
     std::unique_ptr<const CrossSectionElement> expansion;
     Theory                                     section_theory;
-    std::vector<ElasticLaw>                    laws;
-    std::unique_ptr<const StrainCompletion>    completion;
+    /// By plies, with the shear factor.
+    std::vector<ElasticLaw> laws;
+    /// Null where the theory completes nothing.
+    std::unique_ptr<const StrainCompletion> completion;
 
-    std::vector<SectionField>              fields;
+    std::vector<SectionField> fields;
+    /// Of each cell the fields that live on it, ascending.
     std::vector<std::vector<unsigned int>> cell_fields;
     std::vector<unsigned int>              ply_of_cell;
 
@@ -247,17 +310,21 @@ namespace lamella
     std::vector<double>       weights;
 
     dealii::SparsityPattern sparsity;
-    std::array<Matrix, 5>   matrices;
+    /// S_00, S_01, S_10, S_11 and S_shear().
+    std::array<Matrix, 5> matrices;
 
     std::array<std::array<dealii::LAPACKFullMatrix<double>, 3>, 3>
       strain_moments;
 
+    /// Whether any edge of the mesh is.
     bool is_curved = false;
     // Bounding boxes of the cells, for locate().
     dealii::RTree<std::pair<dealii::BoundingBox<2>, unsigned int>> boxes;
   };
 
-  /// The section of @p mesh with the fields of @p theory.
+  /// The section of @p mesh with the fields of @p theory: LagrangeElement for
+  /// LE, TaylorElement for all others, of degree 1 for EBBT and TBT. Not for
+  /// solid-N, which has no section fields. Shares @p mesh.
   std::shared_ptr<const Section>
   make_section(std::shared_ptr<const SectionMesh> mesh, const Theory &theory);
 } // namespace lamella

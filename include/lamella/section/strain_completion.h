@@ -6,7 +6,7 @@
 #include <lamella/section/section_point.h>
 #include <lamella/section/taylor_element.h>
 
-#include <deal.II/lac/full_matrix.h>
+#include <deal.II/lac/lapack_full_matrix.h>
 
 #include <vector>
 
@@ -20,13 +20,20 @@ namespace lamella
    * adds the missing strains to those of each field; with the full elasticity
    * C the stresses, energies and forces then all follow from the completed
    * strains, and nothing else in the program knows of it.
+   *
+   * In the words of beam theory: the warping that the section's own fields lack
+   * is condensed out, by a plane-stress-like law or by modes. TE-2, LE and
+   * higher theories contract by themselves and have none. Completed strains
+   * belong to no displacements: a support that holds u_x does not hold them.
    */
   class StrainCompletion
   {
   public:
     virtual ~StrainCompletion() = default;
 
-    /// Completes the strains of the fields at @p point.
+    /// Completes the strains of the fields at @p point. Changes
+    /// SectionPoint::in_plane and along of all its fields, and nothing else. To
+    /// be called once a point.
     virtual void
     complete(SectionPoint &point) const = 0;
   };
@@ -36,18 +43,25 @@ namespace lamella
    * sigma_xz = 0. With a the kept strains {yy, xy, yz} and b the others,
    *   eps_b = -C_bb^-1 C_ba eps_a,
    * so that the law of a is C_aa - C_ab C_bb^-1 C_ba.
+   *
+   * For a ply at an angle the law is that of the rotated C, so that G_yz is the
+   * series and not the mean of G_13 and G_23.
    */
   class FreeContraction : public StrainCompletion
   {
   public:
-    /// @p laws of each ply, @p ply_of_cell of each cell.
+    /// @p laws of each ply, @p ply_of_cell of each cell. The laws are those of
+    /// the section, with the shear factor; they are not needed any more
+    /// afterwards.
     FreeContraction(const std::vector<ElasticLaw>   &laws,
                     const std::vector<unsigned int> &ply_of_cell);
 
+    /// eps becomes P eps, whatever xx, zz and xz had been.
     void
     complete(SectionPoint &point) const override;
 
   private:
+    /// P of each ply: eps = P eps with the kept strains as they are.
     std::vector<ElasticTensor> completion;
     std::vector<unsigned int>  ply_of_cell;
   };
@@ -63,14 +77,26 @@ namespace lamella
    * its mean strain, int D_s v dA = 0: TE-1's own in-plane terms, whose strains
    * are constant, then keep their stiffness, which they lose with the law of
    * FreeContraction.
+   *
+   * For one isotropic material the modes are the exact contraction under
+   * bending, and TE-1 bends like TBT; in laminates they are what TE-2 would do.
+   * There are two modes a polynomial beyond the linear ones, six in all, so a
+   * small dense K.
    */
   class ContractionModes : public StrainCompletion
   {
   public:
+    /// Bending contracts a section by quadratic displacements.
     static constexpr unsigned int mode_degree = 2;
 
-    /// From @p points with @p weights, the integration points of the section
-    /// with the strains of @p n_fields fields, not yet completed.
+    /**
+     * From @p points with @p weights, the integration points of the section
+     * with the strains of @p n_fields fields, not yet completed.
+     * K is scaled to a unit diagonal before it is inverted: modes across a thin
+     * section are stiffer than those along it by orders of magnitude. The
+     * arguments are not needed any more afterwards but for the mesh, which is
+     * shared.
+     */
     ContractionModes(std::shared_ptr<const SectionMesh> mesh,
                      const std::vector<SectionPoint>   &points,
                      const std::vector<double>         &weights,
@@ -82,15 +108,18 @@ namespace lamella
     complete(SectionPoint &point) const override;
 
   private:
-    /// D_s v of all modes at a point, less their means.
+    /// D_s v of all modes at a point, less their means. Two for each
+    /// polynomial, of its displacement along x and along z. [1 / length]
     std::vector<Voigt>
     mode_strains(const unsigned int cell, const dealii::Point<2> &unit) const;
 
-    TaylorElement      modes;
+    /// TE-2 on the same mesh, for its functions from the fourth on.
+    TaylorElement modes;
+    /// Of each mode its mean strain over the section.
     std::vector<Voigt> means;
     /// Amplitudes of the modes: for each mode and field, to the strains that N
     /// and N' multiply.
-    dealii::FullMatrix<double> of_in_plane, of_along;
+    dealii::LAPACKFullMatrix<double> of_in_plane, of_along;
   };
 } // namespace lamella
 

@@ -21,6 +21,16 @@ namespace lamella
    * evaluated by the same recurrence (Brubeck, Nakatsukasa and Trefethen,
    * Vandermonde with Arnoldi, SIAM Review 63, 2021). x and z run from -1 to 1
    * over the section's bounding box there, so the functions have no units.
+   *
+   * The first three functions are 1, (x - x_c)/h, (z - z_c)/h as in every
+   * expansion; they replace the first three polynomials, whose space is the
+   * same. All functions live on all cells: an equivalent single layer, whose
+   * strains are continuous across ply interfaces and whose transverse stresses
+   * therefore jump there.
+   *
+   * The integrals above are those over the section's Gauss points, exact on
+   * straight cells. The basis takes of the order of N^2 vectors over these
+   * points; an evaluation of the order of N^3 operations.
    */
   class TaylorElement : public CrossSectionElement
   {
@@ -28,6 +38,8 @@ namespace lamella
     /**
      * @p degree from 1. A polynomial that is a combination of the earlier ones
      * on this section to 1e-10 of its size is left out, see n_left_out().
+     *
+     * Shares @p mesh.
      */
     TaylorElement(std::shared_ptr<const SectionMesh> mesh,
                   const unsigned int                 degree);
@@ -38,14 +50,19 @@ namespace lamella
       return order;
     }
 
+    /// N on straight sides. On curved ones x and z are cubic in the side's
+    /// parameter, so 3 N, but N + 8 at most: what is beyond is small.
     unsigned int
     trace_degree() const override;
+    /// N + 1; eight more on curved cells, where the integrands are no
+    /// polynomials of degree 2 N.
     unsigned int
     n_gauss_points() const override
     {
       return gauss_points;
     }
 
+    /// (N + 1)(N + 2) / 2 less n_left_out().
     unsigned int
     n_functions() const override
     {
@@ -59,6 +76,7 @@ namespace lamella
       return (order + 1) * (order + 2) / 2 - n_functions();
     }
 
+    /// All of them, on every cell.
     const std::vector<unsigned int> &
     cell_functions(const unsigned int) const override
     {
@@ -75,7 +93,9 @@ namespace lamella
       return geometry.map(cell, unit);
     }
 
-    /// A grid of degree() + 1 Gauss-Lobatto points a side of a cell.
+    /// A grid of degree() + 1 Gauss-Lobatto points a side of a cell. Sides that
+    /// meet in a vertex share the point there. Weights are integrals of the
+    /// grid's Lagrange polynomials along the side.
     std::vector<EdgePoint>
     edge_points(const std::string &boundary) const override;
 
@@ -83,21 +103,32 @@ namespace lamella
      * As many points as functions, so chosen among the Gauss-Lobatto points of
      * the cells that the expansion is fixed by its values there (approximate
      * Fekete points: column-pivoted elimination).
+     *
+     * V the values of the orthonormal polynomials at the candidates: its rows
+     * are chosen greedily, the one with the largest part across those before
+     * it, as in a pivoted Cholesky factorisation of V V^T.
      */
     std::vector<EdgePoint>
     section_points() const override;
 
-    /// The Gauss-Lobatto points of all cells, degree() + 1 a direction.
+    /// The Gauss-Lobatto points of all cells, degree() + 1 a direction. Points
+    /// on sides between cells count once, with the Gauss-Lobatto weights of all
+    /// cells there [length^2].
     std::vector<EdgePoint>
     section_grid() const override;
 
   private:
-    /// How an orthonormal polynomial comes about: coordinate @p direction times
-    /// number @p parent, less @p parts of number @p first and the later ones,
-    /// over @p norm. It has no parts of those before @p first, of three degrees
-    /// less: <x p, q> = <p, x q>, and x q is of a lower degree than p.
+    /**
+     * How an orthonormal polynomial comes about: coordinate @p direction times
+     * number @p parent, less @p parts of number @p first and the later ones,
+     * over @p norm. It has no parts of those before @p first, of three degrees
+     * less: <x p, q> = <p, x q>, and x q is of a lower degree than p.
+     * Number 0 is the constant 1 and has no step. The polynomials are ordered
+     * by degree.
+     */
     struct Step
     {
+      /// @p direction: 0 for x, 1 for z; @p degree is the polynomial's own.
       unsigned int        parent = 0, direction = 0, degree = 0, first = 0;
       std::vector<double> parts;
       double              norm = 1.;
@@ -107,7 +138,9 @@ namespace lamella
     dealii::Point<2>
     scaled(const dealii::Point<2> &position) const;
 
-    /// The orthonormal polynomials at @p position with their gradients.
+    /// The orthonormal polynomials at @p position with their gradients. By the
+    /// recurrence; gradients with respect to x and z [1 / length]. The vectors
+    /// are overwritten.
     void
     evaluate_polynomials(const dealii::Point<2>            &position,
                          std::vector<double>               &values,
@@ -118,6 +151,8 @@ namespace lamella
     collect_points(std::vector<dealii::Point<2>> &points,
                    std::vector<double>           &weights) const;
 
+    /// Makes the recurrence: for each degree x times all polynomials of one
+    /// degree less, and z times the last of these.
     void
     orthonormalise();
 
@@ -130,11 +165,15 @@ namespace lamella
                    const std::vector<double>           &weights,
                    std::vector<std::vector<double>>    &values);
 
-    unsigned int              order, gauss_points;
-    SectionGeometry           geometry;
-    dealii::Point<2>          middle;
-    dealii::Tensor<1, 2>      half;
-    std::vector<Step>         recurrence;
+    /// N; Gauss points a direction.
+    unsigned int order, gauss_points;
+    /// Of degree 3 where edges are curved, else bilinear.
+    SectionGeometry geometry;
+    /// Of the bounding box, and half its extensions [length].
+    dealii::Point<2>     middle;
+    dealii::Tensor<1, 2> half;
+    std::vector<Step>    recurrence;
+    /// 0 ... n_functions() - 1.
     std::vector<unsigned int> functions;
   };
 } // namespace lamella

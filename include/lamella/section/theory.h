@@ -3,6 +3,8 @@
 #ifndef lamella_section_theory_h
 #define lamella_section_theory_h
 
+#include <lamella/base/entry.h>
+
 #include <deal.II/base/parameter_handler.h>
 
 #include <string>
@@ -21,9 +23,15 @@ namespace lamella
    * - LE-N: layer-wise Lagrange elements of degree N (Eq. 3), L4, L9, L16 for
    *   N = 1, 2, 3.
    * - solid-N: no beam at all, but hexahedra of degree N, 1 or 2.
+   *
+   * In each the three displacement components have the same functions F_tau,
+   * but for EBBT and TBT, where u_x and u_z are constant over the section. TE
+   * is an equivalent single layer, LE is layer-wise. doc/theories.md compares
+   * them. A plain value; Section makes the fields of it.
    */
   struct Theory
   {
+    /// `undefined` is the default only, and what parse() never returns.
     enum class Kind
     {
       undefined,
@@ -43,46 +51,65 @@ namespace lamella
      * otherwise). EBBT and TBT condense sigma_xx = sigma_zz = sigma_xz = 0 out
      * of the law of each ply; TE-1, which has stiffness in xx and zz of its
      * own, condenses quadratic contraction modes of the section.
+     *
+     * Without it a deflection is some 26 % too small at nu = 0.3. Other
+     * theories contract by themselves and ignore it.
      */
     bool poisson_correction = true;
-    /// Of TBT: multiplies the shear stiffness of sections, G A -> k G A.
+    /// Of TBT: multiplies the shear stiffness of sections, G A -> k G A. k,
+    /// above 0 and at most 1, 5/6 for rectangles of one material; 1 as in the
+    /// paper. Ignored by all others. Reported stresses have it, so that their
+    /// resultant is the shear force.
     double shear_factor = 1.;
 
-    /// As a user writes it.
+    /// For messages and reports: EBBT, TBT, TE-4, solid-2; of LE with the
+    /// element's name in the literature, LE-2 (L9). Not for parse().
     std::string
     name() const;
 
-    /// Classical theories: 1, x, z for u_y alone.
+    /// Classical theories: 1, x, z for u_y alone. Their space is that of five
+    /// fields: no torsion, no warping.
     bool
     is_classical() const
     {
       return kind == Kind::EBBT || kind == Kind::TBT;
     }
 
-    /// The theory that @p text spells, with defaults for the rest. Throws
-    /// InputError, beginning with @p what, for anything else.
+    /// The theory that @p entry spells, with defaults for the rest. Throws
+    /// InputError for anything else. N is from 1 to 20 for TE, to 8 for LE, to
+    /// 2 for solid.
     static Theory
-    parse(const std::string &text, const std::string &what);
+    parse(const Entry &entry);
+  };
+
+  /// What stands before the `-N` of those that have an order.
+  template <>
+  struct Names<Theory::Kind>
+  {
+    static constexpr NameOf<Theory::Kind> all[] = {{Theory::Kind::EBBT, "EBBT"},
+                                                   {Theory::Kind::TBT, "TBT"},
+                                                   {Theory::Kind::TE, "TE"},
+                                                   {Theory::Kind::LE, "LE"},
+                                                   {Theory::Kind::solid,
+                                                    "solid"}};
   };
 
   /// The entries of a body's `subsection Kinematics` that speak of its theory.
   struct TheoryParameters
   {
-    std::string theory, poisson_correction, shear_factor;
-
+    /// Theory (empty: the scene's), Poisson correction, Shear factor.
     static void
     declare(dealii::ParameterHandler &prm);
 
-    static TheoryParameters
-    parse(const dealii::ParameterHandler &prm);
-
-    /// The theory, or the scene's where the body names none. Throws InputError,
-    /// beginning with @p what (`Body NAME/Kinematics`).
-    Theory
-    resolve(const std::string &scene_theory, const std::string &what) const;
+    /// The theory, or that of the scene's entry @p scene_theory where the body
+    /// names none. Throws InputError. Also for a shear factor that is not above
+    /// 0 and at most 1, whatever the theory.
+    static Theory
+    parse(const Entries &in, const Entry &scene_theory);
   };
 
   /// For use as a key: theories that share the section's fields and matrices.
+  /// By kind, order, Poisson correction and shear factor, one after the other.
   bool
   operator<(const Theory &a, const Theory &b);
 } // namespace lamella

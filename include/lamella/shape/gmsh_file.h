@@ -3,6 +3,8 @@
 #ifndef lamella_shape_gmsh_file_h
 #define lamella_shape_gmsh_file_h
 
+#include <lamella/base/entry.h>
+
 #include <deal.II/base/point.h>
 
 #include <array>
@@ -16,7 +18,8 @@ namespace lamella
   /**
    * What the text of a mesh by Gmsh says, before anything is made of it. Each
    * part knows its line in the file, so that whoever finds a fault in it can
-   * say where.
+   * say where. Nothing here knows what a section is: gmsh.cc judges that, and
+   * turns this into a SectionMesh.
    */
   struct GmshFile
   {
@@ -24,13 +27,14 @@ namespace lamella
     static constexpr int line_type = 1, triangle = 2, quadrilateral = 3,
                          point = 15;
 
-    /// Of a physical group.
+    /// Of a physical group, with the line of the file that gives it.
     struct Name
     {
       std::string  name;
       unsigned int line = 0;
     };
 
+    /// All three coordinates, in the unit of length of the file.
     struct Node
     {
       dealii::Point<3> position;
@@ -39,6 +43,7 @@ namespace lamella
 
     struct Element
     {
+      /// One of the types above, or another of Gmsh's.
       int type = 0;
       /// Tag of its physical group, without the sign (which says that the group
       /// takes it backwards); 0 if it is in none.
@@ -49,17 +54,22 @@ namespace lamella
       std::array<unsigned int, 4> nodes{};
     };
 
-    /// (dimension, tag) -> name of a physical group.
+    /// (dimension, tag) -> name of a physical group. Dimension 1 names
+    /// boundaries, dimension 2 parts.
     std::map<std::pair<int, int>, Name> names;
     /// In the order of the file, as are the elements.
     std::vector<Node>    nodes;
     std::vector<Element> elements;
   };
 
-  /// @p what, which names the entry and the file, and @p line: what messages
-  /// about that line begin with.
-  std::string
-  at_line(const std::string &what, const unsigned int line);
+  /// Throws InputError: in the file that @p entry names @p line breaks the
+  /// @p rule (`PATH = FILE: line LINE: RULE. REMEDY`). Lines are counted from
+  /// 1, as editors do.
+  [[noreturn]] void
+  refuse_line(const Entry       &entry,
+              const unsigned int line,
+              const std::string &rule,
+              const std::string &remedy = "");
 
   /**
    * Understands @p text, a mesh in one of Gmsh's formats 2.0 to 2.2, 4.0 and
@@ -71,12 +81,14 @@ namespace lamella
    * `$Periodic`, ...) are passed over. Time and memory go with the length of
    * the text, whatever numbers stand in it.
    *
-   * Throws InputError, with @p what, the line, the fault and the remedy, if
-   * anything else stands there: a file that is damaged in one place is more
-   * often wrong in others than it is right.
+   * Throws InputError of @p entry, which names the file, with the line, the
+   * fault and the remedy, if anything else stands there: a file that is damaged
+   * in one place is more often wrong in others than it is right.
+   * @param text  the whole file; binary ones are refused
+   * @param entry `Section NAME/File`, for messages only: no file is opened here
    */
   GmshFile
-  read_gmsh_file(const std::string &text, const std::string &what);
+  read_gmsh_file(const std::string &text, const Entry &entry);
 } // namespace lamella
 
 #endif

@@ -11,23 +11,33 @@
 
 namespace lamella
 {
-  /// The Kuhn-Tucker state (Eq. 18) of one contact at the end of a load step,
-  /// and what it transmits.
+  /**
+   * The Kuhn-Tucker state (Eq. 18) of one contact at the end of a load step,
+   *   g >= 0,  lambda >= 0,  g lambda = 0   (for penalty with g + lambda / eps
+   *                                          in the place of g),
+   * row by row, and what it transmits. lambda is the force of a row, positive
+   * in compression, where p_N of Eq. 18 is negative. Forces and lengths are in
+   * the scene's units and axes.
+   */
   struct KuhnTucker
   {
+    /// Rows with a force.
     unsigned int active = 0;
-    /// On the second body or obstacle, scene components, and the moment about
-    /// the scene's origin: the work of the rows on rigid motions of a body, so
-    /// exact for every kind of rows.
+    /// The resultant on the second body or obstacle, scene components, and the
+    /// moment about the scene's origin: the work of the rows on rigid motions
+    /// of a body, so exact for every kind of rows.
     dealii::Tensor<1, 3> force, moment;
     /// Where the force acts: of its line of action the point nearest to the
-    /// mean of the active points, weighted with their forces.
+    /// mean of the active points, weighted with their forces. The origin where
+    /// there is no force.
     dealii::Point<3> centre_of_pressure;
-    /// |sum of the forces on both bodies| / |force|: zero.
+    /// |sum of the forces on both bodies| over the sum of the rows' forces:
+    /// zero but for rounding. Not looked at against an obstacle.
     double imbalance = 0.;
     /// The largest -g, zero without penetration; by design F / eps for penalty.
     double max_penetration = 0.;
-    /// The smallest force of an active row: not negative.
+    /// The smallest force of an active row: not negative. Zero if none is
+    /// active.
     double min_force = 0.;
     /// The largest lambda max(0, g), an energy: zero.
     double complementarity = 0.;
@@ -40,44 +50,66 @@ namespace lamella
     /// resolve of how the surfaces curve.
     double averaged_away = 0.;
     /// The largest of law error over displacement, tension over force and
-    /// complementarity over both: a number.
+    /// complementarity over both: a number. Zero if no row is active.
     double violation = 0.;
   };
 
-  /// A force and its moment about a point, scene components.
+  /// A wrench: a force and its moment about a point, scene components.
   struct Resultant
   {
     dealii::Tensor<1, 3> force, moment;
-    dealii::Point<3>     about;
+    /// The point, in the scene; not where the force acts.
+    dealii::Point<3> about;
   };
 
-  /// What every load step is checked for.
+  /**
+   * What every load step is checked for: equilibrium, energy, the contact law
+   * and the range of linear kinematics. All of them are evaluated at the state
+   * with internal forces from strains, not from the matrix that was solved
+   * with. Where a body's strain energy is no more than the last digits of its
+   * displacements make (its supports move it as a whole), its forces are
+   * rounding and are not looked at.
+   */
   struct Checks
   {
-    /// Of each support, what it does to the bodies; the moment about the middle
-    /// of the box around the points that it holds.
-    std::vector<Resultant>  reactions;
+    /// Of each support, in the order of the scene, what it does to the bodies;
+    /// the moment about the middle of the box around the points that it holds.
+    std::vector<Resultant> reactions;
+    /// Of each contact, in the order of the scene.
     std::vector<KuhnTucker> contacts;
-    /// The largest sum of all forces on one body over the largest single force.
+    /// The largest sum of all forces on one body (loads, each support's
+    /// reaction, contacts, springs) over the largest single one of them there:
+    /// a force, or a couple over the size of the body.
     double force_balance = 0.;
-    /// |G^T (t f + B^T lambda - internal)| / |internal|, maximum norms.
+    /// |G^T (t f + B^T lambda - internal)| / |internal|, maximum norms, with
+    /// the springs' forces in `internal`.
     double residual = 0.;
-    /// Strain energy, and half the sum of loads and reactions times their
-    /// displacements.
+    /// Strain energy 1/2 integral strain^T C strain dV, and half the sum of
+    /// loads and reactions times their displacements (the work done on the
+    /// scene if all forces grow in proportion).
     double energy = 0., external_work = 0.;
     /// In stabilising springs, over all bodies, and its share of all energy.
+    /// Zero, but for rounding, once the state is released from them.
     double stabilisation_energy = 0., stabilisation_share = 0.;
     /// |energy - external_work - half the contact forces times their
     /// displacements| over the larger of the first two, with what the springs
     /// hold: zero by Clapeyron's theorem.
     double energy_balance = 0.;
-    /// In rad, over all bodies.
+    /// The largest rotation, in rad, over all bodies. The linear strain (Eq. 5)
+    /// misses about half its square.
     double max_rotation = 0.;
     /// The largest component of displacements, those of obstacles among them:
     /// what gaps are differences of.
     double max_displacement = 0.;
   };
 
+  /**
+   * The checks of @p state at load factor @p factor. @p contacts are those
+   * whose rows, one contact after the other, the forces of the state belong
+   * to; supports are numbered from 0 to @p n_supports - 1, as in
+   * Structure::prescribed(). Costs two loops over all elements, no solution;
+   * collective. Throws nothing of what it finds: see require_sound().
+   */
   Checks
   check_state(const Structure                     &structure,
               const std::vector<ContactInterface> &contacts,
@@ -86,20 +118,28 @@ namespace lamella
               const double                         factor);
 
   /**
-   * Throws NumericsError if the state is not to be trusted: corrections that do
-   * not become small, forces, residual or energy out of balance, gaps and
-   * forces off the contact law, numbers that are none, or a rotation above
-   * @p rotation_limit.
+   * Throws NumericsError if the state is not to be trusted, looked at in this
+   * order: stabilising springs that hold more than a tenth of the energy, last
+   * corrections above 1e-6 of the displacements, balance of forces, residual or
+   * balance of energy above 1e-3, a contact force below zero or gaps off the
+   * contact law by more than 1e-6 of the displacements, numbers that are none,
+   * or a rotation above @p rotation_limit (rad). A check that is not a number
+   * counts as failed.
    */
   void
   require_sound(const State  &state,
                 const Checks &checks,
                 const double  rotation_limit);
 
-  /// What the user should know of a state that is sound: lost digits, rotations
-  /// beyond the linear theory, penetrations of the size of the displacements,
-  /// points that face nothing, bodies that overlap from the start. A sentence
-  /// each.
+  /**
+   * What the user should know of a state that is sound, a sentence each without
+   * a full stop: penetrations above 1e-3 of the displacements, gaps whose
+   * averages miss more than 1e-2 of them, bodies that overlap from the start;
+   * rotations beyond 0.1 rad, stabilising springs with more than 1e-3 of the
+   * energy, balances that hold to worse than 1e-7, and digits that the
+   * assembled matrix lost (a first correction above 1e-7). @p contacts are
+   * those of check_state().
+   */
   std::vector<std::string>
   warnings_of(const State                         &state,
               const Checks                        &checks,

@@ -12,9 +12,13 @@
 namespace lamella
 {
   /**
+   * Static condensation onto the contact forces, the dual form of the problem:
    * K is factorised once per body; contact lives on the compliance C of the
-   * rows that take part. Each linear solve is then one small dense system,
-   * (C + d) dlambda = r_lambda - B K^-1 r_u, and one backward half.
+   * rows that take part. Each linear solve is then one solution with K, one
+   * small dense system,
+   *   (C + d) dlambda = r_lambda - B K^-1 r_u,
+   * and one backward half, K^-1 B^T dlambda. The penalty enters as d beside C,
+   * never as K + K^p, so a hard one costs no digits.
    *
    * The active set is found by row generation: the complementarity problem of
    * the rows that take part is solved exactly (solve_complementarity()), the
@@ -24,6 +28,11 @@ namespace lamella
    * join last: where rows depend on each other (more points than a surface has
    * freedom to move) they then share the force, as the least sum of squares
    * does.
+   *
+   * Since the rows that take part at least double in a round, there are about
+   * 2 + log2(rows / 8) rounds at most. With n of them, each costs a dense
+   * factorisation or some (n^3 / 3) and the gaps of all rows; memory is that of
+   * Compliance and n^2.
    */
   class CondensedStrategy
   {
@@ -36,8 +45,11 @@ namespace lamella
      * place of 1/eps,
      *   K du - B_A^T dlambda = r_u,
      *   B_A du + d dlambda   = r_lambda.
-     * @p r_lambda and @p dlambda have an entry for each active row. @p r_u need
-     * not be condensed. du vanishes in what supports prescribe.
+     * @p r_lambda (lengths) and @p dlambda (forces) have an entry for each
+     * active row. @p r_u (forces) need not be condensed. du vanishes in what
+     * supports prescribe. The factor of C + d is kept for the next call with
+     * the same rows and softness. Throws NumericsError if C + d is not positive
+     * definite.
      */
     void
     solve(const std::vector<unsigned int> &active,
@@ -52,54 +64,69 @@ namespace lamella
      *   lambda = max(0, ((d - a) lambda_bar - g) / d):
      * the law g + a lambda >= 0 with its softness a raised to a d that the
      * arithmetic bears, about an estimate lambda_bar of the forces. Finds which
-     * rows are active.
+     * rows are active. @p monitor is told of every round. Without rows that
+     * penetrate, forces or estimates to begin with, the answer is no change,
+     * and the monitor is not called. Throws NumericsError as
+     * solve_complementarity() does, and what the monitor throws.
      */
     ContactSolution
     settle(const ContactProblem &problem, const Monitor &monitor);
 
+    /// The stiffening and the batches of known rows.
     StrategyMemory
     memory() const;
 
+    /// Includes these batches again, which solves for them: collective.
     void
     recall(const StrategyMemory &memory);
 
-    /// The largest estimate of a condition number met so far, 0 if unknown.
+    /// The largest estimate of a condition number of the bodies' stiffnesses,
+    /// 0 if unknown.
     double
     condition_estimate() const;
 
+    /// Open to the loop around it, which stiffens it where estimates converge
+    /// too slowly.
     NumericalSoftness numerical_softness;
 
   private:
-    /// The d of a known row: never less than 1e-10 of the compliance, which
-    /// keeps C + d definite where rows depend on each other.
+    /// The d of a known row: never less than 1e-10 of its compliance, which
+    /// keeps C + d definite where rows depend on each other, nor than 1e-8 of
+    /// what NumericalSoftness says, for rows without any compliance. `exact`
+    /// takes this least value.
     double
     softness(const unsigned int row) const;
 
     /// Rows with the negative of their gaps, the smallest gap first.
     using Violations = std::vector<std::pair<double, unsigned int>>;
 
-    /// Rows without a softness of their own that touch and are not among
+    /// Rows without a softness of their own (a = 0) that touch under the gaps
+    /// @p g, up to a hundred times what counts as closed, and are not among
     /// @p part.
     Violations
     touching_rows(const ContactProblem            &problem,
                   const std::vector<unsigned int> &part,
                   const std::vector<double>       &g) const;
 
-    /// Solves @p problem on the rows @p part, beginning with those of them that
-    /// are active in @p solution.
+    /// Solves @p problem on the rows @p part (known, ascending), beginning with
+    /// those of them that are active in @p solution; all others keep the force
+    /// that they have there. Sets du, the forces of @p part and the active
+    /// rows.
     void
     solve_part(const ContactProblem            &problem,
                const std::vector<unsigned int> &part,
                ContactSolution                 &solution);
 
-    /// K^-1 r of the unconstrained DoFs, expanded.
+    /// G K^-1 G^T r with the condensed K: one solution a body.
     BlockVector
     apply_inverse(BlockVector r) const;
 
     const Structure &structure;
     const GapRows    rows;
-    Compliance       compliance;
-    /// C + d of the rows that were active in the last linear solve, and d.
+    /// Of the rows that ever took part.
+    Compliance compliance;
+    /// The factor of C + d of the rows that were active in the last linear
+    /// solve, these rows, and their d.
     std::optional<DenseCholesky> factor;
     std::vector<unsigned int>    factorised_for;
     std::vector<double>          factorised_with;

@@ -12,71 +12,109 @@
 
 namespace lamella
 {
-  /// a of the contact law g + a lambda >= 0, lambda >= 0, one of them zero:
-  /// 1/eps for `penalty`, zero for the others.
+  /**
+   * The softness a of the contact law that the solution has to obey,
+   *   g + a lambda >= 0,  lambda >= 0,  (g + a lambda) lambda = 0,
+   * with the gap g and the force lambda (positive in compression) of a row: a
+   * length over a force. It is 1/eps for `penalty`, which is Eq. 25 read as a
+   * compliance: lambda = eps max(0, -g). It is zero for `augmented lagrangian`
+   * and `exact`, where the law is that of Kuhn and Tucker (Eq. 18, in which
+   * p_N is negative in compression).
+   */
   double
   law_softness(const GapRow &row);
 
-  /// Contact about a state whose displacements and forces are in equilibrium.
+  /**
+   * A contact problem in increments: what is to be found about a state whose
+   * displacements u and contact forces lambda_state are in equilibrium,
+   *   K u = t f + B^T lambda_state.
+   * The linear solution without contact forces is such a state, and so is a
+   * refined one. Vectors have an entry for each gap row of the scene, in the
+   * numbering of GapRows.
+   */
   struct ContactProblem
   {
-    /// Of each row at that state.
+    /// Of each row at that state: g_state, a length, negative where the bodies
+    /// penetrate, and lambda_state, a force.
     std::vector<double> gap, force;
-    /// What is known of the forces that are sought, lambda_bar.
+    /// What is known of the forces that are sought, lambda_bar: the multiplier
+    /// estimate of the method of multipliers. Zero where nothing is known; a
+    /// good one leaves less penetration to the softness d.
     std::vector<double> estimate;
-    /// Numbers of the rows that are likely to be active.
+    /// Numbers of the rows that are likely to be active, ascending. A poor
+    /// guess costs rounds, not correctness.
     std::vector<unsigned int> start;
-    /// A gap that is less negative is rounding.
+    /// A gap that is less negative than this length is rounding and counts as
+    /// closed.
     double closed = 0.;
   };
 
+  /// The answer to a ContactProblem.
   struct ContactSolution
   {
-    /// To be added to the state's displacements.
+    /// K^-1 B^T (lambda - lambda_state), to be added to the state's
+    /// displacements; zero in what supports prescribe.
     BlockVector du;
-    /// Of each row.
+    /// lambda of each row: the whole force, not its change; zero where the row
+    /// is open.
     std::vector<double> force;
     /// Numbers of the active rows, ascending.
     std::vector<unsigned int> active;
   };
 
-  /// What there is to tell of one round of the search for the active rows.
+  /// What there is to tell of one round of the search for the active rows: a
+  /// solution with some active set, and what was wrong with the set.
   struct Round
   {
+    /// How many rows were active in it.
     std::size_t active = 0;
-    /// Rows whose state was wrong, and by how much the worst of them missed the
-    /// law, a length.
+    /// Rows whose state was wrong (open ones that penetrate, under `full` also
+    /// active ones that pull), and by how much the worst of them missed the
+    /// law, a length. None: the set is right.
     std::vector<unsigned int> changed;
     double                    violation = 0.;
   };
 
   /// What a solver has learnt in the load steps so far. Another one of the
-  /// same scene that recalls it gives the same numbers to the last bit.
+  /// same scene that recalls it gives the same numbers to the last bit: it is
+  /// what a resumed run needs beside the last state.
   struct StrategyMemory
   {
-    /// Of NumericalSoftness.
+    /// That of NumericalSoftness: a power of ten from 1 to 1000.
     double stiffening = 1.;
-    /// The rows whose compliance is known, as they became known together.
+    /// Of the condensed strategy the rows whose compliance is known, as they
+    /// became known together (Compliance::batches()); of `full` one list, the
+    /// rows that the matrix has room for.
     std::vector<std::vector<unsigned int>> rows;
   };
 
-  /// Is told of each round; what it throws ends the search.
+  /// Is told of each round; what it throws ends the search. It is how a limit
+  /// of iterations reaches into a strategy.
   using Monitor = std::function<void(const Round &)>;
 
-  /// The softness d that the arithmetic of a row is done with.
+  /**
+   * The softness d >= a that the arithmetic of a row is done with, a length
+   * over a force: the proximal term of the method of multipliers,
+   *   lambda = max(0, ((d - a) lambda_bar - g) / d).
+   * A law with a = 0 has no force as a function of the gap; this one has, and
+   * with lambda_bar = lambda it is the law itself.
+   */
   class NumericalSoftness
   {
   public:
-    /// 1 / (penalty times the stiffening so far), or exactly the law's.
+    /// d of @p row: exactly the law's 1/eps for `penalty`, otherwise
+    /// 1 / (eps s) with the row's penalty eps (force / length) and the
+    /// stiffening s so far. (The condensed strategy takes less for `exact`.)
     double
     operator()(const GapRow &row) const;
 
-    /// Raises the penalty of rows whose estimate is improved; false once it is
-    /// 1000 times what it was.
+    /// Raises the penalty of rows whose estimate is improved tenfold: a harder
+    /// d converges in fewer rounds of estimates. Changes nothing and returns
+    /// false once it is 1000 times what it was.
     bool
     stiffen();
 
-    /// How much it was raised so far.
+    /// How much it was raised so far; of no effect on `penalty`.
     double stiffening = 1.;
   };
 } // namespace lamella

@@ -3,6 +3,7 @@
 #ifndef lamella_solve_parameters_h
 #define lamella_solve_parameters_h
 
+#include <lamella/base/entry.h>
 #include <lamella/solve/contact_solver.h>
 
 #include <deal.II/base/parameter_handler.h>
@@ -11,31 +12,50 @@
 
 namespace lamella
 {
+  /// How contact is solved for (`Contact strategy`). Both come to the same
+  /// results.
   enum class Strategy
   {
     undefined,
-    condensed,
-    full
+    condensed, ///< K factorised once, contact on its compliance: MultiplierLoop
+    full       ///< K + K^p of the whole scene, as in the paper: PenaltyNewton
   };
 
-  /// What a scene says of the solution.
+  template <>
+  struct Names<Strategy>
+  {
+    static constexpr NameOf<Strategy> all[] = {{Strategy::condensed,
+                                                "condensed"},
+                                               {Strategy::full, "full"}};
+  };
+
+  /// What a scene says of the solution, in the entries of its top level. The
+  /// values here stand before a scene is read; its defaults are in declare().
   struct SolveParameters
   {
+    /// t of each load step, in their order, at least one: multiplies all loads
+    /// and prescribed displacements, those of obstacles among them.
     std::vector<double> load_factors;
     Strategy            strategy = Strategy::undefined;
-    SolverParameters    loop;
-    SolverKind          solver = SolverKind::automatic;
+    /// Of which a scene sets the iterations only.
+    SolverParameters loop;
+    /// What solves with a body's stiffness, under the condensed strategy.
+    SolverKind solver = SolverKind::automatic;
     /// Bytes on each machine; 0: what it has.
     double memory_limit = 0.;
-    /// In rad; beyond it a run fails.
+    /// The largest rotation for which linear kinematics (Eq. 5) may speak, in
+    /// rad; beyond it a run fails.
     double rotation_limit = 0.;
 
+    /// Declares the entries with their defaults and documentation.
     static void
     declare(dealii::ParameterHandler &prm);
 
-    /// Throws InputError.
+    /// From the top level of a scene. Throws InputError for no load factor, for
+    /// numbers out of range, and for a linear solver that `full` cannot use
+    /// (it factorises with MUMPS).
     static SolveParameters
-    parse(const dealii::ParameterHandler &prm);
+    parse(const Entries &in);
   };
 } // namespace lamella
 

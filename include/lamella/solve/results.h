@@ -3,6 +3,7 @@
 #ifndef lamella_solve_results_h
 #define lamella_solve_results_h
 
+#include <lamella/base/names.h>
 #include <lamella/base/units.h>
 #include <lamella/contact/gap_rows.h>
 #include <lamella/linear/linear_solver.h>
@@ -14,26 +15,59 @@
 
 namespace lamella
 {
+  /// What a run spends its time on, in the order of its work.
+  enum class Phase
+  {
+    setup,         ///< meshes, sections, bodies, supports, loads, probes
+    assembly,      ///< stiffness matrices
+    factorisation, ///< what makes them ready to be solved with
+    solve,         ///< linear solution, refinement, checks
+    contact,       ///< search and pairing, and the search for active rows
+    output         ///< fields at probes, lines and cuts; files
+  };
+
+  template <>
+  struct Names<Phase>
+  {
+    static constexpr NameOf<Phase> all[] = {{Phase::setup, "setup"},
+                                            {Phase::assembly, "assembly"},
+                                            {Phase::factorisation,
+                                             "factorisation"},
+                                            {Phase::solve, "solve"},
+                                            {Phase::contact, "contact"},
+                                            {Phase::output, "output"}};
+  };
+
+  /// The names of all phases, in their order; a static that lives as long as
+  /// the program.
+  const std::vector<std::string> &
+  phase_names();
+
   /// The fields at a point of a body, on one side of its ply interfaces: a row
   /// of the tables of probes, lines and cuts.
   struct FieldRow
   {
+    /// Its name.
     std::string body;
-    /// From 0 at the bottom.
-    unsigned int     ply = 0;
+    /// From 0 at the bottom; tables count from 1.
+    unsigned int ply = 0;
+    /// Undeformed, in the scene.
     dealii::Point<3> position;
-    FieldSample      sample;
+    /// Displacement, strains and stresses, scene axes and ply axes.
+    FieldSample sample;
   };
 
   /// A row of a line, with the arc length from its start.
   struct LineRow
   {
+    /// A length; both sides of a ply interface have the same.
     double   s = 0.;
     FieldRow fields;
   };
 
-  /// A row of a cut: point (i, j) of the grid on the cell @p cell of the
-  /// section.
+  /// A row of a cut: point (i, j) of the grid on the cell number @p cell of the
+  /// section, each from 0. Cells have grids of their own, so points on their
+  /// common sides stand there once a cell.
   struct CutRow
   {
     unsigned int cell = 0, i = 0, j = 0;
@@ -51,13 +85,17 @@ namespace lamella
     double relative = 0.;
   };
 
-  /// One pair of a contact at the end of a load step.
+  /// One pair of a contact at the end of a load step: a gap row with its
+  /// geometry.
   struct ContactRow
   {
     /// The places, the normal and the area of the pair.
     ContactInterface::Point point;
-    double                  initial_gap = 0., gap = 0.;
-    /// Positive in compression.
+    /// g_init of Eq. 17 and g of Eq. 16, lengths, negative in penetration; of
+    /// an average over an area (surface to surface) these averages.
+    double initial_gap = 0., gap = 0.;
+    /// lambda, positive in compression: over the area of the pair the mean
+    /// pressure there.
     double force = 0.;
 
     bool
@@ -81,26 +119,32 @@ namespace lamella
   struct StepResults
   {
     /// From 1.
-    unsigned int step        = 0;
-    double       load_factor = 0.;
-    State        state;
-    Checks       checks;
+    unsigned int step = 0;
+    /// t: what multiplies loads and prescribed displacements.
+    double load_factor = 0.;
+    /// Displacements, contact forces and how they were found.
+    State  state;
+    Checks checks;
     /// What the strategy had learnt when the step ended.
     StrategyMemory memory;
 
-    /// Of each probe a row a ply that it touches.
-    std::vector<std::vector<FieldRow>>   probes;
-    std::vector<std::vector<LineRow>>    lines;
-    std::vector<std::vector<CutRow>>     cuts;
-    std::vector<InterfaceJump>           jumps;
+    /// Of each probe a row a ply that it touches, from the bottom.
+    std::vector<std::vector<FieldRow>> probes;
+    std::vector<std::vector<LineRow>>  lines;
+    std::vector<std::vector<CutRow>>   cuts;
+    /// Of each line.
+    std::vector<InterfaceJump> jumps;
+    /// Of each contact its pairs, in the order of its rows.
     std::vector<std::vector<ContactRow>> contacts;
-    std::vector<StatusChanges>           changes;
+    /// Of each contact.
+    std::vector<StatusChanges> changes;
 
     /// What the user should know of this step, a sentence each.
     std::vector<std::string> warnings;
 
-    /// Drops the state's vectors and all rows, which is nearly all of its
-    /// memory.
+    /// Drops the state's vectors, the strategy's memory and all rows, which is
+    /// nearly all of its memory. What stays: number, load factor, iterations,
+    /// checks, jumps, changes and warnings.
     void
     drop_fields();
   };
@@ -108,7 +152,9 @@ namespace lamella
   /// What a body is to those who read results.
   struct BodyFacts
   {
-    std::string  name, theory;
+    /// As the scene says them: `upper`, `LE-2`.
+    std::string name, theory;
+    /// Those that supports prescribe among them.
     unsigned int dofs = 0;
     /// What solving it took; nothing under the `full` strategy.
     std::optional<SolverStatistics> solver;
@@ -117,11 +163,15 @@ namespace lamella
   /// What a contact is to those who read results.
   struct ContactFacts
   {
+    /// Of the contact, and of the body or obstacle on its second side.
     std::string    name, second_name;
     Discretisation discretisation = Discretisation::undefined;
     Enforcement    enforcement    = Enforcement::undefined;
-    unsigned int   rows = 0, unpaired = 0, unpaired_second = 0;
-    double         initial_gap_min = 0., initial_gap_max = 0.;
+    /// Its gap rows, and the nodes of either side that face nothing of the
+    /// other.
+    unsigned int rows = 0, unpaired = 0, unpaired_second = 0;
+    /// The range of g_init over its rows, a length.
+    double initial_gap_min = 0., initial_gap_max = 0.;
   };
 
   /**
@@ -131,8 +181,10 @@ namespace lamella
    */
   struct Results
   {
-    std::string               title;
-    Units                     units;
+    /// Of the scene; units are labels only, numbers are as the scene's.
+    std::string title;
+    Units       units;
+    /// In the order of the scene, as are all names here.
     std::vector<BodyFacts>    bodies;
     std::vector<ContactFacts> contacts;
     std::vector<std::string>  supports, probes, lines, cuts;
@@ -149,11 +201,15 @@ namespace lamella
     /// What the user should know of the scene as a whole, said before and
     /// after what the steps say.
     std::vector<std::string> notes, endnotes;
-    double                   condition_estimate = 0.;
+    /// Of the condensed stiffnesses, the largest of all bodies; a lower bound,
+    /// 0 if unknown (only CHOLMOD knows one).
+    double condition_estimate = 0.;
 
-    /// Phase (phase_names(), `total`) -> wall seconds.
+    /// Phase (phase_names(), `total`) -> wall seconds. `total` is more than
+    /// their sum by what belongs to none.
     std::map<std::string, double> seconds;
-    unsigned int                  processes = 1;
+    /// MPI processes of the run.
+    unsigned int processes = 1;
     /// In bytes: of the process that took most, and of all.
     double peak_memory = 0., peak_memory_of_all = 0.;
 
@@ -161,11 +217,13 @@ namespace lamella
     unsigned int
     n_dofs() const;
 
-    /// Of the scene and of all steps, these named where there are several.
+    /// What the user should know: notes, the warnings of all steps (with their
+    /// step where the scene has several), endnotes. A sentence each, without a
+    /// full stop.
     std::vector<std::string>
     all_warnings() const;
 
-    /// Throws InputError if no step was solved.
+    /// The last step that was solved. Throws InputError if none was.
     const StepResults &
     last() const;
 
@@ -182,10 +240,6 @@ namespace lamella
     const KuhnTucker &
     contact(const std::string &name) const;
   };
-
-  /// The phases of a run, in the order of its work.
-  const std::vector<std::string> &
-  phase_names();
 } // namespace lamella
 
 #endif

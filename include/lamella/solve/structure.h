@@ -20,20 +20,38 @@
 
 namespace lamella
 {
-  /// What each stabilising spring of each body measures where it is without
-  /// force; empty: nothing.
+  /// The offsets r_0 of the stabilising springs in their law
+  /// f = -k (r(u) - r_0): what each spring of each body measures where it is
+  /// without force, a length, [body][spring]. Empty: zero for all of them.
   using SpringRest = std::vector<std::vector<double>>;
 
   /**
-   * The linear part of a scene: bodies with their supports and loads. Contact
-   * couples the bodies through rows only, so each has its own matrix.
+   * The linear part of a scene, the discrete form of the principle of virtual
+   * displacements (Eqs. 8 to 11) without the work of contact: bodies with
+   * their supports, springs and loads. Contact couples the bodies through rows
+   * only, so each has its own matrix: the stiffness K of the scene is block
+   * diagonal, and a BlockVector has one block a body, in the order of the
+   * scene.
    *
-   * Displacements are u = G v + t u_p at load factor t (RowReduction).
+   * Displacements are u = G v + t u_p at load factor t (RowReduction), where v
+   * are the DoFs that supports and the theories' own constraints leave free, G
+   * expands them and u_p fulfils the prescribed displacements. What solvers see
+   * is the condensed stiffness
+   *   G^T (K + sum_k s_k r_k^T r_k) G,
+   * with the stabilising springs of stiffness s_k and row r_k.
+   *
+   * Owns the bodies jointly with whoever else holds the pointers, and alone
+   * the reductions, springs and solvers. Strategies, checks and reports refer
+   * to it, so it has to outlive them. Every process knows all of it and holds
+   * whole vectors; what costs most, the elements, they share.
    */
   class Structure
   {
   public:
     /**
+     * Makes the prescribed rows of @p supports, eliminates them, makes the
+     * springs and integrates @p loads; no matrix yet. @p bodies must not be
+     * empty; regions of supports and loads name bodies by their place in it.
      * @p stabilisations has one for each body, or is empty: none. Throws
      * InputError if a region is not in its body, if supports contradict each
      * other, or if a body can still move and has no stabilisation (the message
@@ -44,58 +62,68 @@ namespace lamella
               const std::vector<Load>          &loads,
               const std::vector<Stabilisation> &stabilisations = {});
 
+    /// In the order of the scene, which is that of the blocks of vectors.
     const Bodies &
     bodies() const
     {
       return all_bodies;
     }
 
+    /// G and u_p of @p body, and the forces in its prescribed rows.
     const RowReduction &
     reduction(const unsigned int body) const
     {
       return *reductions[body];
     }
 
-    /// The prescribed rows of all supports.
+    /// The prescribed rows of all supports on all bodies, R u = t d; the
+    /// numbers that RowReduction::multipliers() gives are places in here.
     const std::vector<PrescribedRow> &
     prescribed() const
     {
       return rows;
     }
 
-    /// The stabilising springs of @p body.
+    /// The stabilising springs of @p body, one for each rigid motion that its
+    /// supports leave free; none without a Stabilisation.
     const std::vector<Spring> &
     springs(const unsigned int body) const
     {
       return all_springs[body];
     }
 
-    /// Of each load what it is in all, at load factor 1.
+    /// Of each load what it is in all, at load factor 1: force and moment
+    /// about the scene's origin, scene axes, in the order of the loads.
     const std::vector<LoadResultant> &
     load_resultants() const
     {
       return resultants;
     }
 
+    /// Whether any body has one: then its solution is to be released from them
+    /// (ContactSolver::release_springs()).
     bool
     has_springs() const;
 
-    /// What the springs of all bodies measure in the state @p u.
+    /// What the springs of all bodies measure in the state @p u, r_k(u): as a
+    /// rest it makes them free of force there.
     SpringRest
     spring_lengths(const BlockVector &u) const;
 
-    /// The load vector at load factor 1.
+    /// The load vector f at load factor 1, not condensed: all loads together,
+    /// f . v is their work on the virtual displacement v (Eq. 10).
     const BlockVector &
     load() const
     {
       return unit_load;
     }
 
+    /// DoFs of all bodies, those that supports prescribe among them.
     DofIndex
     n_dofs() const;
 
-    /// The diagonal of the box around all bodies: what lengths are compared
-    /// with.
+    /// The diagonal of the box around all bodies, in scene axes: what lengths
+    /// are compared with.
     double
     size() const;
 
@@ -103,13 +131,15 @@ namespace lamella
     BlockVector
     zero() const;
 
-    /// u_p at load factor @p factor.
+    /// t u_p with t = @p factor: the values that supports prescribe, and zero
+    /// in the free DoFs.
     BlockVector
     particular(const double factor) const;
 
     /// Is told, of each body, when work on it begins and ends, when its
     /// stiffness is assembled, and how large its factor becomes before memory
-    /// is spent on it.
+    /// is spent on it. Functions that are empty are not called; what `sized`
+    /// throws prevents the factorisation.
     struct BodyMonitor
     {
       std::function<void(const Body &)>                     begins, assembled;
@@ -117,41 +147,61 @@ namespace lamella
       std::function<void(const Body &, const FactorSize &)> sized;
     };
 
-    /// Makes what solves with the condensed stiffness of each body, as
-    /// @p asked.
+    /// Assembles the condensed stiffness of each body and makes what solves
+    /// with it, as @p asked; solvers of an earlier call go. Collective: all
+    /// processes call it. The `condensed` strategy needs it, `full` never asks
+    /// for a body's own solver.
     void
     make_solvers(const SolverKind   asked   = SolverKind::automatic,
                  const BodyMonitor &monitor = {});
 
-    /// Of make_solvers().
+    /// That of make_solvers(), which must have been called before.
     const LinearSolver &
     solver(const unsigned int body) const;
 
-    /// The largest diagonal entry of the condensed stiffness of @p body.
+    /// The largest diagonal entry of the condensed stiffness of @p body, force
+    /// over length where the DoF is a displacement. Where no solver knows it
+    /// (`full`) the first call assembles the body's matrix to see, on all
+    /// processes.
     double
     largest_stiffness(const unsigned int body) const;
 
-    /// The stabilising springs of @p body as terms of its stiffness.
+    /// The stabilising springs of @p body as terms s_k r_k^T r_k of its
+    /// stiffness: pairs of row and stiffness (force / length).
     std::vector<SpringTerm>
     spring_terms(const unsigned int body) const;
 
-    /// factor * load - integral B^T C (B u) - spring forces, strain first; not
-    /// condensed. The springs are without force at @p rest.
+    /**
+     * The unbalanced forces without those of contact,
+     *   r = t f - integral B^T C (B u) dV - sum_k s_k (r_k(u) - r_0k) r_k^T,
+     * t = @p factor; not condensed. The springs are without force at @p rest.
+     * Strain first: at each quadrature point the strains B u are formed from
+     * @p u and the stresses C (B u) integrated, instead of K u with an
+     * assembled K. Where a slender body's K loses digits to cancellation this
+     * does not, which is why solutions are refined against it. Costs a loop
+     * over all elements; collective.
+     */
     BlockVector
     residual(const BlockVector &u,
              const double       factor,
              const SpringRest  &rest = {}) const;
 
-    /// G^T r in place: the residual that equilibrium sets to zero.
+    /// G^T r in place, zero in the eliminated DoFs: the residual that
+    /// equilibrium sets to zero. (What is left in the eliminated ones before
+    /// that are the reactions.)
     void
     condense(BlockVector &r) const;
 
   private:
+    /// Throws InputError for the first body with a rigid motion that supports
+    /// leave free and no stabilisation holds.
     void
     check_held(const std::vector<Stabilisation> &stabilisations) const;
 
-    Bodies                                     all_bodies;
-    std::vector<PrescribedRow>                 rows;
+    Bodies all_bodies;
+    /// prescribed().
+    std::vector<PrescribedRow> rows;
+    /// One a body, as are springs and, after make_solvers(), solvers.
     std::vector<std::unique_ptr<RowReduction>> reductions;
     std::vector<std::vector<Spring>>           all_springs;
     std::vector<std::unique_ptr<LinearSolver>> solvers;

@@ -13,20 +13,31 @@ namespace lamella
   /// A rung of a trade: the scene with these overrides, PATH=VALUE each.
   struct Rung
   {
-    std::string              name;
-    std::string              theory;
+    /// As the scene says it: `LE-2, axis 2`.
+    std::string name;
+    /// `LE-2`.
+    std::string theory;
+    /// As of --set, to stand behind those of the command line: the last of
+    /// equal ones counts.
     std::vector<std::string> overrides;
   };
 
   /**
+   * Refinement of a discretisation by overrides of its entries: h in the
+   * factors, p in the theory. A rung is no other kind of scene, so whatever a
+   * user can write by hand a ladder can do, and the other way round.
+   *
    * The overrides that make @p entry out of @p scene: for each body of the
    * trade its theory, its numbers of axis elements times the factor (rounded,
    * at least 1), and for their sections
    *   laminates       Cells per ply, Cells across times the factor,
-   *   half discs      Finest cell over it, Sectors times it (multiples of 4),
-   *   ellipses        Refinements + log2 of it,
+   *   half discs      Finest cell over it, Sectors times it (multiples of 4, at
+   *                   least 8),
+   *   ellipses        Refinements + log2 of it (rounded, 0 to 6),
    *   thin walls      Cells per wall, Cells along wall times it;
-   * then the entry's own. Throws InputError for a factor on a mesh file.
+   * then the entry's own. A section that two bodies share becomes finer for
+   * both, also for one that the trade leaves alone. Throws InputError for a
+   * factor on a mesh file.
    */
   Rung
   make_rung(const LadderEntry &entry, const Scene &scene);

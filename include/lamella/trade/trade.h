@@ -39,9 +39,10 @@ namespace lamella
   {
   public:
     /// The scene in the file @p scene_file with @p overrides, as it was read
-    /// into @p scene; rungs run on @p threads. MPI must not have been started:
-    /// each rung starts its own. Throws InputError for overrides of rungs that
-    /// no scene has.
+    /// into @p scene, which is referred to, as is @p out; rungs run on
+    /// @p threads. MPI must not have been started: each rung starts its own.
+    /// Throws InputError for overrides of rungs that no scene has, and for a
+    /// scene that has nothing to compare. Nothing runs or is written yet.
     Trade(const std::string              &scene_file,
           const std::vector<std::string> &overrides,
           const Scene                    &scene,
@@ -49,17 +50,22 @@ namespace lamella
           std::ostream                   &out);
 
     /// Runs what is missing of the ladder in @p directory and writes trade.csv,
-    /// trade.gp, trade.png and trade.svg there. Throws InputError if another
-    /// trade is at work there or nothing can be written, NumericsError if no
-    /// reference succeeded.
+    /// trade.py, trade.png and trade.svg there; the results of each rung go
+    /// into rungs/NN_NAME. Without matplotlib the pictures are missing, and it
+    /// says so. Throws InputError if another trade is at work there, nothing
+    /// can be written, the scene changed in the meantime or a rung cannot give
+    /// a quantity; NumericsError if no reference succeeded.
     void
     run(const std::string &directory);
 
   private:
-    /// What the rung's record must say to be of this scene and this program.
+    /// What the rung's record must say to be of this scene and this program:
+    /// the resolved scene with @p rung_overrides but without its Trade, size
+    /// and time of mesh files and program, its version, the threads.
     std::string
     fingerprint(const std::vector<std::string> &rung_overrides) const;
-    /// Runs the rungs of the ladder that differ from those before them.
+    /// Runs the rungs of the ladder that differ from those before them, by
+    /// their fingerprints. A rung that cannot be made is a result that failed.
     void
     climb(const std::string &directory);
     /// Runs the scene with the overrides @p all into @p output, in a process of
@@ -68,8 +74,10 @@ namespace lamella
     run_scene(const std::vector<std::string> &all,
               const std::string              &folder,
               const std::string              &output) const;
-    /// Runs it, a few times where that is soon done, keeps the fastest in
-    /// @p folder and returns what the record says; @p of is its fingerprint.
+    /// Runs it, three times where that takes less than a second, keeps the
+    /// fastest in @p folder and returns what the record says; @p of is its
+    /// fingerprint. Throws InputError if scene, mesh files or program are not
+    /// what they were when the trade began.
     nlohmann::json
     new_record(const std::vector<std::string> &all,
                const std::string              &of,
@@ -85,10 +93,12 @@ namespace lamella
     /// that they are compared, as the finest run has them.
     void
     complete_quantities();
+    /// The values of all quantities into the results of rungs that succeeded.
     void
     take_values();
 
-    std::string              scene_file;
+    std::string scene_file;
+    /// Of the command line; those of a rung come behind them.
     std::vector<std::string> overrides;
     const Scene             &scene;
     unsigned int             threads;
@@ -96,8 +106,10 @@ namespace lamella
     /// The fingerprint of the scene without a rung's overrides, as it was read.
     std::string base;
 
+    /// Those of the scene, and after complete_quantities() the rest.
     std::vector<TradeQuantity> quantities;
-    std::vector<RungResult>    results;
+    /// Of each rung that was not left out, in the order of the ladder.
+    std::vector<RungResult> results;
     /// As the scene says; the rung that stands for it if it was left out.
     std::string reference;
     /// Of each result, if it did not fail.

@@ -17,25 +17,30 @@ namespace lamella
    * The error of a rung's value v against the reference r is |v / r - 1|. A
    * rung stands on the Pareto front of a cost if none is at most as costly and
    * at most as far off, and better in one of the two. The rung that is itself
-   * the reference has no error and stands on no front.
+   * the reference has no error and stands on no front. Rungs and quantities are
+   * numbered from 0, in the order of the constructor's lists.
    */
   class TradeTable
   {
   public:
+    /// What a rung is charged for.
     enum class Cost
     {
-      seconds,
-      dofs
+      seconds, ///< wall seconds of the whole process
+      dofs     ///< degrees of freedom of all bodies
     };
 
+    /// @p rungs that did not fail have a value for each of the @p quantities;
     /// @p reference is `finest`, `solid`, `given` or a rung's name, see
-    /// TradeParameters. Throws NumericsError if the rung that it means, or
-    /// every rung, failed.
+    /// TradeParameters, and for `given` each quantity has its number;
+    /// @p tolerances are shares of 1. Throws NumericsError if the rung that the
+    /// reference means, or every rung, failed.
     TradeTable(std::vector<RungResult>    rungs,
                std::vector<TradeQuantity> quantities,
                const std::string         &reference,
                std::vector<double>        tolerances);
 
+    /// The failed ones among them.
     const std::vector<RungResult> &
     rungs() const
     {
@@ -59,7 +64,7 @@ namespace lamella
       return against;
     }
 
-    /// Of quantity @p q; zero if no error can be relative to it.
+    /// r of quantity @p q; zero if no error can be relative to it.
     double
     reference(const unsigned int q) const;
 
@@ -67,12 +72,18 @@ namespace lamella
     /// the reference itself, and the reference is not zero.
     bool
     has_error(const unsigned int k, const unsigned int q) const;
+    /// |v / r - 1| of rung @p k in quantity @p q, as a share of 1; only where
+    /// has_error().
     double
     error(const unsigned int k, const unsigned int q) const;
+    /// Of rung @p k; of a failed one the seconds that it took to fail, and no
+    /// DoFs.
     double
     cost(const unsigned int k, const Cost cost) const;
 
-    /// The rungs of the Pareto front of quantity @p q, by rising cost.
+    /// The rungs of the Pareto front of quantity @p q, by rising cost and so by
+    /// falling error; of rungs with the same cost and error one. Seconds are
+    /// taken as they are, without the allowance of cheapest().
     std::vector<unsigned int>
     front(const unsigned int q, const Cost cost) const;
 
@@ -87,32 +98,39 @@ namespace lamella
     /// and, where a rung that is richer (more DoFs, meshes at least as fine,
     /// the same theory or one that holds it: EBBT, TBT, TE-1, TE-2, ...; LE-1,
     /// LE-2, ...) is off by more than @p tolerance, that one should not count
-    /// on it.
+    /// on it: a poor theory can be right by accident, where a curve of errors
+    /// changes its sign.
     std::string
     sentence(const unsigned int q, const double tolerance) const;
 
-    /// What errors are taken against, and how sure that is, in words.
+    /// What errors are taken against, and how sure that is, in words: the last
+    /// rung before the reference that succeeded has an error, and smaller ones
+    /// than that say little, since the reference itself may be off by as much.
     std::string
     basis() const;
 
   private:
+    /// The last rung that @p name means and that did not fail.
     int
     find_reference(const std::string &name) const;
 
+    /// rungs(), quantities(), tolerances() and reference_rung().
     std::vector<RungResult>    all;
     std::vector<TradeQuantity> asked;
     std::vector<double>        bounds;
     int                        against = -1;
   };
 
-  /// The costs of all rungs, their errors in per cent, and the sentences.
+  /// Prints the costs of all rungs, their errors in per cent, and the sentences
+  /// for each tolerance and quantity. @p out takes plain text.
   void
   print_trade(std::ostream &out, const TradeTable &table);
 
-  /// One line a rung and quantity: rung, theory, dofs, seconds, the phases,
-  /// memory_mb, quantity, value, reference, error (relative), front_seconds and
-  /// front_dofs (1 on the front), failure. Throws InputError if the file cannot
-  /// be written.
+  /// Writes the file @p path, one line a rung and quantity: rung, theory, dofs,
+  /// seconds, the phases, memory_mb, quantity, value, reference, error
+  /// (relative), front_seconds and front_dofs (1 on the front), failure. A rung
+  /// that failed has one line, with empty cells and why. Throws InputError if
+  /// the file cannot be written.
   void
   write_trade_csv(const TradeTable &table, const std::string &path);
 } // namespace lamella

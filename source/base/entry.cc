@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <lamella/base/entry.h>
+#include <lamella/base/patterns.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace lamella
+{
+  Entry::Entry(const std::string &path, const std::string &text)
+    : where(path)
+    , what(trimmed(text))
+  {}
+
+
+
+  void
+  Entry::refuse(const std::string &rule, const std::string &remedy) const
+  {
+    throw InputError(where, what, rule, remedy);
+  }
+
+
+
+  void
+  Entry::is_missing(const std::string &remedy) const
+  {
+    throw InputError::missing(where, remedy);
+  }
+
+
+
+  double
+  Entry::number(const std::string &piece) const
+  {
+    const auto fault = fault_of_number(piece);
+    if (!fault.rule.empty())
+      refuse(fault.rule, fault.remedy);
+    return to_number(piece);
+  }
+
+
+
+  double
+  Entry::number() const
+  {
+    return number(what);
+  }
+
+
+
+  double
+  Entry::positive() const
+  {
+    if (is_empty())
+      is_missing("give a positive number.");
+    const double value = number();
+    if (!(value > 0.))
+      refuse("must be positive");
+    return value;
+  }
+
+
+
+  std::vector<double>
+  Entry::numbers() const
+  {
+    std::vector<double> values;
+    for (const std::string &piece : items())
+      values.push_back(number(piece));
+    return values;
+  }
+
+
+
+  std::vector<unsigned int>
+  Entry::wholes(const unsigned int least, const unsigned int most) const
+  {
+    std::vector<unsigned int> values;
+    for (const double value : numbers())
+      {
+        if (!(value >= least && value <= most && value == std::floor(value)))
+          refuse("must be a whole number from " + std::to_string(least) +
+                 " to " + std::to_string(most));
+        values.push_back(static_cast<unsigned int>(value));
+      }
+    return values;
+  }
+
+
+
+  unsigned int
+  Entry::whole(const unsigned int least, const unsigned int most) const
+  {
+    const std::vector<unsigned int> values = wholes(least, most);
+    if (values.size() != 1)
+      refuse("must be one whole number");
+    return values[0];
+  }
+
+
+
+  dealii::Point<3>
+  Entry::point(const std::string &piece) const
+  {
+    const Entry               part(where, piece);
+    const std::vector<double> x = part.numbers();
+    if (x.size() != 3)
+      refuse((part.text() == what ? "" : "'" + part.text() + "' ") +
+             "must be three numbers between commas, as in 0.05, 1, 0.106");
+    return {x[0], x[1], x[2]};
+  }
+
+
+
+  dealii::Point<3>
+  Entry::point() const
+  {
+    return point(what);
+  }
+
+
+
+  bool
+  Entry::truth() const
+  {
+    if (what != "true" && what != "false")
+      refuse("must be true or false");
+    return what == "true";
+  }
+
+
+
+  const std::string &
+  Entry::among(const std::vector<std::string> &names,
+               const std::string              &kind,
+               const std::string              &list) const
+  {
+    if (std::find(names.begin(), names.end(), what) == names.end())
+      refuse("there is no " + kind + " '" + what + "'",
+             "The nearest of " + list + " is '" + nearest_name(what, names) +
+               "'.");
+    return what;
+  }
+
+
+
+  void
+  Entry::refuse_choice(const std::string &pattern) const
+  {
+    patterns::refuse(*this, pattern);
+  }
+
+
+
+  Entry
+  Entries::operator[](const std::string &name) const
+  {
+    return {subsection.empty() ? name : subsection + "/" + name, prm.get(name)};
+  }
+
+
+
+  void
+  Entries::refuse(const std::string &rule, const std::string &remedy) const
+  {
+    throw InputError(subsection, "", rule, remedy);
+  }
+} // namespace lamella

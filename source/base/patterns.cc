@@ -1,0 +1,230 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <lamella/base/patterns.h>
+
+#include <boost/property_tree/json_parser.hpp>
+#include <boost/property_tree/ptree.hpp>
+
+#include <cmath>
+#include <regex>
+#include <sstream>
+
+namespace lamella
+{
+  namespace patterns
+  {
+    using namespace dealii::Patterns;
+
+    Double
+    number()
+    {
+      return Double(-largest_number, largest_number);
+    }
+
+
+
+    Double
+    positive()
+    {
+      return Double(smallest_number, largest_number);
+    }
+
+
+
+    List
+    numbers()
+    {
+      return List(number());
+    }
+
+
+
+    List
+    numbers(const unsigned int n)
+    {
+      return List(number(), n, n);
+    }
+
+
+
+    Whole::Whole(const unsigned int least, const unsigned int most)
+      : least(least)
+      , most(most)
+    {}
+
+
+
+    bool
+    Whole::match(const std::string &text) const
+    {
+      if (!fault_of_number(text).rule.empty())
+        return false;
+      const double value = to_number(text);
+      return value >= least && value <= most && value == std::floor(value);
+    }
+
+
+
+    std::string
+    Whole::description(const OutputStyle style) const
+    {
+      return Integer(least, most).description(style);
+    }
+
+
+
+    std::unique_ptr<PatternBase>
+    Whole::clone() const
+    {
+      return std::make_unique<Whole>(*this);
+    }
+
+
+
+    WordOr::WordOr(const std::string &word, const PatternBase &other)
+      : word(word)
+      , other(other.clone())
+    {}
+
+
+
+    bool
+    WordOr::match(const std::string &text) const
+    {
+      return text == word || other->match(text);
+    }
+
+
+
+    std::string
+    WordOr::description(const OutputStyle style) const
+    {
+      return "[" + word + " or " + other->description(style) + "]";
+    }
+
+
+
+    std::unique_ptr<PatternBase>
+    WordOr::clone() const
+    {
+      return std::make_unique<WordOr>(*this);
+    }
+
+
+
+    WordOr
+    optional(const PatternBase &other)
+    {
+      return WordOr("", other);
+    }
+
+
+
+    namespace
+    {
+      /// `a, b or c` of `a|b|c`.
+      std::string
+      alternatives(const std::string &selection)
+      {
+        std::vector<std::string> names = split(selection, '|');
+        const std::string        last  = names.back();
+        names.pop_back();
+        return names.empty() ? last : joined(names) + " or " + last;
+      }
+
+
+
+      /// What a number of the range from @p low to @p high must be.
+      std::string
+      rule_of_range(const std::string &low, const std::string &high)
+      {
+        const double least = std::stod(low);
+        if (std::abs(std::stod(high)) < largest_number)
+          return "must lie between " + to_text(least) + " and " +
+                 to_text(std::stod(high));
+        return least > 0. ? "must be positive" : "must not be negative";
+      }
+
+
+
+      /// Throws InputError for numbers that are not in the range of @p pattern,
+      /// or not whole.
+      [[noreturn]] void
+      refuse_range(const Entry &entry, const std::string &pattern)
+      {
+        std::smatch             part;
+        static const std::regex whole(
+          "\\[Integer range (\\S+)\\.\\.\\.(\\S+) \\(inclusive\\)\\]"),
+          range("\\[Double (\\S+)\\.\\.\\.(\\S+) \\(inclusive\\)\\]");
+        if (std::regex_match(pattern, part, whole))
+          entry.refuse("must be a whole number from " + part[1].str() + " to " +
+                       part[2].str());
+        if (std::regex_match(pattern, part, range))
+          entry.refuse(rule_of_range(part[1], part[2]));
+        entry.refuse("does not match " + pattern);
+      }
+    } // namespace
+
+
+
+    void
+    refuse(const Entry &entry, const std::string &pattern)
+    {
+      std::smatch             part;
+      static const std::regex word_or("\\[(.*?) or (.*)\\]"),
+        list("\\[List of <(.*)> of length ([0-9]+)\\.\\.\\.([0-9]+).*\\]"),
+        choice("\\[Selection (.*?) ?\\]");
+      if (std::regex_match(pattern, part, word_or))
+        {
+          const std::string word = part[1], other = part[2];
+          try
+            {
+              refuse(entry, other);
+            }
+          catch (const InputError &error)
+            {
+              entry.refuse(error.rule() + (word.empty() ? "" : ", or " + word),
+                           error.remedy());
+            }
+        }
+      if (std::regex_match(pattern, part, list))
+        {
+          const std::size_t n     = entry.items().size(),
+                            least = std::stoul(part[2]);
+          if (n < least || n > std::stoul(part[3]))
+            {
+              if (least == 3)
+                entry.point();
+              entry.refuse("there are " + std::to_string(n) +
+                             " values, and it takes " + std::to_string(least),
+                           "Write them between commas.");
+            }
+          entry.numbers();
+          refuse_range(entry, part[1]);
+        }
+      if (std::regex_match(pattern, part, choice))
+        entry.refuse("must be " + alternatives(part[1]));
+      if (pattern == "[Bool]")
+        entry.truth();
+      // What is no number, or none to compute with, says so first: so do an
+      // empty text, and several numbers where one belongs.
+      if (pattern.find("[Integer") != 0)
+        entry.number();
+      refuse_range(entry, pattern);
+    }
+
+
+
+    void
+    refuse(const Entry &entry, const dealii::ParameterHandler &prm)
+    {
+      std::stringstream json;
+      prm.print_parameters(json, dealii::ParameterHandler::JSON);
+      boost::property_tree::ptree tree;
+      boost::property_tree::read_json(json, tree);
+      refuse(entry,
+             tree.get<std::string>(boost::property_tree::ptree::path_type(
+               entry.path() + "/pattern_description", '/')));
+    }
+  } // namespace patterns
+} // namespace lamella

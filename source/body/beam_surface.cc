@@ -1,0 +1,385 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+// The surfaces of a beam: points, facets, and how these hang together.
+
+#include <lamella/body/beam.h>
+#include <lamella/body/surface_topology.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace lamella
+{
+  using namespace dealii;
+
+  std::vector<std::string>
+  Beam::surfaces() const
+  {
+    std::vector<std::string> names;
+    for (const auto &[id, name] :
+         beam_section->element().section_mesh().boundaries)
+      names.push_back(name);
+    names.insert(names.end(), {"start", "end", "ends", "all"});
+    return names;
+  }
+
+
+
+  SurfacePoint
+  Beam::lateral_point(const EdgePoint   &edge,
+                      const double       weight,
+                      const unsigned int axis_cell,
+                      const double       eta) const
+  {
+    const double y =
+      beam_axis->cell_begin(axis_cell) +
+      eta * (beam_axis->cell_end(axis_cell) - beam_axis->cell_begin(axis_cell));
+    SurfacePoint point;
+    point.position =
+      placement.to_scene({edge.position[0], y, edge.position[1]});
+    const Point<3> n(edge.normal[0], 0., edge.normal[1]);
+    point.normal = placement.vector_to_scene(n);
+    point.area   = edge.weight * weight;
+    point.corner = edge.corner;
+    point.depth  = edge.depth;
+    point.location =
+      location(point.position, axis_cell, eta, edge.cell, edge.unit);
+    Voigt nn;
+    nn[0]                = n[0] * n[0];
+    nn[2]                = n[2] * n[2];
+    nn[4]                = 2. * n[0] * n[2];
+    point.normal_modulus = nn * (beam_section->law(edge.cell).stiffness() * nn);
+    return point;
+  }
+
+
+
+  SurfacePoint
+  Beam::end_point(const EdgePoint &in_section, const bool at_start) const
+  {
+    const unsigned int axis_cell = at_start ? 0 : beam_axis->n_cells() - 1;
+    SurfacePoint       point;
+    point.position = placement.to_scene({in_section.position[0],
+                                         at_start ? 0. : beam_axis->length(),
+                                         in_section.position[1]});
+    point.normal =
+      placement.vector_to_scene(Point<3>(0., at_start ? -1. : 1., 0.));
+    point.area = in_section.weight;
+    point.depth =
+      beam_axis->cell_end(axis_cell) - beam_axis->cell_begin(axis_cell);
+    point.location       = location(point.position,
+                              axis_cell,
+                              at_start ? 0. : 1.,
+                              in_section.cell,
+                              in_section.unit);
+    point.normal_modulus = beam_section->law(in_section.cell).stiffness()[1][1];
+    return point;
+  }
+
+
+
+  namespace
+  {
+    /// What a surface is made of: for each end of the axis that it has, whether
+    /// it is the start, and the boundaries of the section.
+    struct SurfaceParts
+    {
+      std::vector<bool>        ends;
+      std::vector<std::string> boundaries;
+    };
+
+    SurfaceParts
+    parts_of(const std::string &surface, const SectionMesh &section)
+    {
+      if (surface == "start" || surface == "end")
+        return {{surface == "start"}, {}};
+      if (surface == "ends")
+        return {{true, false}, {}};
+      if (surface != "all")
+        return {{}, {surface}};
+      SurfaceParts parts{{true, false}, {}};
+      for (const auto &[id, name] : section.boundaries)
+        parts.boundaries.push_back(name);
+      return parts;
+    }
+  } // namespace
+
+
+
+  std::vector<SurfacePoint>
+  Beam::surface_points(const std::string &surface) const
+  {
+    const CrossSectionElement &element = beam_section->element();
+    const SurfaceParts        parts = parts_of(surface, element.section_mesh());
+    std::vector<SurfacePoint> points;
+    for (const bool at_start : parts.ends)
+      for (const EdgePoint &p : element.section_grid())
+        points.push_back(end_point(p, at_start));
+
+    const std::vector<double> weights = beam_axis->node_weights();
+    for (const std::string &boundary : parts.boundaries)
+      {
+        const auto around = element.edge_points(boundary);
+        for (unsigned int node = 0; node < beam_axis->n_nodes(); ++node)
+          {
+            const auto [cell, eta] = beam_axis->place_of_node(node);
+            for (const EdgePoint &p : around)
+              points.push_back(lateral_point(p, weights[node], cell, eta));
+          }
+      }
+    return points;
+  }
+
+
+
+  std::vector<Location>
+  Beam::fixing_points(const std::string &surface) const
+  {
+    const CrossSectionElement &element = beam_section->element();
+    const SurfaceParts    parts = parts_of(surface, element.section_mesh());
+    std::vector<Location> locations;
+    for (const bool at_start : parts.ends)
+      for (const EdgePoint &p : element.section_points())
+        locations.push_back(end_point(p, at_start).location);
+    for (const std::string &boundary : parts.boundaries)
+      for (const SurfacePoint &point : surface_points(boundary))
+        locations.push_back(point.location);
+    return locations;
+  }
+
+
+
+  std::vector<Location>
+  Beam::body_points() const
+  {
+    const auto            in_section = beam_section->element().section_points();
+    std::vector<Location> locations;
+    for (unsigned int node = 0; node < beam_axis->n_nodes(); ++node)
+      {
+        const auto [cell, eta] = beam_axis->place_of_node(node);
+        for (const EdgePoint &p : in_section)
+          locations.push_back(location(
+            placement.to_scene(
+              {p.position[0], beam_axis->nodes()[node], p.position[1]}),
+            cell,
+            eta,
+            p.cell,
+            p.unit));
+      }
+    return locations;
+  }
+
+
+
+  namespace
+  {
+    /// The point at @p unit of @p cell, its weight the determinant of the
+    /// cell's map.
+    EdgePoint
+    point_in_section(const CrossSectionElement &element,
+                     const unsigned int         cell,
+                     const Point<2>            &unit)
+    {
+      const FunctionValues at = element.evaluate(cell, unit);
+      EdgePoint            point;
+      point.position = at.position;
+      point.weight   = determinant(at.jacobian);
+      point.cell     = cell;
+      point.unit     = unit;
+      return point;
+    }
+  } // namespace
+
+
+
+  void
+  Beam::complete(SurfaceFacet &facet) const
+  {
+    const CrossSectionElement &element = beam_section->element();
+    const bool                 lateral = facet.along_t[1] != 0.;
+    facet.degree_s                     = element.degree();
+    facet.degree_t       = lateral ? beam_axis->degree() : element.degree();
+    facet.trace_degree_s = element.trace_degree();
+    facet.trace_degree_t =
+      lateral ? beam_axis->degree() : element.trace_degree();
+    for (unsigned int k = 0; k < 4; ++k)
+      facet.corners[k] = surface_point(facet, Point<2>(k % 2, k / 2)).position;
+  }
+
+
+
+  std::vector<SurfaceFacet>
+  Beam::surface_facets(const std::string &surface) const
+  {
+    const CrossSectionElement &element = beam_section->element();
+    const SurfaceParts        parts = parts_of(surface, element.section_mesh());
+    const unsigned int        n     = beam_section->n_cells();
+    std::vector<SurfaceFacet> facets;
+    for (const bool at_start : parts.ends)
+      for (unsigned int c = 0; c < n; ++c)
+        {
+          SurfaceFacet facet;
+          facet.cell       = at_start ? c : (beam_axis->n_cells() - 1) * n + c;
+          facet.origin[1]  = at_start ? 0. : 1.;
+          facet.along_s[0] = 1.;
+          facet.along_t[2] = 1.;
+          facets.push_back(facet);
+        }
+    for (const std::string &boundary : parts.boundaries)
+      for (const auto &[c, face] : element.boundary_faces(boundary))
+        for (unsigned int axis_cell = 0; axis_cell < beam_axis->n_cells();
+             ++axis_cell)
+          {
+            const Point<2> begin = face_point(face, 0.),
+                           end   = face_point(face, 1.);
+            SurfaceFacet facet;
+            facet.cell       = axis_cell * n + c;
+            facet.origin     = Point<3>(begin[0], 0., begin[1]);
+            facet.along_s[0] = end[0] - begin[0];
+            facet.along_s[2] = end[1] - begin[1];
+            facet.along_t[1] = 1.;
+            facets.push_back(facet);
+          }
+    for (SurfaceFacet &facet : facets)
+      complete(facet);
+    return facets;
+  }
+
+
+
+  SurfacePoint
+  Beam::surface_point(const SurfaceFacet &facet, const Point<2> &st) const
+  {
+    const CrossSectionElement &element   = beam_section->element();
+    const unsigned int         c         = facet.cell % beam_section->n_cells();
+    const unsigned int         axis_cell = facet.cell / beam_section->n_cells();
+    const Point<3>             unit =
+      facet.origin + st[0] * facet.along_s + st[1] * facet.along_t;
+    if (facet.along_t[1] == 0.)
+      return end_point(point_in_section(element, c, {unit[0], unit[2]}),
+                       facet.origin[1] == 0.);
+    // deal.II's faces of the unit square: x = 0, x = 1, y = 0, y = 1.
+    const unsigned int face = facet.along_s[0] == 0. ?
+                                (facet.origin[0] == 0. ? 0 : 1) :
+                                (facet.origin[2] == 0. ? 2 : 3);
+    return lateral_point(element.edge_point(c, face, st[0]),
+                         beam_axis->cell_end(axis_cell) -
+                           beam_axis->cell_begin(axis_cell),
+                         axis_cell,
+                         unit[1]);
+  }
+
+
+  namespace
+  {
+    /// Numbers of the nodes that a grid of (degree + 1)^2 points on each cell
+    /// of a section mesh has: those at vertices and on lines belong to all
+    /// cells there.
+    class SectionNodes
+    {
+    public:
+      SectionNodes(const Triangulation<2> &mesh, const unsigned int degree)
+        : p(degree)
+        , n_vertices(mesh.n_vertices())
+        , n_on_lines(std::uint64_t(mesh.n_raw_lines()) * (p - 1))
+        , cells(mesh.active_cell_iterators().begin(),
+                mesh.active_cell_iterators().end())
+      {}
+
+      unsigned int
+      degree() const
+      {
+        return p;
+      }
+
+      /// The point (i, j) of @p cell, the i-th along x of the unit square and
+      /// the j-th along z.
+      std::uint64_t
+      number(const unsigned int c,
+             const unsigned int i,
+             const unsigned int j) const
+      {
+        const auto &cell   = cells[c];
+        const bool  i_ends = i == 0 || i == p, j_ends = j == 0 || j == p;
+        if (i_ends && j_ends)
+          return cell->vertex_index((i == p) + 2 * (j == p));
+        if (!i_ends && !j_ends)
+          return n_vertices + n_on_lines +
+                 (std::uint64_t(cell->active_cell_index()) * p + j) * p + i;
+        // deal.II's lines: x = 0, x = 1 upwards, z = 0, z = 1 to the right.
+        const unsigned int f     = i_ends ? (i == p) : 2 + (j == p);
+        const unsigned int begin = i_ends ? (i == p) : 2 * (j == p);
+        const unsigned int k     = i_ends ? j : i;
+        const bool         along =
+          cell->line(f)->vertex_index(0) == cell->vertex_index(begin);
+        return n_vertices + std::uint64_t(cell->line_index(f)) * (p - 1) +
+               (along ? k : p - k) - 1;
+      }
+
+    private:
+      unsigned int  p;
+      std::uint64_t n_vertices, n_on_lines;
+      std::vector<Triangulation<2>::active_cell_iterator> cells;
+    };
+
+
+
+    /// Numbers of the nodes of @p facet in the body: (node of the section)
+    /// times the nodes of the axis plus (node of the axis).
+    std::vector<std::uint64_t>
+    facet_nodes(const SurfaceFacet &facet,
+                const SectionNodes &section,
+                const unsigned int  n_section_cells,
+                const Axis         &axis)
+    {
+      const unsigned int        p         = section.degree();
+      const unsigned int        c         = facet.cell % n_section_cells;
+      const unsigned int        axis_cell = facet.cell / n_section_cells;
+      std::vector<unsigned int> along     = axis.nodes_of_cell(axis_cell);
+      std::sort(along.begin(), along.end());
+      const auto node = [&](const unsigned int i,
+                            const unsigned int j,
+                            const unsigned int on_axis) {
+        return section.number(c, i, j) * axis.n_nodes() + on_axis;
+      };
+      std::vector<std::uint64_t> nodes;
+      if (facet.along_t[1] == 0.)
+        {
+          const unsigned int end =
+            facet.origin[1] == 0. ? along.front() : along.back();
+          for (unsigned int j = 0; j <= p; ++j)
+            for (unsigned int i = 0; i <= p; ++i)
+              nodes.push_back(node(i, j, end));
+          return nodes;
+        }
+      // Along a side one of the two coordinates stands still.
+      const auto at = [&](const unsigned int d, const unsigned int i) {
+        const double unit =
+          facet.origin[d] + facet.along_s[d] * double(i) / double(p);
+        return static_cast<unsigned int>(std::lround(p * unit));
+      };
+      for (const unsigned int on_axis : along)
+        for (unsigned int i = 0; i <= p; ++i)
+          nodes.push_back(node(at(0, i), at(2, i), on_axis));
+      return nodes;
+    }
+  } // namespace
+
+
+
+  SurfaceTopology
+  Beam::surface_topology(const std::string &surface) const
+  {
+    const CrossSectionElement &element = beam_section->element();
+    const Triangulation<2>    &mesh    = element.section_mesh().mesh;
+    const SectionNodes         grid(mesh, element.degree()),
+      trace(mesh, element.trace_degree());
+    SurfaceTopology topology;
+    for (const SurfaceFacet &facet : surface_facets(surface))
+      topology.add(
+        facet,
+        facet_nodes(facet, grid, beam_section->n_cells(), *beam_axis),
+        facet_nodes(facet, trace, beam_section->n_cells(), *beam_axis));
+    return topology;
+  }
+} // namespace lamella

@@ -1,0 +1,205 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <lamella/axis/parameters.h>
+#include <lamella/base/patterns.h>
+#include <lamella/body/beam.h>
+#include <lamella/body/parameters.h>
+#include <lamella/body/solid.h>
+#include <lamella/body/solid_parameters.h>
+
+#include <deal.II/grid/grid_tools.h>
+
+#include <map>
+#include <utility>
+
+namespace lamella
+{
+  using dealii::ParameterHandler;
+  using dealii::Patterns::Anything;
+
+  namespace
+  {
+    // Above it a body could no longer be called held by contact alone.
+    constexpr double largest_stabilisation = 1e-2;
+  } // namespace
+
+
+
+  void
+  BodyParameters::declare(ParameterHandler &prm)
+  {
+    prm.declare_entry("Section", "", Anything(), "A name of Sections.");
+    prm.declare_entry("Origin",
+                      "0, 0, 0",
+                      patterns::numbers(3),
+                      "Scene position of the section's lower left corner (of "
+                      "a mesh file: of its own origin) at the start of the "
+                      "axis [length].");
+    prm.declare_entry("Axis",
+                      "0, 1, 0",
+                      patterns::numbers(3),
+                      "Direction of the axis, the body's y.");
+    prm.declare_entry("Up",
+                      "0, 0, 1",
+                      patterns::numbers(3),
+                      "Direction that the section's z leans towards.");
+    prm.declare_entry("Length",
+                      "",
+                      patterns::optional(patterns::positive()),
+                      "Of the axis [length].");
+    prm.declare_entry(
+      "Stabilisation",
+      "0",
+      patterns::number(),
+      "For a body that contact alone holds, e.g. a roller under a force: "
+      "springs to the ground in its free rigid motions, of this share of its "
+      "axial stiffness E A / L (1e-6, say), which are iterated out of the "
+      "result. 0: none; a body that can move freely is an error.");
+    prm.enter_subsection("Kinematics");
+    TheoryParameters::declare(prm);
+    AxisParameters::declare(prm);
+    SolidParameters::declare(prm);
+    prm.leave_subsection();
+  }
+
+
+
+  namespace
+  {
+    Placement
+    parse_placement(const Entries &in)
+    {
+      const auto origin = in["Origin"].point(), axis = in["Axis"].point(),
+                 up = in["Up"].point();
+      try
+        {
+          return Placement::from_directions(origin, axis, up);
+        }
+      catch (const InputError &error)
+        {
+          in.refuse(error.rule(), error.remedy());
+        }
+    }
+
+
+
+    double
+    parse_stabilisation(const Entry &entry)
+    {
+      const double share = entry.number();
+      if (!(share >= 0. && share <= largest_stabilisation))
+        entry.refuse("must lie between 0 (none) and " +
+                     to_text(largest_stabilisation) +
+                     "; 1e-6 holds a body without changing the result");
+      return share;
+    }
+
+
+
+    /// The `subsection Kinematics`.
+    void
+    parse_kinematics(const Entries   &in,
+                     const double     length,
+                     const Entry     &scene_theory,
+                     BodyDescription &body)
+    {
+      body.theory = TheoryParameters::parse(in, scene_theory);
+      body.axis   = AxisParameters::parse(in, length);
+      if (body.theory.kind == Theory::Kind::EBBT && body.axis.degree != 3)
+        in["Axis element"].refuse(
+          "EBBT needs B4, whose cubic deflections Kirchhoff's constraint makes "
+          "smooth from element to element",
+          "Use B4, or TBT.");
+      body.refinement = SolidParameters::parse(in, body.placement);
+    }
+  } // namespace
+
+
+
+  BodyDescription
+  BodyParameters::parse(ParameterHandler               &prm,
+                        const std::string              &name,
+                        const Entry                    &scene_theory,
+                        const std::vector<std::string> &sections)
+  {
+    const Entries   in(prm, "Body " + name);
+    BodyDescription body;
+    body.name           = name;
+    body.section        = in["Section"].among(sections, "section", "Sections");
+    const double length = in["Length"].positive();
+    body.placement      = parse_placement(in);
+    body.stabilisation  = parse_stabilisation(in["Stabilisation"]);
+    prm.enter_subsection("Kinematics");
+    parse_kinematics(Entries(prm, in.path() + "/Kinematics"),
+                     length,
+                     scene_theory,
+                     body);
+    prm.leave_subsection();
+    return body;
+  }
+
+
+
+  namespace
+  {
+    void
+    check_slenderness(const BodyDescription &body, const SectionMesh &mesh)
+    {
+      // Forces of a beam come out of displacements that differ by (h / L)^2 of
+      // themselves: at 1e6 three of sixteen digits are left
+      // (doc/stable-basis.md).
+      constexpr double most = 1e7, sensible = 1e6;
+
+      const auto corners = dealii::GridTools::compute_bounding_box(mesh.mesh)
+                             .get_boundary_points();
+      const double extent = corners.first.distance(corners.second);
+      if (body.axis.length > most * extent)
+        throw InputError("Body " + body.name + "/Length",
+                         to_text(body.axis.length),
+                         "that is " + to_text(body.axis.length / extent, 2) +
+                           " times the extent of its section, " +
+                           to_text(extent, 3) +
+                           "; doubles hold beams of up to " +
+                           to_text(sensible) + " times",
+                         "Are the units right?");
+    }
+  } // namespace
+
+
+
+  Bodies
+  make_bodies(const std::vector<BodyDescription> &descriptions,
+              const SectionMeshes                &meshes,
+              const double                        memory_limit)
+  {
+    std::map<std::pair<std::string, Theory>, std::shared_ptr<const Section>>
+           sections;
+    Bodies bodies;
+    for (const BodyDescription &description : descriptions)
+      {
+        const auto &mesh = meshes.at(description.section);
+        check_slenderness(description, *mesh);
+        if (description.theory.kind == Theory::Kind::solid)
+          {
+            SolidRefinement refinement = description.refinement;
+            refinement.memory_limit    = memory_limit;
+            bodies.push_back(std::make_unique<Solid>(description.name,
+                                                     mesh,
+                                                     description.axis,
+                                                     description.placement,
+                                                     description.theory.order,
+                                                     refinement));
+            continue;
+          }
+        auto &section = sections[{description.section, description.theory}];
+        if (section == nullptr)
+          section = make_section(mesh, description.theory);
+        bodies.push_back(
+          std::make_unique<Beam>(description.name,
+                                 section,
+                                 std::make_shared<Axis>(description.axis),
+                                 description.placement));
+      }
+    return bodies;
+  }
+} // namespace lamella

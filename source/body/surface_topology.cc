@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <lamella/base/gauss_lobatto_basis.h>
+#include <lamella/body/surface_topology.h>
+
+#include <cmath>
+
+namespace lamella
+{
+  void
+  SurfaceTopology::add(const SurfaceFacet               &side,
+                       const std::vector<std::uint64_t> &grid,
+                       const std::vector<std::uint64_t> &trace)
+  {
+    const auto numbered = [](const std::vector<std::uint64_t>      &nodes,
+                             std::map<std::uint64_t, unsigned int> &numbers) {
+      std::vector<unsigned int> result;
+      for (const std::uint64_t node : nodes)
+        result.push_back(
+          numbers.emplace(node, static_cast<unsigned int>(numbers.size()))
+            .first->second);
+      return result;
+    };
+    facets_of_cell.emplace(side.cell, facets.size());
+    facets.push_back(
+      {side, numbered(grid, grid_numbers), numbered(trace, trace_numbers)});
+    n_grid  = grid_numbers.size();
+    n_trace = trace_numbers.size();
+  }
+
+
+
+  namespace
+  {
+    /// The node of a grid of @p n nodes that is nearest to @p t in [0, 1].
+    unsigned int
+    nearest(const double t, const unsigned int degree)
+    {
+      const GaussLobattoBasis &nodes = GaussLobattoBasis::of_degree(degree);
+      unsigned int             k     = 0;
+      while (k < degree &&
+             std::abs(nodes.point(k + 1) - t) < std::abs(nodes.point(k) - t))
+        ++k;
+      return k;
+    }
+  } // namespace
+
+
+
+  std::optional<unsigned int>
+  SurfaceTopology::grid_node(const Location::Place &place) const
+  {
+    constexpr double rounding = 1e-6;
+    const auto [begin, end]   = facets_of_cell.equal_range(place.cell);
+    for (auto it = begin; it != end; ++it)
+      {
+        const Facet               &facet = facets[it->second];
+        const SurfaceFacet        &side  = facet.side;
+        const dealii::Tensor<1, 3> d     = place.unit - side.origin;
+        const double               s = d * side.along_s, t = d * side.along_t;
+        if ((d - s * side.along_s - t * side.along_t).norm() < rounding)
+          return facet.grid[nearest(t, side.degree_t) * (side.degree_s + 1) +
+                            nearest(s, side.degree_s)];
+      }
+    return std::nullopt;
+  }
+
+
+
+  void
+  SurfaceTopology::add_hanging(const std::uint64_t                 node,
+                               const std::array<std::uint64_t, 2> &ends)
+  {
+    const auto at = grid_numbers.find(node), a = grid_numbers.find(ends[0]),
+               b = grid_numbers.find(ends[1]), none = grid_numbers.end();
+    if (at != none && a != none && b != none)
+      hanging.push_back({at->second, {{a->second, b->second}}});
+  }
+} // namespace lamella
