@@ -183,7 +183,10 @@ namespace lamella
             }
           catch (const InputError &error)
             {
-              entry.refuse(error.rule() + (word.empty() ? "" : ", or " + word),
+              // A fault of spelling stays one, whatever else could stand there.
+              const bool is_bound = error.rule().rfind("must", 0) == 0;
+              entry.refuse(error.rule() +
+                             (word.empty() || !is_bound ? "" : ", or " + word),
                            error.remedy());
             }
         }

@@ -484,6 +484,8 @@ namespace lamella
         {
           // Of an edge's quadratic the two next to the node weigh most.
           auto masters = hanging.masters;
+          Assert(masters.size() == degree() + 1,
+                 ExcMessage("An edge hangs on one that hangs itself."));
           std::sort(masters.begin(),
                     masters.end(),
                     [](const auto &a, const auto &b) {

@@ -31,7 +31,7 @@ namespace lamella
                     const std::string          &path,
                     std::vector<PrescribedRow> &rows)
     {
-      check_surface(body, region.surface, path);
+      check_surface(body, region.surface, path + "/On");
       std::vector<Location>     places;
       std::vector<Tensor<1, 3>> normals;
       for (const SurfacePoint &point : body.surface_points(region.surface))
@@ -81,7 +81,9 @@ namespace lamella
               continue;
             }
           const std::vector<Location> places =
-            region_locations(body, region, path);
+            region_locations(body,
+                             region,
+                             path + (region.at.empty() ? "/On" : "/At"));
           auto all = body.rows(places, Quantity::displacement);
           // The place of a given point comes out of its position, with
           // rounding: without what that leaves at other nodes the rows of a

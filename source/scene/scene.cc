@@ -154,7 +154,7 @@ namespace lamella
             {
               if (!std::regex_match(name, form))
                 entry.refuse("'" + name + "' is not a name",
-                             "NameLists begin with a letter and go on with "
+                             "Names begin with a letter and go on with "
                              "letters, digits, '_' and '-'.");
               if (!seen.insert(name).second)
                 entry.refuse("'" + name + "' stands there twice");

@@ -102,6 +102,8 @@ namespace lamella
       LadderEntry rung;
       rung.name   = text.text();
       rung.theory = pieces[0];
+      if (rung.theory.empty())
+        text.refuse("the rung begins with no theory");
       Theory::parse(Entry(text.path(), rung.theory));
       for (unsigned int k = 1; k < pieces.size(); ++k)
         {
@@ -225,8 +227,10 @@ namespace lamella
         TradeQuantity::Of::probe, probe.name, 0, column, {}};
       if (place.size() > 1)
         {
-          const double ply = text.number(place[1]);
-          if (place.size() > 2 || !(ply >= 1. && ply == std::floor(ply)))
+          constexpr double most = 1e6;
+          const double     ply  = text.number(place[1]);
+          if (place.size() > 2 ||
+              !(ply >= 1. && ply <= most && ply == std::floor(ply)))
             text.refuse("plies are counted from 1 at the bottom, as in tip/2: "
                         "syz");
           quantity.ply = static_cast<unsigned int>(ply);

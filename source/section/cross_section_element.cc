@@ -115,23 +115,6 @@ namespace lamella
 
 
 
-  std::vector<EdgePoint>
-  CrossSectionElement::edge_quadrature(const std::string &boundary,
-                                       const unsigned int n) const
-  {
-    const QGauss<1>        quadrature(n);
-    std::vector<EdgePoint> points;
-    for (const auto &[cell, face] : boundary_faces(boundary))
-      for (unsigned int q = 0; q < quadrature.size(); ++q)
-        {
-          points.push_back(edge_point(cell, face, quadrature.point(q)[0]));
-          points.back().weight *= quadrature.weight(q);
-        }
-    return points;
-  }
-
-
-
   Point<2>
   face_point(const unsigned int face, const double t)
   {

@@ -18,7 +18,7 @@ ARROWS = {
     "linear": ("base",),
     "material": ("base",),
     "shape": ("base", "material"),
-    "section": ("base", "material", "shape"),
+    "section": ("base", "linear", "material", "shape"),
     "axis": ("base",),
     "body": ("base", "linear", "material", "shape", "section", "axis"),
     "conditions": ("base", "body"),

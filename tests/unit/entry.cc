@@ -173,7 +173,7 @@ BOOST_AUTO_TEST_CASE(patterns_in_words)
          {{"positive", "0", "must be positive"}},
          {{"maybe", "0", "must be positive"}},
          {{"auto", "-1", "must be positive, or auto"}},
-         {{"auto", "some", "'some' is not a number, or auto"}},
+         {{"auto", "some", "'some' is not a number"}},
          {{"three", "1, 2", "must be three numbers between commas"}},
          {{"three", "1, 2, x", "'x' is not a number"}},
          {{"two", "1", "there are 1 values, and it takes 2"}},

@@ -9,6 +9,8 @@
 #include <lamella/shape/laminate.h>
 #include <lamella/solve/multiplier_loop.h>
 
+#include <deal.II/base/quadrature_lib.h>
+
 #include <functional>
 #include <iomanip>
 #include <memory>
@@ -59,6 +61,24 @@ namespace lamella
   {
     return make_section(make_section_mesh(laminate, {{"material", material}}),
                         degree);
+  }
+
+  /// Gauss points of the boundary named @p boundary, @p n on each side of a
+  /// cell, with weights of the integral over its length.
+  inline std::vector<EdgePoint>
+  edge_quadrature(const CrossSectionElement &element,
+                  const std::string         &boundary,
+                  const unsigned int         n)
+  {
+    const dealii::QGauss<1> rule(n);
+    std::vector<EdgePoint>  points;
+    for (const auto &[cell, face] : element.boundary_faces(boundary))
+      for (unsigned int q = 0; q < rule.size(); ++q)
+        {
+          points.push_back(element.edge_point(cell, face, rule.point(q)[0]));
+          points.back().weight *= rule.weight(q);
+        }
+    return points;
   }
 
   inline std::shared_ptr<const Axis>

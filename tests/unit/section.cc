@@ -568,12 +568,12 @@ BOOST_AUTO_TEST_CASE(edge_quadrature_integrates)
   // is 0.6^4/4, int z^3 over [0, 0.8] on the left 0.8^4/4.
   const LagrangeElement element(distorted_mesh(), 2);
   double                top = 0., left = 0.;
-  for (const EdgePoint &point : element.edge_quadrature("top", 2))
+  for (const EdgePoint &point : edge_quadrature(element, "top", 2))
     {
       top += point.weight * std::pow(point.position[0], 3);
       BOOST_TEST((point.normal - Point<2>(0., 1.)).norm() < 1e-14);
     }
-  for (const EdgePoint &point : element.edge_quadrature("left", 2))
+  for (const EdgePoint &point : edge_quadrature(element, "left", 2))
     {
       left += point.weight * std::pow(point.position[1], 3);
       BOOST_TEST((point.normal - Point<2>(-1., 0.)).norm() < 1e-14);

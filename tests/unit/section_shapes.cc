@@ -137,7 +137,7 @@ namespace
   edge(const CrossSectionElement &element, const std::string &boundary)
   {
     Edge result;
-    for (const EdgePoint &p : element.edge_quadrature(boundary, 5))
+    for (const EdgePoint &p : edge_quadrature(element, boundary, 5))
       {
         result.length += p.weight;
         result.normal += p.weight * p.normal;
@@ -384,7 +384,7 @@ BOOST_AUTO_TEST_CASE(edges_are_whole_and_normals_point_outwards)
   BOOST_TEST(off(edge(disc, "arc").length, PI * R) < 1e-4);
   BOOST_TEST(off(edge(disc, "flat").length, 2. * R) < 1e-13);
   BOOST_TEST(off(edge(circle, "arc").length, 2. * PI) < 1e-5);
-  for (const EdgePoint &p : disc.edge_quadrature("arc", 3))
+  for (const EdgePoint &p : edge_quadrature(disc, "arc", 3))
     BOOST_TEST(std::abs(p.position.distance({R, 0.}) - R) < 2e-3 * R);
 }
 

@@ -368,17 +368,6 @@ BOOST_AUTO_TEST_CASE(lines_and_cuts)
 
 
 
-BOOST_AUTO_TEST_CASE(equal_hexahedra_share_their_matrices)
-{
-  const auto section = make_section_mesh(rectangle(0.7, 0.5, {20., -50.}, 2, 2),
-                                         {{"material", orthotropic}});
-  const Solid solid("solid", section, axis_mesh(1.3, 7), tilted, 2);
-  BOOST_TEST(solid.hexahedra().cells().size() == 56);
-  BOOST_TEST(solid.n_kinds() == 2);
-}
-
-
-
 BOOST_AUTO_TEST_CASE(a_section_with_hanging_nodes_does_not_extrude)
 {
   const auto regular = one_material(2);

@@ -143,13 +143,6 @@ namespace lamella
       return mesh;
     }
 
-    /// How many different element matrices there are.
-    unsigned int
-    n_kinds() const
-    {
-      return kinds.size();
-    }
-
   protected:
     void
     for_each_stiffness_block(

@@ -150,13 +150,6 @@ namespace lamella
     virtual std::vector<EdgePoint>
     section_grid() const = 0;
 
-    /// Gauss points of the boundary named @p boundary, @p n on each side of a
-    /// cell, with outward normals; weights are those of the integral over its
-    /// length. They integrate polynomials of degree 2 n - 1 in the side's
-    /// parameter.
-    std::vector<EdgePoint>
-    edge_quadrature(const std::string &boundary, const unsigned int n) const;
-
     /// The sides of cells, as pairs of cell and face, of the boundary @p name.
     /// Faces as deal.II numbers those of the unit square: xi = 0, xi = 1, eta =
     /// 0, eta = 1. In the order of the cells.

@@ -37,7 +37,7 @@ namespace lamella
   public:
     /**
      * @p degree from 1. A polynomial that is a combination of the earlier ones
-     * on this section to 1e-10 of its size is left out, see n_left_out().
+     * on this section to 1e-10 of its size is left out.
      *
      * Shares @p mesh.
      */
@@ -62,18 +62,11 @@ namespace lamella
       return gauss_points;
     }
 
-    /// (N + 1)(N + 2) / 2 less n_left_out().
+    /// (N + 1)(N + 2) / 2 less those that are left out.
     unsigned int
     n_functions() const override
     {
       return recurrence.size();
-    }
-
-    /// How many polynomials of degree N or less are not among the functions.
-    unsigned int
-    n_left_out() const
-    {
-      return (order + 1) * (order + 2) / 2 - n_functions();
     }
 
     /// All of them, on every cell.
