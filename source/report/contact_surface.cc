@@ -100,16 +100,29 @@ namespace lamella
     : contact(contact)
     , structure(structure)
   {
-    std::vector<Point<3>> first, second;
+    // The nodes of the side that carries them are known, the places opposite
+    // by their positions.
+    std::vector<Location> nodes;
+    std::vector<Point<3>> opposite;
     for (const ContactInterface::Point &point : contact.points)
       {
-        first.push_back(point.first);
-        second.push_back(point.second);
+        nodes.push_back(point.node);
+        opposite.push_back(contact.points_on_second ? point.first :
+                                                      point.second);
       }
     const Bodies &bodies = structure.bodies();
-    first_places         = first_of(bodies[contact.first_body]->locate(first));
-    if (contact.second_body)
-      second_places = first_of(bodies[*contact.second_body]->locate(second));
+    if (contact.points_on_second)
+      {
+        first_places  = first_of(bodies[contact.first_body]->locate(opposite));
+        second_places = nodes;
+      }
+    else
+      {
+        first_places = nodes;
+        if (contact.second_body)
+          second_places =
+            first_of(bodies[*contact.second_body]->locate(opposite));
+      }
 
     const Body &carrying =
       *bodies[contact.points_on_second ? *contact.second_body :

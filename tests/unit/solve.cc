@@ -195,6 +195,14 @@ BOOST_AUTO_TEST_CASE(what_is_no_number_is_refused)
       bad.*value = std::nan("");
       refused(bad);
     }
+  // What a contact does to its two bodies must cancel: rounding here.
+  BOOST_TEST(good.contacts[0].imbalance < 1e-9);
+  for (const double imbalance : {0.01, std::nan("")})
+    {
+      Checks bad                = good;
+      bad.contacts[0].imbalance = imbalance;
+      refused(bad);
+    }
   Checks pulls                = good;
   pulls.contacts[0].min_force = -1.;
   refused(pulls);
