@@ -50,23 +50,6 @@ namespace lamella
 
 
 
-    std::vector<double>
-    parse_breaks(const Entry &entry, const double length)
-    {
-      const std::vector<double> breaks   = entry.numbers();
-      double                    previous = 0.;
-      for (const double position : breaks)
-        {
-          if (!(position > previous && position < length))
-            entry.refuse("must ascend between 0 and the length " +
-                         to_text(length));
-          previous = position;
-        }
-      return breaks;
-    }
-
-
-
     /// One number for each of @p n_pieces.
     std::vector<unsigned int>
     parse_elements(const Entry &entry, const unsigned int n_pieces)
@@ -97,7 +80,7 @@ namespace lamella
     mesh.assumed_shear              = shear_strains == "assumed" ||
                          (shear_strains == "auto" && mesh.degree < 3);
 
-    mesh.breaks   = parse_breaks(in["Axis breaks"], length);
+    mesh.breaks   = in["Axis breaks"].ascending(length, "the length");
     mesh.elements = parse_elements(in["Axis elements"], mesh.breaks.size() + 1);
     return mesh;
   }

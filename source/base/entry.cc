@@ -74,6 +74,22 @@ namespace lamella
 
 
 
+  std::vector<double>
+  Entry::ascending(const double end, const std::string &name) const
+  {
+    const std::vector<double> values   = numbers();
+    double                    previous = 0.;
+    for (const double value : values)
+      {
+        if (!(value > previous && value < end))
+          refuse("must ascend between 0 and " + name + " " + to_text(end));
+        previous = value;
+      }
+    return values;
+  }
+
+
+
   std::vector<unsigned int>
   Entry::wholes(const unsigned int least, const unsigned int most) const
   {

@@ -38,12 +38,32 @@ namespace lamella
              std::shared_ptr<const Axis>                   axis,
              const Placement                              &placement,
              const std::vector<std::vector<unsigned int>> &fields_of_node)
+    : Beam(name,
+           std::make_shared<FieldSpace>(std::move(section)),
+           std::move(axis),
+           placement,
+           fields_of_node,
+           "")
+  {}
+
+
+
+  Beam::Beam(const std::string                            &name,
+             std::shared_ptr<const FieldSpace>             given,
+             std::shared_ptr<const Axis>                   axis,
+             const Placement                              &placement,
+             const std::vector<std::vector<unsigned int>> &fields_of_node,
+             const std::string                            &theory)
     : Body(name)
-    , beam_section(std::move(section))
+    , space(std::move(given))
+    , beam_section(space->shared_section())
     , beam_axis(std::move(axis))
     , placement(placement)
-    , dof_map(fields_of_node, beam_section->n_fields())
+    , dof_map(fields_of_node, space->n_fields())
+    , label(theory)
   {
+    for (unsigned int cell = 0; cell < beam_axis->n_cells(); ++cell)
+      dense_cells.push_back(is_dense(cell));
     if (n_processes() > beam_axis->n_nodes())
       throw InputError("Body " + name,
                        "",
@@ -106,6 +126,10 @@ namespace lamella
   std::string
   Beam::theory() const
   {
+    const std::string on_axis = ", " + std::to_string(beam_axis->n_cells()) +
+                                " B" + std::to_string(beam_axis->degree() + 1);
+    if (!label.empty())
+      return label + on_axis;
     const Theory      &theory   = beam_section->theory();
     const unsigned int complete = (theory.order + 1) * (theory.order + 2) / 2;
     const unsigned int n        = beam_section->element().n_functions();
@@ -115,9 +139,7 @@ namespace lamella
           std::to_string(complete) +
           " polynomials depend on the others on this section)" :
          "";
-    return theory.name() + left_out + ", " +
-           std::to_string(beam_axis->n_cells()) + " B" +
-           std::to_string(beam_axis->degree() + 1);
+    return theory.name() + left_out + on_axis;
   }
 
 
@@ -125,8 +147,22 @@ namespace lamella
   double
   Beam::stiffness_entries() const
   {
-    return double(beam_axis->A(0, 0).n_nonzero_elements()) *
-           beam_section->S(0, 0).n_nonzero_elements();
+    const double sparse = beam_section->S(0, 0).n_nonzero_elements(),
+                 all    = beam_section->n_fields();
+    double sum          = 0.;
+    for (const auto &entry : beam_axis->A(0, 0))
+      {
+        const auto &row      = dof_map.fields(entry.row()),
+                   &column   = dof_map.fields(entry.column());
+        const double product = double(row.size()) * column.size();
+        // Lists of fields of the section are as sparse as its matrices.
+        sum += row.back() < all && column.back() < all ?
+                 std::min(sparse, product) :
+                 std::min(product,
+                          sparse + space->n_dense() *
+                                     double(row.size() + column.size()));
+      }
+    return sum;
   }
 
 
@@ -147,7 +183,7 @@ namespace lamella
   unsigned int
   Beam::dof_level(const DofIndex dof) const
   {
-    return beam_section->field(dof_map.field_of(dof)).level;
+    return space->level(dof_map.field_of(dof));
   }
 
 
@@ -242,60 +278,24 @@ namespace lamella
 
 
 
-  namespace
-  {
-    /// A row of a factor: its columns, ascending, and the entries (p, q) of
-    /// each, the one of transverse shear last. The matrices of a factor share
-    /// one pattern.
-    struct FactorRow
-    {
-      std::vector<unsigned int>          columns;
-      std::vector<std::array<double, 5>> entries;
-    };
-
-
-
-    template <typename Factor>
-    std::vector<FactorRow>
-    factor_rows(const Factor &matrix_number, const unsigned int n)
-    {
-      std::vector<FactorRow> rows(n);
-      for (unsigned int r = 0; r < n; ++r)
-        {
-          // deal.II stores the diagonal first; here columns ascend.
-          std::map<unsigned int, std::array<double, 5>> sorted;
-          for (unsigned int m = 0; m < 5; ++m)
-            for (auto entry = matrix_number(m).begin(r);
-                 entry != matrix_number(m).end(r);
-                 ++entry)
-              sorted[entry->column()][m] = entry->value();
-          for (const auto &[column, entries] : sorted)
-            {
-              rows[r].columns.push_back(column);
-              rows[r].entries.push_back(entries);
-            }
-        }
-      return rows;
-    }
-  } // namespace
-
-
-
   void
   Beam::for_each_stiffness_block(
     const bool                                         with_values,
     const std::function<void(const StiffnessBlock &)> &use) const
   {
-    const auto axis_rows = factor_rows(
-      [this](const unsigned int m) -> auto & {
-        return m < 4 ? beam_axis->A(m / 2, m % 2) : beam_axis->A_shear();
-      },
-      beam_axis->n_nodes());
-    const auto section_rows = factor_rows(
-      [this](const unsigned int m) -> auto & {
-        return m < 4 ? beam_section->S(m / 2, m % 2) : beam_section->S_shear();
-      },
-      beam_section->n_fields());
+    std::vector<FactorRow> axis_rows;
+    for (unsigned int node = 0; node < beam_axis->n_nodes(); ++node)
+      axis_rows.push_back(factor_row(
+        [this](const unsigned int m) -> auto & {
+          return m < 4 ? beam_axis->A(m / 2, m % 2) : beam_axis->A_shear();
+        },
+        node,
+        [](const unsigned int) { return true; }));
+    std::vector<bool> carried(space->n_fields(), false);
+    for (unsigned int node = 0; node < dof_map.n_nodes(); ++node)
+      for (const unsigned int alpha : dof_map.fields(node))
+        carried[alpha] = true;
+    const auto section_rows = space->rows(carried);
 
     // A block is a row of the Kronecker products.
     StiffnessBlock block;
@@ -332,14 +332,40 @@ namespace lamella
 
 
 
+  bool
+  Beam::is_dense(const unsigned int cell) const
+  {
+    if (space->n_modes() == 0 || beam_axis->has_assumed_shear())
+      return false;
+    for (const unsigned int node : beam_axis->nodes_of_cell(cell))
+      for (const unsigned int alpha : dof_map.fields(node))
+        if (space->dense_number(alpha) == space->n_dense())
+          return false;
+    return true;
+  }
+
+
+
   Beam::AxisState
   Beam::axis_state(const AxisPoint &point, const Vector &u) const
   {
+    AxisState state = list_state(point, u);
+    space->expand(state.value);
+    space->expand(state.shear_value);
+    space->expand(state.derivative);
+    return state;
+  }
+
+
+
+  Beam::AxisState
+  Beam::list_state(const AxisPoint &point, const Vector &u) const
+  {
     const auto &nodes = beam_axis->nodes_of_cell(point.cell);
-    AxisState   state(beam_section->n_fields());
+    AxisState   state(space->n_fields());
     // Derivatives are taken of the differences to the first node: a rigid
     // translation then has none, to the last bit.
-    std::vector<double> first(beam_section->n_fields(), 0.);
+    std::vector<double> first(space->n_fields(), 0.);
     for (unsigned int k = 0; k < dof_map.fields(nodes[0]).size(); ++k)
       first[dof_map.fields(nodes[0])[k]] = u[dof_map.first(nodes[0]) + k];
 
@@ -395,51 +421,109 @@ namespace lamella
 
 
 
+  namespace
+  {
+    // A slope of the section shears it as the slope of the axis does: their sum
+    // is formed before anything multiplies it, and is small where both are not.
+    constexpr std::array<std::array<unsigned int, 2>, 2> slopes_of_axis{
+      {{{RigidField::translation_x, RigidField::slope_x}},
+       {{RigidField::translation_z, RigidField::slope_z}}}};
+  } // namespace
+
+
+
+  void
+  Beam::force_by_moments(const unsigned int k,
+                         const Vector      &u,
+                         SectionForce      &force) const
+  {
+    const double       h        = beam_section->element().reference_length();
+    const unsigned int n_fields = beam_section->n_fields();
+    const AxisState state = axis_state(beam_axis->integration_points()[k], u);
+    std::array<Vector, 3> strain;
+    for (unsigned int p = 0; p < 3; ++p)
+      {
+        const std::vector<double> &part = p == 0 ? state.value :
+                                          p == 1 ? state.shear_value :
+                                                   state.derivative;
+        strain[p].reinit(n_fields);
+        std::copy(part.begin(), part.end(), strain[p].begin());
+      }
+    for (const auto &[translation, slope] : slopes_of_axis)
+      {
+        strain[2][translation] += strain[1][slope] / h;
+        strain[1][slope] = 0.;
+      }
+    force.energy = 0.;
+    for (unsigned int p = 0; p < 3; ++p)
+      {
+        force.work[p].reinit(n_fields);
+        for (unsigned int q = 0; q < 3; ++q)
+          beam_section->moments(p, q).vmult(force.work[p],
+                                            strain[q],
+                                            /*adding=*/true);
+        force.energy += 0.5 * (force.work[p] * strain[p]);
+      }
+    for (const auto &[translation, slope] : slopes_of_axis)
+      force.work[1][slope] = force.work[2][translation] / h;
+  }
+
+
+
+  void
+  Beam::force_of_dense_fields(const unsigned int k,
+                              const Vector      &u,
+                              SectionForce      &force) const
+  {
+    const double       h  = beam_section->element().reference_length();
+    const unsigned int n  = space->n_dense();
+    const AxisState state = list_state(beam_axis->integration_points()[k], u);
+    Vector          value(n), derivative(n), on_value(n), on_derivative(n);
+    for (unsigned int a = 0; a < n; ++a)
+      {
+        value[a]      = state.value[space->dense_field(a)];
+        derivative[a] = state.derivative[space->dense_field(a)];
+      }
+    for (const auto &[translation, slope] : slopes_of_axis)
+      {
+        derivative[translation] += value[slope] / h;
+        value[slope] = 0.;
+      }
+    space->dense_S(0, 0).vmult(on_value, value);
+    space->dense_S(0, 1).vmult(on_value, derivative, /*adding=*/true);
+    space->dense_S(1, 0).vmult(on_derivative, value);
+    space->dense_S(1, 1).vmult(on_derivative, derivative, /*adding=*/true);
+    force.energy = 0.5 * (value * on_value + derivative * on_derivative);
+    for (const auto &[translation, slope] : slopes_of_axis)
+      on_value[slope] = on_derivative[translation] / h;
+    for (Vector &work : force.work)
+      work.reinit(space->n_fields());
+    for (unsigned int a = 0; a < n; ++a)
+      {
+        force.work[0][space->dense_field(a)] = on_value[a];
+        force.work[2][space->dense_field(a)] = on_derivative[a];
+      }
+  }
+
+
+
   void
   Beam::for_each_section_force(
     const Vector                                                        &u,
     const std::function<void(const unsigned int, const SectionForce &)> &use)
     const
   {
-    const double       h        = beam_section->element().reference_length();
-    const unsigned int n_fields = beam_section->n_fields();
-    // A slope of the section shears it as the slope of the axis does: their sum
-    // is formed before anything multiplies it, and is small where both are not.
-    constexpr std::array<std::array<unsigned int, 2>, 2> pairs{
-      {{{RigidField::translation_x, RigidField::slope_x}},
-       {{RigidField::translation_z, RigidField::slope_z}}}};
+    const bool   by_moments = beam_section->spans_the_section();
     SectionForce force;
     const auto [begin, end] = own_points();
     for (unsigned int k = begin; k < end; ++k)
       {
-        const AxisState state =
-          axis_state(beam_axis->integration_points()[k], u);
-        std::array<Vector, 3> strain;
-        for (unsigned int p = 0; p < 3; ++p)
-          {
-            const std::vector<double> &part = p == 0 ? state.value :
-                                              p == 1 ? state.shear_value :
-                                                       state.derivative;
-            strain[p].reinit(n_fields);
-            std::copy(part.begin(), part.end(), strain[p].begin());
-          }
-        for (const auto &[translation, slope] : pairs)
-          {
-            strain[2][translation] += strain[1][slope] / h;
-            strain[1][slope] = 0.;
-          }
-        force.energy = 0.;
-        for (unsigned int p = 0; p < 3; ++p)
-          {
-            force.work[p].reinit(n_fields);
-            for (unsigned int q = 0; q < 3; ++q)
-              beam_section->moments(p, q).vmult(force.work[p],
-                                                strain[q],
-                                                /*adding=*/true);
-            force.energy += 0.5 * (force.work[p] * strain[p]);
-          }
-        for (const auto &[translation, slope] : pairs)
-          force.work[1][slope] = force.work[2][translation] / h;
+        if (by_moments)
+          force_by_moments(k, u, force);
+        else if (dense_cells[beam_axis->integration_points()[k].cell])
+          force_of_dense_fields(k, u, force);
+        else
+          continue;
         use(k, force);
       }
   }
@@ -447,23 +531,22 @@ namespace lamella
 
 
   void
-  Beam::add_forces_by_moments(const Vector &u, Vector &share) const
+  Beam::add_section_force(const unsigned int  k,
+                          const SectionForce &force,
+                          Vector             &share) const
   {
-    for_each_section_force(
-      u, [&](const unsigned int k, const SectionForce &force) {
-        const AxisPoint &point  = beam_axis->integration_points()[k];
-        const double     weight = beam_axis->integration_weights()[k];
-        const auto      &nodes  = beam_axis->nodes_of_cell(point.cell);
-        for (unsigned int i = 0; i < nodes.size(); ++i)
-          for (unsigned int m = 0; m < dof_map.fields(nodes[i]).size(); ++m)
-            {
-              const unsigned int alpha = dof_map.fields(nodes[i])[m];
-              share[dof_map.first(nodes[i]) + m] +=
-                weight * (point.N[i] * force.work[0][alpha] +
-                          point.N_shear[i] * force.work[1][alpha] +
-                          point.dN[i] * force.work[2][alpha]);
-            }
-      });
+    const AxisPoint &point  = beam_axis->integration_points()[k];
+    const double     weight = beam_axis->integration_weights()[k];
+    const auto      &nodes  = beam_axis->nodes_of_cell(point.cell);
+    for (unsigned int i = 0; i < nodes.size(); ++i)
+      for (unsigned int m = 0; m < dof_map.fields(nodes[i]).size(); ++m)
+        {
+          const unsigned int alpha = dof_map.fields(nodes[i])[m];
+          share[dof_map.first(nodes[i]) + m] +=
+            weight * (point.N[i] * force.work[0][alpha] +
+                      point.N_shear[i] * force.work[1][alpha] +
+                      point.dN[i] * force.work[2][alpha]);
+        }
   }
 
 
@@ -472,9 +555,12 @@ namespace lamella
   Beam::add_internal_forces(const Vector &u, Vector &f) const
   {
     Vector share(f.size());
-    if (beam_section->spans_the_section())
-      add_forces_by_moments(u, share);
-    else
+    for_each_section_force(u,
+                           [&](const unsigned int  k,
+                               const SectionForce &force) {
+                             add_section_force(k, force, share);
+                           });
+    if (!beam_section->spans_the_section())
       add_forces_by_points(u, share);
     sum_over_processes(share);
     f += share;
@@ -492,11 +578,14 @@ namespace lamella
     // transverse shear strains may have values of their own.
     std::vector<std::array<double, 6>> values(n_fields), work(n_fields);
     std::vector<double>                derivative_work(n_fields);
+    SectionForce                       force;
     const auto [begin, end] = own_points();
     for (unsigned int k = begin; k < end; ++k)
       {
         const AxisPoint &axis_point = beam_axis->integration_points()[k];
-        const AxisState  state      = axis_state(axis_point, u);
+        if (dense_cells[axis_point.cell])
+          continue;
+        const AxisState state = axis_state(axis_point, u);
         for (unsigned int alpha = 0; alpha < n_fields; ++alpha)
           {
             for (unsigned int c = 0; c < 6; ++c)
@@ -526,18 +615,22 @@ namespace lamella
                 derivative_work[alpha] += point.along[a] * stress;
               }
           }
-        const double weight = beam_axis->integration_weights()[k];
-        const auto  &nodes  = beam_axis->nodes_of_cell(axis_point.cell);
-        for (unsigned int i = 0; i < nodes.size(); ++i)
-          for (unsigned int m = 0; m < dof_map.fields(nodes[i]).size(); ++m)
-            {
-              const unsigned int alpha = dof_map.fields(nodes[i])[m];
-              const auto        &w     = work[alpha];
-              share[dof_map.first(nodes[i]) + m] +=
-                weight * (axis_point.N[i] * (w[0] + w[1] + w[2] + w[4]) +
-                          axis_point.N_shear[i] * (w[3] + w[5]) +
-                          axis_point.dN[i] * derivative_work[alpha]);
-            }
+        // Of each part the work on the section's fields, then on the modes.
+        std::array<std::vector<double>, 3> parts;
+        for (unsigned int alpha = 0; alpha < n_fields; ++alpha)
+          {
+            const auto &w = work[alpha];
+            parts[0].push_back(w[0] + w[1] + w[2] + w[4]);
+            parts[1].push_back(w[3] + w[5]);
+            parts[2].push_back(derivative_work[alpha]);
+          }
+        for (unsigned int p = 0; p < 3; ++p)
+          {
+            space->append_modes(parts[p]);
+            force.work[p].reinit(parts[p].size(), true);
+            std::copy(parts[p].begin(), parts[p].end(), force.work[p].begin());
+          }
+        add_section_force(k, force, share);
       }
   }
 
@@ -546,18 +639,26 @@ namespace lamella
   Deformation
   Beam::deformation(const Vector &u) const
   {
-    Deformation result;
+    constexpr unsigned int enough = 200;
+    Deformation            result;
+    const auto            &section_points = beam_section->integration_points();
+    const unsigned int     stride =
+      std::max<std::size_t>(1, section_points.size() / enough);
     const auto [begin, end] = own_points();
     for (unsigned int k = begin; k < end; ++k)
       {
-        const AxisState state =
-          axis_state(beam_axis->integration_points()[k], u);
-        for (unsigned int s = 0; s < beam_section->integration_points().size();
-             ++s)
+        const AxisPoint &axis_point = beam_axis->integration_points()[k];
+        const AxisState  state      = axis_state(axis_point, u);
+        // Dense fields are smooth over the section: a few of its points tell
+        // how far it turns.
+        const bool by_points =
+          !beam_section->spans_the_section() && !dense_cells[axis_point.cell];
+        const unsigned int step = dense_cells[axis_point.cell] ? stride : 1;
+        for (unsigned int s = 0; s < section_points.size(); s += step)
           {
-            const SectionPoint &point = beam_section->integration_points()[s];
+            const SectionPoint &point = section_points[s];
             const PointState    at    = point_state(point, state);
-            if (!beam_section->spans_the_section())
+            if (by_points)
               result.energy +=
                 beam_axis->integration_weights()[k] *
                 beam_section->integration_weights()[s] *
@@ -570,11 +671,10 @@ namespace lamella
               std::max(result.max_rotation, rotation.norm());
           }
       }
-    if (beam_section->spans_the_section())
-      for_each_section_force(
-        u, [&](const unsigned int k, const SectionForce &force) {
-          result.energy += beam_axis->integration_weights()[k] * force.energy;
-        });
+    for_each_section_force(
+      u, [&](const unsigned int k, const SectionForce &force) {
+        result.energy += beam_axis->integration_weights()[k] * force.energy;
+      });
     result.energy = Utilities::MPI::sum(result.energy, communicator());
     result.max_rotation =
       Utilities::MPI::max(result.max_rotation, communicator());

@@ -30,11 +30,18 @@ namespace lamella
 
 
   unsigned int
+  BeamDofMap::node_of(const DofIndex dof) const
+  {
+    return std::upper_bound(offsets.begin(), offsets.end(), dof) -
+           offsets.begin() - 1;
+  }
+
+
+
+  unsigned int
   BeamDofMap::field_of(const DofIndex dof) const
   {
-    const unsigned int node =
-      std::upper_bound(offsets.begin(), offsets.end(), dof) - offsets.begin() -
-      1;
+    const unsigned int node = node_of(dof);
     return fields(node)[dof - offsets[node]];
   }
 } // namespace lamella

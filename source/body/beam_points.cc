@@ -9,6 +9,8 @@
 
 #include <deal.II/base/quadrature_lib.h>
 
+#include <optional>
+
 namespace lamella
 {
   using namespace dealii;
@@ -93,6 +95,114 @@ namespace lamella
 
 
 
+  namespace
+  {
+    /// What a field and the functions N, N^, N' of a node make of a quantity.
+    struct FieldValue
+    {
+      std::array<double, 6> by_N{}, by_shear{}, by_derivative{};
+    };
+
+
+
+    /// Of each of the fields at @p point, in the frame of the rows.
+    std::vector<FieldValue>
+    values_of_fields(const SectionPoint &point,
+                     const Quantity      quantity,
+                     const Placement    &placement,
+                     const FromStrain   &to_frame)
+    {
+      std::vector<FieldValue> values(point.fields->size());
+      for (unsigned int a = 0; a < values.size(); ++a)
+        if (quantity == Quantity::displacement)
+          {
+            const Tensor<1, 3> v = placement.vector_to_scene(point.value[a]);
+            for (unsigned int c = 0; c < 3; ++c)
+              values[a].by_N[c] = v[c];
+          }
+        else
+          {
+            std::array<Voigt, 3> parts;
+            for (unsigned int c = 0; c < 6; ++c)
+              parts[is_transverse_shear(c) ? 1 : 0][c] = point.in_plane[a][c];
+            parts[2] = point.along[a];
+            for (Voigt &part : parts)
+              part = to_frame.matrix * part;
+            for (unsigned int c = 0; c < 6; ++c)
+              {
+                values[a].by_N[c]          = parts[0][c];
+                values[a].by_shear[c]      = parts[1][c];
+                values[a].by_derivative[c] = parts[2][c];
+              }
+          }
+      return values;
+    }
+
+
+
+    /// Of the mode that is the combination @p mode of the section's fields,
+    /// of which @p fields have the values @p values.
+    FieldValue
+    combination(const std::vector<FieldValue>   &values,
+                const std::vector<unsigned int> &fields,
+                const double *const              mode)
+    {
+      FieldValue sum;
+      for (unsigned int a = 0; a < values.size(); ++a)
+        for (unsigned int c = 0; c < 6; ++c)
+          {
+            const double factor = mode[fields[a]];
+            sum.by_N[c] += factor * values[a].by_N[c];
+            sum.by_shear[c] += factor * values[a].by_shear[c];
+            sum.by_derivative[c] += factor * values[a].by_derivative[c];
+          }
+      return sum;
+    }
+  } // namespace
+
+
+
+  void
+  Beam::add_to_rows(const AxisPoint    &axis_point,
+                    const SectionPoint &point,
+                    const Quantity      quantity,
+                    const FromStrain   &to_frame,
+                    const double        share,
+                    std::vector<Row>   &rows) const
+  {
+    const std::vector<FieldValue> values =
+      values_of_fields(point, quantity, placement, to_frame);
+    const auto add =
+      [&](const unsigned int i, const DofIndex dof, const FieldValue &value) {
+        for (unsigned int c = 0; c < rows.size(); ++c)
+          rows[c].add(dof,
+                      share * (axis_point.N[i] * value.by_N[c] +
+                               axis_point.N_shear[i] * value.by_shear[c] +
+                               axis_point.dN[i] * value.by_derivative[c]));
+      };
+    const auto &nodes = beam_axis->nodes_of_cell(axis_point.cell);
+    for (unsigned int i = 0; i < nodes.size(); ++i)
+      for (unsigned int a = 0; a < point.fields->size(); ++a)
+        if (const int k = dof_map.place(nodes[i], (*point.fields)[a]); k >= 0)
+          add(i, dof_map.first(nodes[i]) + k, values[a]);
+
+    // A mode is on all cells; its value is looked at where a node carries it.
+    for (unsigned int j = 0; j < space->n_modes(); ++j)
+      {
+        const unsigned int        alpha = space->first_mode() + j;
+        std::optional<FieldValue> of_mode;
+        for (unsigned int i = 0; i < nodes.size(); ++i)
+          if (const int k = dof_map.place(nodes[i], alpha); k >= 0)
+            {
+              if (!of_mode)
+                of_mode = combination(values, *point.fields, space->mode(j));
+              add(i, dof_map.first(nodes[i]) + k, *of_mode);
+            }
+      }
+  }
+
+
+
   std::vector<std::vector<Row>>
   Beam::rows(const std::vector<Location> &locations,
              const Quantity               quantity,
@@ -121,35 +231,12 @@ namespace lamella
             const SectionPoint point =
               beam_section->evaluate(place.cell % beam_section->n_cells(),
                                      {place.unit[0], place.unit[2]});
-            const auto &nodes = beam_axis->nodes_of_cell(axis_point.cell);
-            for (unsigned int i = 0; i < nodes.size(); ++i)
-              for (unsigned int a = 0; a < point.fields->size(); ++a)
-                {
-                  const int k = dof_map.place(nodes[i], (*point.fields)[a]);
-                  if (k < 0)
-                    continue;
-                  const DofIndex dof   = dof_map.first(nodes[i]) + k;
-                  const double   share = 1. / where.places.size();
-                  if (quantity == Quantity::displacement)
-                    {
-                      const Tensor<1, 3> v =
-                        placement.vector_to_scene(point.value[a]);
-                      for (unsigned int c = 0; c < 3; ++c)
-                        rows[c].add(dof, share * axis_point.N[i] * v[c]);
-                    }
-                  else
-                    {
-                      Voigt strain = axis_point.dN[i] * point.along[a];
-                      for (unsigned int c = 0; c < 6; ++c)
-                        strain[c] +=
-                          (is_transverse_shear(c) ? axis_point.N_shear :
-                                                    axis_point.N)[i] *
-                          point.in_plane[a][c];
-                      const Voigt v = to_frame.matrix * strain;
-                      for (unsigned int c = 0; c < 6; ++c)
-                        rows[c].add(dof, share * v[c]);
-                    }
-                }
+            add_to_rows(axis_point,
+                        point,
+                        quantity,
+                        to_frame,
+                        1. / where.places.size(),
+                        rows);
           }
         for (Row &row : rows)
           row.compress();

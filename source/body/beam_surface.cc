@@ -2,11 +2,13 @@
 
 // The surfaces of a beam: points, facets, and how these hang together.
 
+#include <lamella/base/independent_rows.h>
 #include <lamella/body/beam.h>
 #include <lamella/body/surface_topology.h>
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 namespace lamella
 {
@@ -132,6 +134,45 @@ namespace lamella
 
 
 
+  std::vector<EdgePoint>
+  Beam::fixing(std::vector<EdgePoint>           points,
+               const std::vector<unsigned int> &list) const
+  {
+    // A component's largest value is of the order of one.
+    constexpr double nothing = 1e-10;
+    if (3 * points.size() <= list.size() || list.back() < space->first_mode())
+      return points;
+    std::vector<Vector> fields;
+    for (const unsigned int alpha : list)
+      fields.push_back(space->in_section_fields(alpha));
+    std::array<LAPACKFullMatrix<double>, 3> values;
+    for (auto &component : values)
+      component.reinit(points.size(), list.size());
+    for (unsigned int p = 0; p < points.size(); ++p)
+      {
+        const SectionPoint at =
+          beam_section->evaluate(points[p].cell, points[p].unit);
+        for (unsigned int k = 0; k < list.size(); ++k)
+          {
+            Tensor<1, 3> u;
+            for (unsigned int a = 0; a < at.fields->size(); ++a)
+              u += fields[k][(*at.fields)[a]] * at.value[a];
+            for (unsigned int c = 0; c < 3; ++c)
+              values[c](p, k) = u[c];
+          }
+      }
+    std::set<unsigned int> chosen;
+    for (const auto &component : values)
+      for (const unsigned int p : most_independent(component, nothing))
+        chosen.insert(p);
+    std::vector<EdgePoint> few;
+    for (const unsigned int p : chosen)
+      few.push_back(points[p]);
+    return few;
+  }
+
+
+
   std::vector<Location>
   Beam::fixing_points(const std::string &surface) const
   {
@@ -139,7 +180,9 @@ namespace lamella
     const SurfaceParts    parts = parts_of(surface, element.section_mesh());
     std::vector<Location> locations;
     for (const bool at_start : parts.ends)
-      for (const EdgePoint &p : element.section_points())
+      for (const EdgePoint &p :
+           fixing(element.section_points(),
+                  dof_map.fields(at_start ? 0 : beam_axis->n_nodes() - 1)))
         locations.push_back(end_point(p, at_start).location);
     for (const std::string &boundary : parts.boundaries)
       for (const SurfacePoint &point : surface_points(boundary))

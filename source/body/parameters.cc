@@ -103,7 +103,10 @@ namespace lamella
                      const Entry     &scene_theory,
                      BodyDescription &body)
     {
-      body.theory = TheoryParameters::parse(in, scene_theory);
+      body.pieces = TheoryParameters::parse_pieces(in, length);
+      body.theory = body.pieces.empty() ?
+                      TheoryParameters::parse(in, scene_theory) :
+                      body.pieces.leading();
       body.axis   = AxisParameters::parse(in, length);
       if (body.theory.kind == Theory::Kind::EBBT && body.axis.degree != 3)
         in["Axis element"].refuse(
@@ -191,7 +194,8 @@ namespace lamella
                                                      refinement));
             continue;
           }
-        auto &section = sections[{description.section, description.theory}];
+        auto &section =
+          sections[{description.section, description.theory.of_section()}];
         if (section == nullptr)
           section = make_section(mesh, description.theory);
         bodies.push_back(

@@ -26,6 +26,8 @@ namespace lamella
 
       void
       solve(Vector &x) const override;
+      void
+      solve_all(std::vector<Vector> &x) const override;
       std::unique_ptr<SolvedRows>
       solved_rows() const override;
 
@@ -55,9 +57,10 @@ namespace lamella
       }
 
     private:
-      /// @p x run through one CHOLMOD system.
+      /// The @p count vectors from @p x on, one after the other, run through
+      /// one CHOLMOD system.
       void
-      apply(const int system, Vector &x) const;
+      apply(const int system, double *const x, const std::size_t count) const;
 
       // CHOLMOD writes into its workspace while solving.
       mutable cholmod_common common;
@@ -177,14 +180,16 @@ namespace lamella
 
 
     void
-    CholmodFactorisation::apply(const int system, Vector &x) const
+    CholmodFactorisation::apply(const int         system,
+                                double *const     x,
+                                const std::size_t count) const
     {
       cholmod_dense b{};
       b.nrow  = factor->n;
-      b.ncol  = 1;
+      b.ncol  = count;
       b.d     = factor->n;
-      b.nzmax = b.nrow;
-      b.x     = x.begin();
+      b.nzmax = b.nrow * count;
+      b.x     = x;
       b.xtype = CHOLMOD_REAL;
       b.dtype = CHOLMOD_DOUBLE;
 
@@ -192,7 +197,7 @@ namespace lamella
       if (y == nullptr)
         throw NumericsError("CHOLMOD could not solve with a factor: out of "
                             "memory. Use a coarser mesh or a lower order.");
-      std::memcpy(x.begin(), y->x, sizeof(double) * b.nzmax);
+      std::memcpy(x, y->x, sizeof(double) * b.nzmax);
       cholmod_l_free_dense(&y, &common);
     }
 
@@ -201,8 +206,31 @@ namespace lamella
     void
     CholmodFactorisation::solve(Vector &x) const
     {
-      apply(CHOLMOD_A, x);
+      apply(CHOLMOD_A, x.begin(), 1);
       ++n_solutions;
+    }
+
+
+
+    void
+    CholmodFactorisation::solve_all(std::vector<Vector> &x) const
+    {
+      // As many at a time as fit beside the factor.
+      constexpr std::size_t most = 64;
+      std::vector<double>   block;
+      for (std::size_t first = 0; first < x.size(); first += most)
+        {
+          const std::size_t count = std::min(most, x.size() - first);
+          block.clear();
+          for (std::size_t k = first; k < first + count; ++k)
+            block.insert(block.end(), x[k].begin(), x[k].end());
+          apply(CHOLMOD_A, block.data(), count);
+          for (std::size_t k = first; k < first + count; ++k)
+            std::copy_n(block.begin() + (k - first) * factor->n,
+                        factor->n,
+                        x[k].begin());
+        }
+      n_solutions += x.size();
     }
 
 
@@ -231,8 +259,8 @@ namespace lamella
     void
     CholmodFactorisation::backward(Vector &x) const
     {
-      apply(CHOLMOD_Lt, x);
-      apply(CHOLMOD_Pt, x);
+      apply(CHOLMOD_Lt, x.begin(), 1);
+      apply(CHOLMOD_Pt, x.begin(), 1);
     }
 
 

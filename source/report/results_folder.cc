@@ -27,6 +27,7 @@ namespace lamella
       static const std::regex form(
         R"re((summary\.json|restart|scene\.prm|(probes|history)\.csv|contact_.*\.(csv|pvd|vtu))re"
         R"re(|solution(_.*)?\.(pvd|vtu|pvtu)|(lines|cuts|sections)/.*\.csv)re"
+        R"re(|sections/.*\.json)re"
         R"re(|pictures/.*\.png)(\.new)?)re");
       return std::regex_match(name, form);
     }

@@ -5,6 +5,7 @@
 #include <lamella/base/processes.h>
 #include <lamella/base/version.h>
 #include <lamella/report/results_writer.h>
+#include <lamella/report/section_stiffness.h>
 #include <lamella/report/section_table.h>
 #include <lamella/report/summary.h>
 #include <lamella/report/vtu.h>
@@ -61,7 +62,13 @@ namespace lamella
       {
         write_file(place.path() + "/scene.prm", scenery.resolved);
         for (const auto &[name, section] : scenery.sections)
-          write_section(place.path(), name, *section);
+          {
+            write_section(place.path(), name, *section);
+            write_section_stiffness(place.path(),
+                                    name,
+                                    section_stiffness(section),
+                                    results.units);
+          }
       }
     write_tables(results);
     write_standing(results);

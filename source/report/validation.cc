@@ -40,6 +40,32 @@ namespace lamella
         out << "  GJ " << *GJ << unit(units, 2)
             << " (Saint-Venant's torsion, LE-2 on this mesh)\n";
     }
+
+
+
+    std::string
+    in_words(const dealii::Point<2> &point)
+    {
+      return "(" + to_text(point[0]) + ", " + to_text(point[1]) + ")";
+    }
+
+
+
+    /// @p m below the names of its columns, behind those of its rows.
+    void
+    print_matrix(std::ostream &out, const SectionTensor &m)
+    {
+      out << "     ";
+      for (const char *column : section_force_names)
+        out << std::setw(14) << column;
+      for (unsigned int i = 0; i < 6; ++i)
+        {
+          out << "\n  " << section_force_names[i];
+          for (unsigned int j = 0; j < 6; ++j)
+            out << std::setw(14) << m[i][j];
+        }
+      out << "\n";
+    }
   } // namespace
 
 
@@ -128,6 +154,43 @@ namespace lamella
       out << "  part " << i + 1 << ": " << section.plies[i].material << ", "
           << section.plies[i].angle << " deg, area " << p.ply_areas[i] << "\n";
     print_torsion(out, section, units);
+    out << "\n";
+  }
+
+
+
+  void
+  print_stiffness(std::ostream           &out,
+                  const std::string      &name,
+                  const SectionStiffness &section,
+                  const Units            &units)
+  {
+    out << "Section " << name << " as a beam, by Saint-Venant's states in "
+        << section.expansion << ":\n";
+    if (!section.fault.empty())
+      {
+        out << "  not computed: " << section.fault << "\n\n";
+        return;
+      }
+    const SectionConstants &c = section.constants;
+    out << "  EA " << c.EA << unit(units, 0) << ", GJ " << c.GJ
+        << unit(units, 2) << ", kGA_x " << c.kGA_x << unit(units, 0)
+        << ", kGA_z " << c.kGA_z << unit(units, 0) << "\n  EI_1 " << c.EI[0]
+        << unit(units, 2) << " about the axis at " << c.angle
+        << " deg from x towards z, EI_2 " << c.EI[1] << unit(units, 2)
+        << " about that at right angles\n  tension centre "
+        << in_words(c.tension_centre) << ", shear centre "
+        << in_words(c.shear_centre) << "\n  stiffness about "
+        << in_words(section.reference_point) << ": forces" << unit(units, 0)
+        << ", couplings of forces and moments" << unit(units, 1) << ", moments"
+        << unit(units, 2) << "\n";
+    print_matrix(out, section.stiffness);
+    if (section.mass)
+      {
+        out << "  mass per length about the same point, density times length "
+               "^2, ^3 and ^4\n";
+        print_matrix(out, *section.mass);
+      }
     out << "\n";
   }
 

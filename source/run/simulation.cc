@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <lamella/adapt/node_fields.h>
 #include <lamella/base/exceptions.h>
 #include <lamella/base/memory.h>
 #include <lamella/base/processes.h>
@@ -111,13 +112,30 @@ namespace lamella
     std::vector<Stabilisation> stabilisations;
     for (const BodyDescription &body : scene.bodies)
       stabilisations.push_back({body.stabilisation});
-    structure = std::make_unique<Structure>(
-      make_bodies(scene.bodies, sections, scene.solve.memory_limit),
-      scene.supports,
-      scene.loads,
-      stabilisations);
+    structure = std::make_unique<Structure>(make_bodies_with_fields(),
+                                            scene.supports,
+                                            scene.loads,
+                                            stabilisations);
     for (const auto &body : structure->bodies())
       body->solver_kind(scene.solve.solver);
+  }
+
+
+
+  Bodies
+  Simulation::make_bodies_with_fields()
+  {
+    Bodies bodies =
+      make_bodies(scene.bodies, sections, scene.solve.memory_limit);
+    if (has_fields_to_choose(scene.bodies))
+      {
+        std::vector<ContactInterface> touching;
+        for (const ContactPair &contact : scene.contacts)
+          touching.push_back(make_interface(contact, bodies));
+        field_notes = choose_fields(
+          bodies, scene.bodies, scene.supports, scene.loads, touching);
+      }
+    return bodies;
   }
 
 
@@ -162,6 +180,7 @@ namespace lamella
       found.notes.insert(found.notes.end(), notes.begin(), notes.end());
     };
     add(scene.warnings);
+    add(field_notes);
     add(notes_on_theories(scene, sections));
     for (const LoadResultant &load : structure->load_resultants())
       add(load.notes);
@@ -436,16 +455,22 @@ namespace lamella
   {
     out << scene.title << (scene.title.empty() ? "" : "\n");
     for (const auto &[name, shape] : scene.sections)
-      if (const auto *laminate = std::get_if<Laminate>(&shape))
-        print_laminate(out,
-                       name,
-                       laminate->plies(scene.materials),
-                       laminate->width,
-                       *sections.at(name),
-                       scene.units);
-      else
-        print_section(
-          out, name, name_of(shape), *sections.at(name), scene.units);
+      {
+        if (const auto *laminate = std::get_if<Laminate>(&shape))
+          print_laminate(out,
+                         name,
+                         laminate->plies(scene.materials),
+                         laminate->width,
+                         *sections.at(name),
+                         scene.units);
+        else
+          print_section(
+            out, name, name_of(shape), *sections.at(name), scene.units);
+        print_stiffness(out,
+                        name,
+                        section_stiffness(sections.at(name)),
+                        scene.units);
+      }
     print_bodies(out, *structure, contacts, scene.units);
     for (const std::string &warning : found.notes)
       out << "Note: " << warning << ".\n";

@@ -197,10 +197,11 @@ namespace lamella
         const auto            &mesh = meshes.at(body.section);
         const auto             kind = body.theory.kind;
         // Sections of the others are plane, or contract freely.
-        if (kind == Theory::Kind::LE ||
+        if (kind == Theory::Kind::LE || kind == Theory::Kind::SV ||
             (kind == Theory::Kind::TE && body.theory.order > 1))
           add_clamp_note(b, scene, *mesh, notes);
-        if (kind == Theory::Kind::LE || kind == Theory::Kind::solid)
+        if (kind == Theory::Kind::LE || kind == Theory::Kind::SV ||
+            kind == Theory::Kind::solid)
           continue;
         add_shear_note(body, scene, notes);
         if (!std::holds_alternative<Laminate>(scene.sections.at(body.section)))

@@ -87,34 +87,78 @@ namespace lamella
 
 
   SaintVenant::SaintVenant(const Section &section)
+    : section(section)
   {
     Assert(section.n_fields() > r_y, ExcMessage("There is no torsion field."));
-    find_states(section);
-    find_compliance(section);
+    solver = factorise(without_held(section.S(0, 0)), "the section");
+    find_states();
+    find_compliance();
+  }
+
+
+
+  Vector
+  SaintVenant::right_hand_side(const Vector &v, const Vector &w) const
+  {
+    Vector a = times(section.S(1, 0), v);
+    a -= times(section.S(0, 1), v);
+    a += times(section.S(1, 1), w);
+    return a;
+  }
+
+
+
+  Vector
+  SaintVenant::solve(const Vector &v, const Vector &w) const
+  {
+    Vector a = right_hand_side(v, w);
+    for (const unsigned int field : held)
+      a[field] = 0.;
+    solver->solve(a);
+    return a;
+  }
+
+
+
+  Vector
+  SaintVenant::response_to_constant(const Vector &load) const
+  {
+    constexpr std::array<unsigned int, 4> balancing{
+      {extension, torsion, shear_x, shear_z}};
+    FullMatrix<double>  of_states(held.size());
+    std::vector<Vector> tractions;
+    for (unsigned int j = 0; j < balancing.size(); ++j)
+      {
+        tractions.push_back(
+          right_hand_side(value[balancing[j]], derivative[balancing[j]]));
+        for (unsigned int i = 0; i < held.size(); ++i)
+          of_states(i, j) = tractions[j][held[i]];
+      }
+    of_states.gauss_jordan();
+    dealii::Vector<double> resultants(held.size()), share(held.size());
+    for (unsigned int i = 0; i < held.size(); ++i)
+      resultants[i] = load[held[i]];
+    of_states.vmult(share, resultants);
+    Vector v = load;
+    for (unsigned int j = 0; j < balancing.size(); ++j)
+      v.add(-share[j], tractions[j]);
+    for (const unsigned int field : held)
+      v[field] = 0.;
+    solver->solve(v);
+    return v;
   }
 
 
 
   void
-  SaintVenant::find_states(const Section &section)
+  SaintVenant::find_states()
   {
     const unsigned int n = section.n_fields();
     const double       h = section.element().reference_length();
-    const auto solver = factorise(without_held(section.S(0, 0)), "The section");
-    const auto unit   = [n](const unsigned int field, const double size = 1.) {
+    const auto unit = [n](const unsigned int field, const double size = 1.) {
       Vector v(n);
       v[field] = size;
       return v;
-    };
-    // S_00 a = E v + S_11 w.
-    const auto solve = [&](const Vector &v, const Vector &w) {
-      Vector a = times(section.S(1, 0), v);
-      a -= times(section.S(0, 1), v);
-      a += times(section.S(1, 1), w);
-      for (const unsigned int field : held)
-        a[field] = 0.;
-      solver->solve(a);
-      return a;
     };
     derivative = {unit(t_y), unit(r_y), unit(s_x, -h), unit(s_z, -h)};
     const Vector nothing(n);
@@ -152,7 +196,7 @@ namespace lamella
 
 
   void
-  SaintVenant::find_compliance(const Section &section)
+  SaintVenant::find_compliance()
   {
     FullMatrix<double> forces(6, 6), energies(6, 6);
     for (unsigned int k = 0; k < 6; ++k)
@@ -196,6 +240,40 @@ namespace lamella
     for (unsigned int i = 0; i < 6; ++i)
       for (unsigned int j = 0; j < 6; ++j)
         section_stiffness[i][j] = stiffness(i, j);
+  }
+
+
+
+  FieldColumns
+  saint_venant_warpings(const SaintVenant &states, const Warping &warping)
+  {
+    // Of the energies of a state: a section that does not contract (nu = 0) has
+    // no warping in extension, and two states may warp alike.
+    constexpr double          rounding = 1e-20, alike = 1e-7;
+    const Section            &section = states.of_section();
+    FieldColumns              fields(section.n_fields(), 6), energies(fields);
+    std::vector<unsigned int> warping_ones;
+    for (unsigned int k = 0; k < states.values().size(); ++k)
+      {
+        Vector field = states.values()[k];
+        warping.remove_rigid(field);
+        const Vector  energy = times(section.S(0, 0), field);
+        const double  norm2  = field * energy;
+        const Vector &b      = states.derivatives()[k];
+        if (!(norm2 > rounding * (b * times(section.S(1, 1), b))))
+          continue;
+        for (unsigned int i = 0; i < field.size(); ++i)
+          {
+            fields(i, k)   = field[i] / std::sqrt(norm2);
+            energies(i, k) = energy[i] / std::sqrt(norm2);
+          }
+        warping_ones.push_back(k);
+      }
+    if (warping_ones.empty())
+      return FieldColumns(section.n_fields(), 0);
+    fields   = these_of(fields, warping_ones);
+    energies = these_of(energies, warping_ones);
+    return orthonormal(fields, energies, alike);
   }
 
 

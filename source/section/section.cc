@@ -315,12 +315,14 @@ namespace lamella
   std::shared_ptr<const Section>
   make_section(std::shared_ptr<const SectionMesh> mesh, const Theory &theory)
   {
+    const Theory                               of_section = theory.of_section();
     std::unique_ptr<const CrossSectionElement> element;
-    if (theory.kind == Theory::Kind::LE)
+    if (of_section.kind == Theory::Kind::LE)
       element =
-        std::make_unique<LagrangeElement>(std::move(mesh), theory.order);
+        std::make_unique<LagrangeElement>(std::move(mesh), of_section.order);
     else
-      element = std::make_unique<TaylorElement>(std::move(mesh), theory.order);
-    return std::make_shared<Section>(std::move(element), theory);
+      element =
+        std::make_unique<TaylorElement>(std::move(mesh), of_section.order);
+    return std::make_shared<Section>(std::move(element), of_section);
   }
 } // namespace lamella

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <lamella/base/gauss_lobatto_basis.h>
+#include <lamella/base/independent_rows.h>
 #include <lamella/base/orthogonal.h>
 #include <lamella/section/taylor_element.h>
 
@@ -282,51 +283,6 @@ namespace lamella
       points.push_back(point);
     return points;
   }
-
-
-
-  namespace
-  {
-    /// The numbers of as many rows of @p A, one a candidate, as it has columns,
-    /// chosen one by one: the longest of what is left of them without their
-    /// parts along those before (pivoted Cholesky factorisation of A A^T, or
-    /// LAPACK's dgeqp3 of A^T, but that chooses among equals by rounding).
-    std::vector<unsigned int>
-    most_independent(const LAPACKFullMatrix<double> &A)
-    {
-      std::vector<double> squares(A.m(), 0.);
-      for (unsigned int c = 0; c < A.n(); ++c)
-        for (unsigned int i = 0; i < A.m(); ++i)
-          squares[i] += A(i, c) * A(i, c);
-      std::vector<unsigned int>   chosen;
-      std::vector<Vector<double>> directions;
-      Vector<double>              parts(A.m());
-      while (chosen.size() < A.n())
-        {
-          chosen.push_back(std::max_element(squares.begin(),
-                                            squares.end(),
-                                            [](const double a, const double b) {
-                                              // Equal up to rounding: the
-                                              // first, always.
-                                              return a < (1. - 1e-9) * b;
-                                            }) -
-                           squares.begin());
-          Vector<double> direction(A.n());
-          for (unsigned int c = 0; c < A.n(); ++c)
-            direction[c] = A(chosen.back(), c);
-          for (unsigned int pass = 0; pass < 2; ++pass)
-            for (const Vector<double> &known : directions)
-              direction.add(-(direction * known), known);
-          direction /= direction.l2_norm();
-          A.vmult(parts, direction);
-          for (unsigned int i = 0; i < A.m(); ++i)
-            squares[i] -= parts[i] * parts[i];
-          squares[chosen.back()] = 0.;
-          directions.push_back(std::move(direction));
-        }
-      return chosen;
-    }
-  } // namespace
 
 
 

@@ -3,7 +3,9 @@
 #include <lamella/base/patterns.h>
 #include <lamella/section/theory.h>
 
+#include <algorithm>
 #include <regex>
+#include <set>
 #include <tuple>
 
 namespace lamella
@@ -13,9 +15,12 @@ namespace lamella
   {
     if (kind == Kind::undefined)
       return "undefined";
-    std::string name = name_of(kind);
-    if (!is_classical())
+    std::string name     = name_of(kind);
+    const bool  plain_sv = kind == Kind::SV && order == 0;
+    if (!is_classical() && !plain_sv)
       name += "-" + std::to_string(order);
+    if (kind == Kind::SV)
+      name += " (of LE-" + std::to_string(section_order) + ")";
     // L9 is how the literature calls the element of degree 2.
     if (kind == Kind::LE)
       name += " (L" + std::to_string((order + 1) * (order + 1)) + ")";
@@ -25,17 +30,32 @@ namespace lamella
 
 
   Theory
+  Theory::of_section() const
+  {
+    Theory theory = *this;
+    if (kind == Kind::SV)
+      {
+        theory.kind  = Kind::LE;
+        theory.order = section_order;
+      }
+    theory.section_order = default_section_order;
+    return theory;
+  }
+
+
+
+  Theory
   Theory::parse(const Entry &entry)
   {
-    static const std::regex of_order("(TE|LE|solid)-([0-9]{1,4})");
+    static const std::regex of_order("(TE|LE|SV|solid)-([0-9]{1,4})");
     const std::string       remedy =
-      "Use EBBT, TBT, TE-N with N from 1 to 20, LE-N with N from 1 to 8 "
-      "(LE-2 is L9), or solid-1 or solid-2.";
+      "Use SV or SV-N with N from 0 to 40, LE-N with N from 1 to 8 (LE-2 is "
+      "L9), TE-N with N from 1 to 20, EBBT, TBT, or solid-1 or solid-2.";
 
     Theory theory;
     theory.kind  = named<Kind>(entry.text()).value_or(Kind::undefined);
-    theory.order = 1;
-    if (theory.is_classical())
+    theory.order = theory.kind == Kind::SV ? 0 : 1;
+    if (theory.is_classical() || theory.kind == Kind::SV)
       return theory;
 
     std::smatch match;
@@ -43,10 +63,12 @@ namespace lamella
       entry.refuse("no such theory", remedy);
     theory.kind              = *named<Kind>(match[1]);
     theory.order             = std::stoi(match[2]);
-    const unsigned int limit = theory.kind == Kind::TE ? 20 :
+    const unsigned int least = theory.kind == Kind::SV ? 0 : 1,
+                       limit = theory.kind == Kind::TE ? 20 :
                                theory.kind == Kind::LE ? 8 :
+                               theory.kind == Kind::SV ? 40 :
                                                          2;
-    if (theory.order < 1 || theory.order > limit)
+    if (theory.order < least || theory.order > limit)
       entry.refuse("N is out of range", remedy);
     return theory;
   }
@@ -60,6 +82,24 @@ namespace lamella
                       "",
                       dealii::Patterns::Anything(),
                       "Overrides the scene's Theory for this body.");
+    prm.declare_entry("Theories",
+                      "",
+                      dealii::Patterns::Anything(),
+                      "Instead of Theory: one for each piece of the axis "
+                      "between Theory breaks, e.g. LE-2, SV-6, LE-2. LE-N and "
+                      "SV-N only.");
+    prm.declare_entry("Theory breaks",
+                      "",
+                      patterns::numbers(),
+                      "Distances from the start of the axis at which one of "
+                      "Theories ends and the next begins, ascending [length].");
+    prm.declare_entry("Section order",
+                      "auto",
+                      patterns::WordOr("auto", patterns::Whole(1, 8)),
+                      "Of SV and SV-N: the degree of the layer-wise functions "
+                      "that their fields are made of. It costs section "
+                      "solutions, no DoFs. auto: 3, or that of LE-N where "
+                      "Theories has one.");
     prm.declare_entry("Poisson correction",
                       "true",
                       dealii::Patterns::Bool(),
@@ -77,11 +117,75 @@ namespace lamella
 
 
 
+  namespace
+  {
+    unsigned int
+    section_order_of(const Entry &entry)
+    {
+      return entry.text() == "auto" ? Theory::default_section_order :
+                                      entry.whole(1, 8);
+    }
+
+
+
+    /// The theory @p word of the list @p all.
+    Theory
+    parse_piece(const Entry &all, const std::string &word)
+    {
+      const Theory theory = Theory::parse({all.path(), word});
+      if (theory.is_classical())
+        all.refuse(word +
+                     " has a reduced law, which cannot stand beside others "
+                     "at neighbouring nodes",
+                   "Say SV, which takes its place.");
+      if (theory.kind == Theory::Kind::TE)
+        all.refuse(word + " has functions of its own, which LE-N and SV-N do "
+                          "not hold",
+                   "Use LE-N and SV-N in Theories, or TE-N alone as Theory.");
+      if (theory.kind == Theory::Kind::solid)
+        all.refuse(word + " is no theory of beams: a solid has no axis",
+                   "Use LE-N and SV-N in Theories, or make a body of its own "
+                   "for the solid.");
+      return theory;
+    }
+
+
+
+    /// All of one section space: that of the LE-N among them, or as @p order
+    /// says.
+    void
+    set_section_orders(std::vector<Theory> &theories,
+                       const Entry         &order,
+                       const Entry         &all)
+    {
+      std::set<unsigned int> degrees;
+      for (const Theory &theory : theories)
+        if (theory.kind == Theory::Kind::LE)
+          degrees.insert(theory.order);
+      if (degrees.size() > 1)
+        all.refuse("LE-" + std::to_string(*degrees.begin()) + " and LE-" +
+                     std::to_string(*degrees.rbegin()) +
+                     " do not share their functions",
+                   "Give all pieces of LE-N the same N.");
+      if (!degrees.empty() && order.text() != "auto" &&
+          section_order_of(order) != *degrees.begin())
+        order.refuse("Theories has LE-" + std::to_string(*degrees.begin()) +
+                       ", whose functions all fields are made of",
+                     "Leave it at auto.");
+      for (Theory &theory : theories)
+        theory.section_order =
+          degrees.empty() ? section_order_of(order) : *degrees.begin();
+    }
+  } // namespace
+
+
+
   Theory
   TheoryParameters::parse(const Entries &in, const Entry &scene_theory)
   {
     const Entry own = in["Theory"], factor = in["Shear factor"];
-    Theory      theory = Theory::parse(own.is_empty() ? scene_theory : own);
+    Theory      theory   = Theory::parse(own.is_empty() ? scene_theory : own);
+    theory.section_order = section_order_of(in["Section order"]);
     theory.poisson_correction = in["Poisson correction"].truth();
     theory.shear_factor       = factor.positive();
     if (theory.shear_factor > 1.)
@@ -91,14 +195,56 @@ namespace lamella
 
 
 
+  TheoryPieces
+  TheoryParameters::parse_pieces(const Entries &in, const double length)
+  {
+    const Entry  all = in["Theories"], breaks = in["Theory breaks"];
+    TheoryPieces pieces;
+    pieces.breaks = breaks.ascending(length, "the length");
+    if (all.is_empty())
+      {
+        if (!pieces.breaks.empty())
+          breaks.refuse("there are no Theories to go with it",
+                        "Give Theories, one for each piece, or leave out "
+                        "Theory breaks.");
+        return {};
+      }
+    for (const std::string &word : all.items())
+      pieces.theories.push_back(parse_piece(all, word));
+    if (pieces.theories.size() != pieces.breaks.size() + 1)
+      all.refuse("there are " + std::to_string(pieces.breaks.size() + 1) +
+                   " pieces (Theory breaks and one) and " +
+                   std::to_string(pieces.theories.size()) +
+                   (pieces.theories.size() == 1 ? " theory" : " theories"),
+                 "Give a theory for each piece.");
+    if (!in["Theory"].is_empty())
+      all.refuse("Theory says " + in["Theory"].text() + " for the same body",
+                 "Give one of the two.");
+    set_section_orders(pieces.theories, in["Section order"], all);
+    return pieces;
+  }
+
+
+
+  Theory
+  TheoryPieces::leading() const
+  {
+    return *std::max_element(theories.begin(),
+                             theories.end(),
+                             [](const Theory &a, const Theory &b) {
+                               return std::make_tuple(a.kind, a.order) <
+                                      std::make_tuple(b.kind, b.order);
+                             });
+  }
+
+
+
   bool
   operator<(const Theory &a, const Theory &b)
   {
     const auto key = [](const Theory &t) {
-      return std::make_tuple(t.kind,
-                             t.order,
-                             t.poisson_correction,
-                             t.shear_factor);
+      return std::make_tuple(
+        t.kind, t.order, t.section_order, t.poisson_correction, t.shear_factor);
     };
     return key(a) < key(b);
   }

@@ -315,16 +315,8 @@ namespace lamella
     void
     read_pieces(Laminate &result, const Reader &reader)
     {
-      const Entry breaks   = reader.in["Across breaks"];
-      result.across_breaks = breaks.numbers();
-      double previous      = 0.;
-      for (const double position : result.across_breaks)
-        {
-          if (!(position > previous && position < result.width))
-            breaks.refuse("must ascend between 0 and the width " +
-                          to_text(result.width));
-          previous = position;
-        }
+      result.across_breaks =
+        reader.in["Across breaks"].ascending(result.width, "the width");
       result.cells_across  = reader.counts("Cells across");
       const unsigned int n = result.across_breaks.size() + 1;
       if (result.cells_across.size() != n)

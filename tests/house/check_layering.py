@@ -25,11 +25,11 @@ ARROWS = {
     "contact": ("base", "body", "conditions"),
     "solve": ("base", "linear", "body", "conditions", "contact"),
     "recover": ("base", "body", "conditions", "solve"),
-    "adapt": ("base", "body", "conditions", "contact", "solve", "recover"),
+    "adapt": ("base", "section", "body", "conditions", "contact", "solve", "recover"),
     "report": ("base", "shape", "section", "body", "contact", "solve", "recover"),
     "scene": ("base", "material", "shape", "section", "axis", "body", "conditions",
               "contact", "solve", "recover"),
-    "run": ("base", "contact", "solve", "recover", "report", "scene"),
+    "run": ("base", "contact", "solve", "recover", "adapt", "report", "scene"),
     "trade": ("base", "section", "body", "solve", "report", "scene", "run"),
     "export": ("base", "body", "contact", "scene"),
 }
@@ -41,7 +41,7 @@ FRONT_DOORS = {
     "base": "exceptions", "linear": "linear_solver", "material": "material",
     "shape": "section_mesh", "section": "section", "axis": "axis", "body": "body",
     "conditions": "region", "contact": "gap_rows", "solve": "structure",
-    "recover": "recovery", "report": "results_writer", "scene": "scene",
+    "recover": "recovery", "adapt": "node_fields", "report": "results_writer", "scene": "scene",
     "run": "simulation", "trade": "trade", "export": "calculix_deck",
 }
 

@@ -16,6 +16,10 @@ is `0.1%` (relative), `abs 1e-9`, `exact`, `below` (|result| <= VALUE), `limit`
 
     summary:contacts.middle.force.2   an entry of summary.json; `#` as the last
                                       part counts the entries of a list
+    section:NAME:compliance.4.3       the same of sections/NAME.json
+    coupling:NAME                     the largest coupling in the stiffness of
+                                      sections/NAME.json: |k_ij| over
+                                      sqrt(k_ii k_jj), i and j different
     probe:NAME:uz                     at the last step; probe:NAME/PLY:uz where
                                       the point has a row a ply
     line:NAME:COLUMN:mean             over the arc length, at the last step;
@@ -133,10 +137,10 @@ def numbers(rows, column):
 # ---- the keys
 
 
-def summary_value(run, path):
-    file = run.folder / "summary.json"
+def json_value(run, name, path):
+    file = run.folder / name
     if not file.is_file():
-        raise Fault("summary.json was not written")
+        raise Fault(f"{name} was not written")
     value = json.loads(file.read_text())
     for part in path.split("."):
         if part == "#" and isinstance(value, (list, dict)):
@@ -146,8 +150,14 @@ def summary_value(run, path):
         elif isinstance(value, dict) and part in value:
             value = value[part]
         else:
-            raise Fault(f"summary.json has no {path} (at {part})")
+            raise Fault(f"{name} has no {path} (at {part})")
     return value
+
+
+def coupling(run, section):
+    k = json_value(run, f"sections/{section}.json", "stiffness")
+    return max(abs(k[i][j]) / math.sqrt(k[i][i] * k[j][j])
+               for i in range(6) for j in range(6) if i != j)
 
 
 def probe_value(run, name, column):
@@ -240,7 +250,11 @@ def evaluate(key, run, again):
     if key == "exit":
         return run.status
     if kind == "summary" and rest:
-        return summary_value(run, rest)
+        return json_value(run, "summary.json", rest)
+    if kind == "section" and len(parts) == 2:
+        return json_value(run, f"sections/{parts[0]}.json", parts[1])
+    if kind == "coupling" and rest:
+        return coupling(run, rest)
     if kind == "probe" and len(parts) == 2:
         return probe_value(run, *parts)
     if kind == "line" and len(parts) == 3:

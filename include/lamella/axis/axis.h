@@ -125,6 +125,13 @@ namespace lamella
       return description.length;
     }
 
+    /// Whether N_shear differs from N.
+    bool
+    has_assumed_shear() const
+    {
+      return description.assumed_shear;
+    }
+
     /// n_cells() * degree() + 1, on all processes together.
     unsigned int
     n_nodes() const

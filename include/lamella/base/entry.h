@@ -94,7 +94,12 @@ namespace lamella
     /// piece that number() would refuse.
     std::vector<double>
     numbers() const;
-    /// The same for whole numbers, each from @p least to @p most.
+    /// numbers() that ascend between 0 and @p end, which @p name calls; throws
+    /// InputError for others: positions along something that end one piece of
+    /// it and begin the next.
+    std::vector<double>
+    ascending(const double end, const std::string &name) const;
+    /// numbers() that are whole, each from @p least to @p most.
     std::vector<unsigned int>
     wholes(const unsigned int least, const unsigned int most) const;
 

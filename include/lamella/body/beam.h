@@ -6,8 +6,9 @@
 #include <lamella/axis/axis.h>
 #include <lamella/body/beam_dof_map.h>
 #include <lamella/body/body.h>
+#include <lamella/body/fields.h>
 #include <lamella/body/placement.h>
-#include <lamella/section/section.h>
+#include <lamella/section/field_space.h>
 
 namespace lamella
 {
@@ -68,6 +69,15 @@ namespace lamella
          const Placement                              &placement,
          const std::vector<std::vector<unsigned int>> &fields_of_node);
 
+    /// The same with the fields of @p space, modes among them; @p theory is
+    /// what theory() calls it.
+    Beam(const std::string                            &name,
+         std::shared_ptr<const FieldSpace>             space,
+         std::shared_ptr<const Axis>                   axis,
+         const Placement                              &placement,
+         const std::vector<std::vector<unsigned int>> &fields_of_node,
+         const std::string                            &theory);
+
     /// Says as well how many polynomials of TE-N a section has left out because
     /// they depend on the others there.
     std::string
@@ -125,8 +135,10 @@ namespace lamella
      * coefficients are formed once, then the section answers for all of them.
      * A section whose fields span_the_section() does so by its moments, nine
      * dense products of n_fields x n_fields a point of the axis, whatever the
-     * number of its cells; any other one goes through its integration points
-     * with the few fields that live at each.
+     * number of its cells. On elements whose nodes carry dense lists and
+     * nothing else the products of FieldSpace do the same. All others go
+     * through the section's integration points with the few fields that live
+     * at each.
      */
     void
     add_internal_forces(const Vector &u, Vector &f) const override;
@@ -210,10 +222,28 @@ namespace lamella
     {
       return *beam_axis;
     }
+    std::shared_ptr<const Axis>
+    shared_axis() const
+    {
+      return beam_axis;
+    }
     const BeamDofMap &
     dofs() const
     {
       return dof_map;
+    }
+
+    /// The section's fields and its modes, which dofs() numbers.
+    const FieldSpace &
+    fields() const
+    {
+      return *space;
+    }
+
+    const Placement &
+    place() const
+    {
+      return placement;
     }
 
   protected:
@@ -256,9 +286,14 @@ namespace lamella
       {}
     };
 
-    /// That of the displacement @p u. Derivatives are taken of the differences
-    /// to the element's first node: a rigid translation has none, to the last
-    /// bit.
+    /// That of the displacement @p u, for all fields of the space. Derivatives
+    /// are taken of the differences to the element's first node: a rigid
+    /// translation has none, to the last bit.
+    AxisState
+    list_state(const AxisPoint &point, const Vector &u) const;
+
+    /// list_state() in the fields of the section: what modes are made of is
+    /// added to these.
     AxisState
     axis_state(const AxisPoint &point, const Vector &u) const;
 
@@ -278,7 +313,7 @@ namespace lamella
     };
 
     /**
-     * Calls @p use with the section force at each of own_points(), from the
+     * The section force at the integration point @p k of the axis, from the
      * moments of a section that spans_the_section(),
      *   work_p = sum_q moments(p, q) e_q,   energy = sum_p e_p . work_p / 2,
      * where e_0, e_1, e_2 are the three parts of AxisState. Strains come first
@@ -287,15 +322,38 @@ namespace lamella
      * multiplies it. An initial strain of the plies has no part in it.
      */
     void
+    force_by_moments(const unsigned int k,
+                     const Vector      &u,
+                     SectionForce      &force) const;
+    /// The same on an element that is_dense(), in the fields of the space and
+    /// from their S_pq; all work is done on values and derivatives.
+    void
+    force_of_dense_fields(const unsigned int k,
+                          const Vector      &u,
+                          SectionForce      &force) const;
+
+    /// Calls @p use with the section force at each of own_points() that one of
+    /// these two answers for.
+    void
     for_each_section_force(
       const Vector                                                        &u,
       const std::function<void(const unsigned int, const SectionForce &)> &use)
       const;
 
-    /// The two ways of add_internal_forces(), this process' share: adds to
-    /// @p share, which has all DoFs, and communicates nothing.
+    /// Whether the axis element @p cell is dense: its nodes carry dense lists
+    /// (FieldSpace), and transverse shear strains are as the displacements give
+    /// them.
+    bool
+    is_dense(const unsigned int cell) const;
+
+    /// Adds what the section force does at the integration point @p point of
+    /// the axis to @p share, which has all DoFs.
     void
-    add_forces_by_moments(const Vector &u, Vector &share) const;
+    add_section_force(const unsigned int  point,
+                      const SectionForce &force,
+                      Vector             &share) const;
+    /// The internal forces of the elements that for_each_section_force() leaves
+    /// out, this process' share, through the points of the section.
     void
     add_forces_by_points(const Vector &u, Vector &share) const;
 
@@ -328,6 +386,16 @@ namespace lamella
                      const unsigned int         n,
                      const Vector              &u) const;
 
+    /// Adds to the rows @p rows of a quantity, one a component, the @p share
+    /// of a point of the body that is @p axis_point times @p point.
+    void
+    add_to_rows(const AxisPoint    &axis_point,
+                const SectionPoint &point,
+                const Quantity      quantity,
+                const FromStrain   &to_frame,
+                const double        share,
+                std::vector<Row>   &rows) const;
+
     /// The location with the one place @p eta of @p axis_cell, @p unit of
     /// @p section_cell; @p position (scene axes) is that of it.
     Location
@@ -351,16 +419,28 @@ namespace lamella
     SurfacePoint
     end_point(const EdgePoint &point, const bool at_start) const;
 
+    /// Of the points @p points of the section, which fix all its fields, as few
+    /// as a node with the fields @p list takes: for each component of the
+    /// displacement those whose values span the others'.
+    std::vector<EdgePoint>
+    fixing(std::vector<EdgePoint>           points,
+           const std::vector<unsigned int> &list) const;
+
     /// Fills in the corners and degrees of @p facet, whose cell and square are
     /// set. Along the axis the degrees are those of its elements, in the
     /// section those of the expansion and of its trace.
     void
     complete(SurfaceFacet &facet) const;
 
-    std::shared_ptr<const Section> beam_section;
-    std::shared_ptr<const Axis>    beam_axis;
-    Placement                      placement;
-    BeamDofMap                     dof_map;
+    std::shared_ptr<const FieldSpace> space;
+    std::shared_ptr<const Section>    beam_section;
+    std::shared_ptr<const Axis>       beam_axis;
+    Placement                         placement;
+    BeamDofMap                        dof_map;
+    /// theory(); empty: that of the section.
+    std::string label;
+    /// Of each axis element whether it is_dense().
+    std::vector<bool> dense_cells;
     /// Closed; without lines but for EBBT.
     Constraints kirchhoff;
   };

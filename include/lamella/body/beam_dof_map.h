@@ -72,6 +72,10 @@ namespace lamella
       return places[kinds[node]][alpha];
     }
 
+    /// The node of @p dof, by bisection.
+    unsigned int
+    node_of(const DofIndex dof) const;
+
     /// The field alpha of @p dof, by bisection over the nodes.
     unsigned int
     field_of(const DofIndex dof) const;

@@ -27,8 +27,11 @@ namespace lamella
   {
     /// Its name, and that of its section.
     std::string name, section;
-    /// The body's own, or else the scene's; a solid, too, is a theory here.
+    /// The body's own, or else the scene's; a solid, too, is a theory here. Of
+    /// `Theories` the leading one.
     Theory theory;
+    /// Where the nodes of the axis differ by hand; else empty.
+    TheoryPieces pieces;
     /// Its place and directions in the scene.
     Placement placement;
     /// The length, and elements along it; of a solid those it is extruded in.
@@ -82,6 +85,10 @@ namespace lamella
    * which may take @p memory_limit bytes (0: what the machine has). Beams with
    * the same mesh and theory share their section, whose matrices S_pq are
    * integrated once for all of them; each has an axis of its own. Collective.
+   *
+   * The nodes of SV-N, and those of bodies with `Theories`, carry all fields of
+   * their section here: which of them the scene wants, and which further ones,
+   * is chosen when it is known what touches the bodies (choose_fields()).
    *
    * @p meshes has all sections that the descriptions name. Throws InputError
    * for a body so long that its rigid motions cannot be told apart in doubles,

@@ -159,6 +159,15 @@ namespace lamella
     virtual void
     solve(Vector &x) const = 0;
 
+    /// The same for several right-hand sides; faster together where the solver
+    /// can.
+    virtual void
+    solve_all(std::vector<Vector> &x) const
+    {
+      for (Vector &one : x)
+        solve(one);
+    }
+
     /// For rows to be solved. An empty set; several may exist side by side.
     /// Refers to this solver.
     virtual std::unique_ptr<SolvedRows>

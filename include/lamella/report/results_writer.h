@@ -3,7 +3,8 @@
 // The room `report`: how results are told. It owns the folder of a run and all
 // files in it (tables, summary, VTU, what a run is resumed from) and what the
 // console says, made from Results. It never computes what is not in Results,
-// and nothing in it reads what it wrote but the restart.
+// but for the stiffness of sections, which no run needs, and nothing in it
+// reads what it wrote but the restart.
 
 #ifndef lamella_report_results_writer_h
 #define lamella_report_results_writer_h

@@ -5,6 +5,7 @@
 
 #include <lamella/base/units.h>
 #include <lamella/contact/gap_rows.h>
+#include <lamella/report/section_stiffness.h>
 #include <lamella/shape/laminate.h>
 #include <lamella/solve/structure.h>
 
@@ -42,6 +43,16 @@ namespace lamella
                 const std::string &shape,
                 const SectionMesh &section,
                 const Units       &units);
+
+  /// Prints what the section @p name is to a program of beams: E A, principal
+  /// E I, G J, k G A, tension and shear centre, the 6 x 6 stiffness and, where
+  /// it is known, mass; or in words why there is none. Numbers of points in the
+  /// section's coordinates; @p units label all.
+  void
+  print_stiffness(std::ostream           &out,
+                  const std::string      &name,
+                  const SectionStiffness &section,
+                  const Units            &units);
 
   /// Prints a line a body (theory, DoFs), a load (what it is in all at load
   /// factor 1) and a contact (pairs that may touch, nodes without a partner).

@@ -89,8 +89,8 @@ namespace lamella
     void
     run(const std::string &directory, const bool resume = false);
 
-    /// Prints plies, laminate stiffnesses, bodies, contacts and notes, without
-    /// solving: what --validate is for.
+    /// Prints plies, laminate stiffnesses, sections as beams, bodies, contacts
+    /// and notes, without solving: what --validate is for.
     void
     print_validation() const;
 
@@ -100,6 +100,11 @@ namespace lamella
     /// Section meshes, bodies, supports, loads and stabilising springs.
     void
     build_structure();
+    /// The bodies, each node with the fields that the scene wants there: where
+    /// they depend on what touches a body, conditions and contacts are made
+    /// once to see it.
+    Bodies
+    make_bodies_with_fields();
     /// Search and pairing: the gap rows of all contacts, none twice.
     void
     build_contacts();
@@ -157,6 +162,8 @@ namespace lamella
     /// its search distance was enough.
     std::vector<ContactInterface> contacts;
     std::vector<SearchCheck>      search_checks;
+    /// What the choice of fields has to say.
+    std::vector<std::string> field_notes;
     /// The places of probes, lines and cuts in their bodies.
     std::unique_ptr<Sampler> sampler;
 

@@ -3,9 +3,12 @@
 #ifndef lamella_section_saint_venant_h
 #define lamella_section_saint_venant_h
 
+#include <lamella/linear/linear_solver.h>
 #include <lamella/section/section.h>
+#include <lamella/section/warping.h>
 
 #include <array>
+#include <memory>
 #include <vector>
 
 namespace lamella
@@ -58,8 +61,14 @@ namespace lamella
 
     /// Throws NumericsError if S_00 without the four fields is not positive
     /// definite in doubles. @p section must have a field for the rotation about
-    /// y: not EBBT or TBT. It is not kept.
+    /// y, so not EBBT or TBT, and live longer.
     explicit SaintVenant(const Section &section);
+
+    const Section &
+    of_section() const
+    {
+      return section;
+    }
 
     /// The value a and the derivative b of each state at y = 0 in the section's
     /// fields: extension, torsion, curvature in x and in z, shear in x and z.
@@ -89,15 +98,43 @@ namespace lamella
       return section_stiffness;
     }
 
-  private:
-    void
-    find_states(const Section &section);
-    void
-    find_compliance(const Section &section);
+    /**
+     * How the section deforms under the load @p load that is constant along the
+     * axis, apart from what the six states say: with the states' part taken off
+     * that balances it, S_00 v = f + sum_j c_j (E a_j + S_11 b_j), j the
+     * extension, the torsion and the two shears, so that no force or torque is
+     * left over (the first term of the solution of Almansi and Michell).
+     */
+    Vector
+    response_to_constant(const Vector &load) const;
 
-    std::vector<Vector> value, derivative;
-    SectionTensor       section_compliance, section_stiffness;
+  private:
+    /// S_00 a = E @p v + S_11 @p w, the held fields zero.
+    Vector
+    solve(const Vector &v, const Vector &w) const;
+    /// E @p v + S_11 @p w.
+    Vector
+    right_hand_side(const Vector &v, const Vector &w) const;
+    void
+    find_states();
+    void
+    find_compliance();
+
+    const Section                      &section;
+    std::unique_ptr<const LinearSolver> solver;
+    std::vector<Vector>                 value, derivative;
+    SectionTensor                       section_compliance, section_stiffness;
   };
+
+  /**
+   * The six Saint-Venant warpings as columns, made of the states' values:
+   * without their rigid parts (Warping) and orthonormal in S_00. With the six
+   * rigid fields they are the fields of the theory SV: each with an amplitude
+   * of its own, so that the section may bend without contracting next to a
+   * clamp, say. Fewer than six where states do not warp, or warp alike.
+   */
+  FieldColumns
+  saint_venant_warpings(const SaintVenant &states, const Warping &warping);
 
   /// What an engineer reads off the 6 x 6 compliance. Each stiffness is that
   /// against its own force or moment alone, all other section forces being zero

@@ -323,8 +323,9 @@ namespace lamella
   };
 
   /// The section of @p mesh with the fields of @p theory: LagrangeElement for
-  /// LE, TaylorElement for all others, of degree 1 for EBBT and TBT. Not for
-  /// solid-N, which has no section fields. Shares @p mesh.
+  /// LE and SV, TaylorElement for all others, of degree 1 for EBBT and TBT. Not
+  /// for solid-N, which has no section fields. Its theory() is
+  /// Theory::of_section(). Shares @p mesh.
   std::shared_ptr<const Section>
   make_section(std::shared_ptr<const SectionMesh> mesh, const Theory &theory);
 } // namespace lamella

@@ -8,6 +8,7 @@
 #include <deal.II/base/parameter_handler.h>
 
 #include <string>
+#include <vector>
 
 namespace lamella
 {
@@ -22,6 +23,10 @@ namespace lamella
    * - TE-N: all polynomials of degree N for each component (Eq. 2).
    * - LE-N: layer-wise Lagrange elements of degree N (Eq. 3), L4, L9, L16 for
    *   N = 1, 2, 3.
+   * - SV-N, Saint-Venant: the six rigid motions of a section and its six
+   *   Saint-Venant warpings, with the full three-dimensional law, and the
+   *   responses at N wave numbers to whatever touches the body in its scene;
+   *   SV is SV-0. The fields are made of those of LE (section_order).
    * - solid-N: no beam at all, but hexahedra of degree N, 1 or 2.
    *
    * In each the three displacement components have the same functions F_tau,
@@ -39,11 +44,16 @@ namespace lamella
       TBT,
       TE,
       LE,
+      SV,
       solid
     };
     Kind kind = Kind::undefined;
-    /// N of TE-N, LE-N and solid-N; 1 for the classical theories.
+    /// N of TE-N, LE-N, SV-N and solid-N; 1 for the classical theories.
     unsigned int order = 0;
+    /// Of SV-N the degree of the LE whose fields its own are made of.
+    unsigned int section_order = default_section_order;
+
+    static constexpr unsigned int default_section_order = 3;
 
     /**
      * Whether sections of EBBT, TBT and TE-1, whose own functions cannot
@@ -75,9 +85,14 @@ namespace lamella
       return kind == Kind::EBBT || kind == Kind::TBT;
     }
 
+    /// The theory that makes the Section in which the fields are: LE of the
+    /// section_order for SV-N, the theory itself for all others.
+    Theory
+    of_section() const;
+
     /// The theory that @p entry spells, with defaults for the rest. Throws
     /// InputError for anything else. N is from 1 to 20 for TE, to 8 for LE, to
-    /// 2 for solid.
+    /// 2 for solid, and from 0 to 40 for SV.
     static Theory
     parse(const Entry &entry);
   };
@@ -90,14 +105,37 @@ namespace lamella
                                                    {Theory::Kind::TBT, "TBT"},
                                                    {Theory::Kind::TE, "TE"},
                                                    {Theory::Kind::LE, "LE"},
+                                                   {Theory::Kind::SV, "SV"},
                                                    {Theory::Kind::solid,
                                                     "solid"}};
+  };
+
+  /// Theories along the axis, one from each break to the next: node-dependent
+  /// kinematics by hand. Empty: one theory all along.
+  struct TheoryPieces
+  {
+    std::vector<Theory> theories;
+    /// Distances from the start, ascending, one fewer than theories [length].
+    std::vector<double> breaks;
+
+    bool
+    empty() const
+    {
+      return theories.empty();
+    }
+
+    /// The theory whose fields are looked after by themselves: the first SV-N
+    /// with the largest N, or else the LE of the highest degree; its section
+    /// order is the highest of all.
+    Theory
+    leading() const;
   };
 
   /// The entries of a body's `subsection Kinematics` that speak of its theory.
   struct TheoryParameters
   {
-    /// Theory (empty: the scene's), Poisson correction, Shear factor.
+    /// Theory (empty: the scene's), Theories with Theory breaks, Section order,
+    /// Poisson correction, Shear factor.
     static void
     declare(dealii::ParameterHandler &prm);
 
@@ -106,10 +144,17 @@ namespace lamella
     /// 0 and at most 1, whatever the theory.
     static Theory
     parse(const Entries &in, const Entry &scene_theory);
+
+    /// What `Theories` and `Theory breaks` say of a body of @p length; empty
+    /// where there are none. Throws InputError for theories that cannot stand
+    /// beside others (all but LE and SV), other numbers of theories than of
+    /// pieces, and breaks that do not ascend.
+    static TheoryPieces
+    parse_pieces(const Entries &in, const double length);
   };
 
   /// For use as a key: theories that share the section's fields and matrices.
-  /// By kind, order, Poisson correction and shear factor, one after the other.
+  /// By kind, orders, Poisson correction and shear factor, one after the other.
   bool
   operator<(const Theory &a, const Theory &b);
 } // namespace lamella

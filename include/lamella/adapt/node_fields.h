@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+// The room `adapt`: what of a theory a scene wants where. It owns the choice of
+// the fields that each node of a beam carries, made from what touches the
+// bodies: it asks conditions and contacts and makes bodies anew. It never
+// solves and never looks at a solution.
+
+#ifndef lamella_adapt_node_fields_h
+#define lamella_adapt_node_fields_h
+
+#include <lamella/adapt/touch.h>
+#include <lamella/body/parameters.h>
+
+#include <string>
+#include <vector>
+
+namespace lamella
+{
+  /**
+   * The numbers behind the choice of fields, all measured
+   * (doc/saint-venant-fields.md). H is the smaller extent of the section, h_e
+   * the shortest axis element that something touches.
+   */
+  struct FieldRules
+  {
+    /// The smallest wave number, over the larger extent of the section, and
+    /// that of thin walls.
+    double lowest_wave = 0.25, lowest_wave_of_walls = 0.05;
+    /// The largest one near what touches, over h_e, and far from it, over H.
+    double highest_wave = 10., highest_wave_afar = 4.;
+    /// What is cut of responses, near and far (Warping::basis()).
+    double near_tolerance = 3e-2, far_tolerance = 1e-2;
+    /// Responses reach this many H beyond the elements that are touched.
+    double reach = 1.;
+    /// A body keeps all fields of its section where its nodes would carry more
+    /// than this share of them on average, or where its axis has no more nodes
+    /// than that: nothing would be won.
+    double       most_fields = 0.5;
+    unsigned int least_nodes = 15;
+  };
+
+  /**
+   * Gives the bodies of SV-N, and those with `Theories`, the fields that their
+   * scene excites, and leaves all others as they are. @p bodies are those of
+   * make_bodies() for @p descriptions, whose nodes carry all fields of their
+   * section; they are replaced by bodies of the same names, sections, axes and
+   * places, so that conditions and contacts have to be made anew.
+   *
+   * Each node carries the six rigid fields, the Saint-Venant warpings, and
+   * - near what touches the body the responses at N wave numbers to its section
+   *   load vectors (SectionResponse), from lowest_wave over the section to
+   *   highest_wave / h_e in equal ratios;
+   * - elsewhere the responses to the mean and the linear part of all that
+   *   touches it, also to what is constant along the axis.
+   * Something that holds the section as a whole stands in with the tractions
+   * of the six warpings. Fields are cut to what is independent.
+   *
+   * Bodies of the same section and theory share their fields. @p contacts are
+   * made of @p bodies. Returns what the user should know, a sentence each.
+   * Throws NumericsError if the section's matrices cannot be factorised.
+   * Collective where Beam is.
+   */
+  std::vector<std::string>
+  choose_fields(Bodies                              &bodies,
+                const std::vector<BodyDescription>  &descriptions,
+                const std::vector<Support>          &supports,
+                const std::vector<Load>             &loads,
+                const std::vector<ContactInterface> &contacts,
+                const FieldRules                    &rules = {});
+
+  /// Whether choose_fields() would change any of the bodies.
+  bool
+  has_fields_to_choose(const std::vector<BodyDescription> &descriptions);
+} // namespace lamella
+
+#endif

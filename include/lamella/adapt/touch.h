@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef lamella_adapt_touch_h
+#define lamella_adapt_touch_h
+
+#include <lamella/body/beam.h>
+#include <lamella/conditions/load.h>
+#include <lamella/conditions/support.h>
+#include <lamella/contact/gap_rows.h>
+
+#include <string>
+#include <vector>
+
+namespace lamella
+{
+  /**
+   * Something that touches a beam (a load, a support, a side of a contact) as
+   * the section sees it. What acts there does so through rows over the DoFs,
+   *   r(u) = sum_i sum_alpha w_i f_alpha u_(i,alpha),
+   * products of weights of the axis and a section load vector f: those vectors
+   * are all that the section can be asked to answer. A beam that carries all
+   * fields of its section at all nodes tells them.
+   */
+  struct Touch
+  {
+    /// As in "contact nose".
+    std::string name;
+    /// The section load vectors f, unit length each and independent, in the
+    /// section's fields.
+    std::vector<Vector> loads;
+    /// Those of the mean of all rows, weighted with their areas, and of what
+    /// varies linearly across: what the section feels from afar.
+    std::vector<Vector> smooth;
+    /// The axis elements that it is on, or the node: from, to [length].
+    double begin = 0., end = 0.;
+    /// The shortest axis element there, or of those beside the node: no load
+    /// can vary faster along the axis than it can show [length].
+    double element = 0.;
+    /// Whether it takes hold of the section as a whole: a clamp.
+    bool holds_section = false;
+  };
+
+  /// What touches the body number @p body, @p beam, which carries all fields at
+  /// all nodes. In the order of supports, loads, contacts. What presses normal
+  /// to the axis is taken without its part along it (where surfaces slope).
+  std::vector<Touch>
+  find_touches(const Beam                          &beam,
+               const unsigned int                   body,
+               const Bodies                        &bodies,
+               const std::vector<Support>          &supports,
+               const std::vector<Load>             &loads,
+               const std::vector<ContactInterface> &contacts);
+} // namespace lamella
+
+#endif

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef lamella_linear_factor_row_h
+#define lamella_linear_factor_row_h
+
+#include <lamella/base/linear_algebra.h>
+
+#include <array>
+#include <map>
+#include <vector>
+
+namespace lamella
+{
+  /// A row of the five matrices that are one factor of a beam's stiffness, of
+  /// the axis or of the section: its columns, ascending, and the entries
+  /// (p, q) = (0, 0), (0, 1), (1, 0), (1, 1) of each, the one of transverse
+  /// shear last.
+  struct FactorRow
+  {
+    std::vector<unsigned int>          columns;
+    std::vector<std::array<double, 5>> entries;
+  };
+
+  /// The row @p r of five matrices that share one pattern: @p matrix_number(m)
+  /// is a reference to number m. Columns of which @p wanted is not true are
+  /// left out.
+  template <typename Factor, typename Wanted>
+  FactorRow
+  factor_row(const Factor      &matrix_number,
+             const unsigned int r,
+             const Wanted      &wanted)
+  {
+    // deal.II stores the diagonal first; here columns ascend.
+    std::map<unsigned int, std::array<double, 5>> sorted;
+    for (unsigned int m = 0; m < 5; ++m)
+      for (auto entry = matrix_number(m).begin(r);
+           entry != matrix_number(m).end(r);
+           ++entry)
+        if (wanted(entry->column()))
+          sorted[entry->column()][m] = entry->value();
+    FactorRow row;
+    for (const auto &[column, entries] : sorted)
+      {
+        row.columns.push_back(column);
+        row.entries.push_back(entries);
+      }
+    return row;
+  }
+} // namespace lamella
+
+#endif

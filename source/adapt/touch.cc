@@ -1,0 +1,327 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <lamella/adapt/touch.h>
+
+#include <algorithm>
+#include <map>
+
+namespace lamella
+{
+  using namespace dealii;
+
+  namespace
+  {
+    // Of a unit vector: less than that beside the others is nothing new.
+    constexpr double independent = 0.02;
+    // Of a node's weight beside the largest of its row.
+    constexpr double counts = 1e-10;
+    // A load's nodes whose vectors are looked at.
+    constexpr double strong = 0.05;
+    // Of a row's weights: above it a row presses along the axis.
+    constexpr double along_axis = 0.7;
+
+
+
+    /// The row's weights by the nodes of the axis.
+    std::map<unsigned int, Vector>
+    by_node(const Beam &beam, const Row &row)
+    {
+      std::map<unsigned int, Vector> result;
+      for (const auto &[dof, weight] : row.entries())
+        {
+          const unsigned int node = beam.dofs().node_of(dof);
+          Vector            &part = result[node];
+          if (part.size() == 0)
+            part.reinit(beam.section().n_fields());
+          part[beam.dofs().fields(node)[dof - beam.dofs().first(node)]] +=
+            weight;
+        }
+      return result;
+    }
+
+
+
+    /// A section load vector with where it acts.
+    struct Place
+    {
+      /// From, to, and the shortest element there or beside.
+      double begin, end, element;
+    };
+    struct SectionLoad
+    {
+      Vector   f;
+      Place    place;
+      Point<2> in_section;
+      double   area = 1.;
+      /// Whether it acts at one node of the axis.
+      bool at_node = false;
+    };
+
+
+
+    /// Where along the axis the weights of @p nodes are: on the elements all of
+    /// whose nodes have one, or at nodes.
+    Place
+    place_of(const Axis &axis, const std::map<unsigned int, Vector> &nodes)
+    {
+      double largest = 0.;
+      for (const auto &[node, part] : nodes)
+        largest = std::max(largest, part.linfty_norm());
+      const auto has = [&](const unsigned int node) {
+        const auto found = nodes.find(node);
+        return found != nodes.end() &&
+               found->second.linfty_norm() > counts * largest;
+      };
+      Place on{axis.length(), 0., axis.length()}, at = on;
+      bool  any = false;
+      for (unsigned int cell = 0; cell < axis.n_cells(); ++cell)
+        {
+          const auto  &members = axis.nodes_of_cell(cell);
+          const double begin = axis.cell_begin(cell), end = axis.cell_end(cell);
+          if (std::all_of(members.begin(), members.end(), has))
+            {
+              any        = true;
+              on.begin   = std::min(on.begin, begin);
+              on.end     = std::max(on.end, end);
+              on.element = std::min(on.element, end - begin);
+            }
+          else if (std::any_of(members.begin(), members.end(), has))
+            at.element = std::min(at.element, end - begin);
+        }
+      for (const auto &[node, part] : nodes)
+        if (has(node))
+          {
+            at.begin = std::min(at.begin, axis.nodes()[node]);
+            at.end   = std::max(at.end, axis.nodes()[node]);
+          }
+      return any ? on : at;
+    }
+
+
+
+    /// @p f without what acts along the axis, unless that is most of it.
+    Vector
+    without_axial(const Vector &f, const Section &section)
+    {
+      double axial = 0.;
+      Vector rest  = f;
+      for (unsigned int alpha = 0; alpha < f.size(); ++alpha)
+        if (section.field(alpha).terms[0].component == 1)
+          {
+            axial += f[alpha] * f[alpha];
+            rest[alpha] = 0.;
+          }
+      return std::sqrt(axial) > along_axis * f.l2_norm() ? f : rest;
+    }
+
+
+
+    /// A row of a support or a contact, the same section vector at all of its
+    /// nodes; @p normal: without its part along the axis.
+    SectionLoad
+    load_of_row(const Beam     &beam,
+                const Row      &row,
+                const Point<3> &position,
+                const double    area,
+                const bool      normal)
+    {
+      const auto nodes = by_node(beam, row);
+      Vector     f(beam.section().n_fields());
+      // The functions of the axis sum to one.
+      for (const auto &[node, part] : nodes)
+        f += part;
+      const Point<3> x = beam.place().to_body(position);
+      return {normal ? without_axial(f, beam.section()) : f,
+              place_of(beam.axis(), nodes),
+              {x[0], x[2]},
+              area,
+              nodes.size() == 1};
+    }
+
+
+
+    /// The load vector @p load, whatever it is at each node: those of each
+    /// element that it is on.
+    std::vector<SectionLoad>
+    loads_of_vector(const Beam &beam, const Vector &load)
+    {
+      Row row;
+      for (unsigned int dof = 0; dof < load.size(); ++dof)
+        if (load[dof] != 0.)
+          row.add(dof, load[dof]);
+      const auto nodes   = by_node(beam, row);
+      double     largest = 0.;
+      for (const auto &[node, part] : nodes)
+        largest = std::max(largest, part.l2_norm());
+      std::vector<SectionLoad> loads;
+      const Axis              &axis = beam.axis();
+      for (unsigned int cell = 0; cell < axis.n_cells(); ++cell)
+        {
+          std::map<unsigned int, Vector> here;
+          for (const unsigned int node : axis.nodes_of_cell(cell))
+            if (const auto found = nodes.find(node); found != nodes.end())
+              here.insert(*found);
+          for (const auto &[node, part] : here)
+            if (part.l2_norm() > strong * largest)
+              loads.push_back(
+                {part, place_of(axis, here), {}, part.l2_norm(), false});
+        }
+      return loads;
+    }
+
+
+
+    /// Those of @p loads that are independent, unit length each.
+    std::vector<Vector>
+    independent_of(const std::vector<SectionLoad> &loads)
+    {
+      std::vector<Vector> result, basis;
+      for (const SectionLoad &load : loads)
+        {
+          const double norm = load.f.l2_norm();
+          if (!(norm > 0.))
+            continue;
+          Vector f = load.f;
+          f /= norm;
+          Vector left = f;
+          for (const Vector &one : basis)
+            left.add(-(one * left), one);
+          if (left.l2_norm() < independent)
+            continue;
+          left /= left.l2_norm();
+          basis.push_back(left);
+          result.push_back(f);
+        }
+      return result;
+    }
+
+
+
+    /// The mean of @p loads and what varies linearly across, weighted with
+    /// their areas.
+    std::vector<Vector>
+    smooth_of(const std::vector<SectionLoad> &loads)
+    {
+      Point<2>     low = loads[0].in_section, high = low;
+      Tensor<1, 2> centre;
+      double       area = 0.;
+      for (const SectionLoad &load : loads)
+        {
+          for (unsigned int d = 0; d < 2; ++d)
+            {
+              low[d]  = std::min(low[d], load.in_section[d]);
+              high[d] = std::max(high[d], load.in_section[d]);
+            }
+          area += load.area;
+          centre += load.area * load.in_section;
+        }
+      centre /= area;
+      const unsigned int across = high[0] - low[0] >= high[1] - low[1] ? 0 : 1;
+      Vector             mean(loads[0].f.size()), linear(mean);
+      for (const SectionLoad &load : loads)
+        {
+          mean.add(load.area, load.f);
+          linear.add(load.area * (load.in_section[across] - centre[across]),
+                     load.f);
+        }
+      std::vector<Vector> result;
+      if (mean.l2_norm() > 0.)
+        result.push_back(mean);
+      if (linear.l2_norm() > 0.)
+        result.push_back(linear);
+      return result;
+    }
+
+
+
+    /// One touch for each part of the axis that @p loads are on.
+    void
+    add_touches(const std::string       &name,
+                std::vector<SectionLoad> loads,
+                std::vector<Touch>      &touches)
+    {
+      std::stable_sort(loads.begin(),
+                       loads.end(),
+                       [](const SectionLoad &a, const SectionLoad &b) {
+                         return a.place.begin < b.place.begin;
+                       });
+      for (auto begin = loads.begin(); begin != loads.end();)
+        {
+          Touch touch;
+          touch.name    = name;
+          touch.begin   = begin->place.begin;
+          touch.end     = begin->place.end;
+          touch.element = begin->place.element;
+          bool at_node  = true;
+          auto end      = begin;
+          for (; end != loads.end() && end->place.begin <= touch.end; ++end)
+            {
+              touch.end     = std::max(touch.end, end->place.end);
+              touch.element = std::min(touch.element, end->place.element);
+              at_node       = at_node && end->at_node;
+            }
+          const std::vector<SectionLoad> here(begin, end);
+          // A node's section as a whole, in one direction at least.
+          touch.holds_section =
+            at_node && here.size() > 30 && 4 * here.size() > here[0].f.size();
+          if (!touch.holds_section)
+            {
+              touch.loads  = independent_of(here);
+              touch.smooth = smooth_of(here);
+            }
+          touches.push_back(std::move(touch));
+          begin = end;
+        }
+    }
+  } // namespace
+
+
+
+  std::vector<Touch>
+  find_touches(const Beam                          &beam,
+               const unsigned int                   body,
+               const Bodies                        &bodies,
+               const std::vector<Support>          &supports,
+               const std::vector<Load>             &loads,
+               const std::vector<ContactInterface> &contacts)
+  {
+    std::vector<Touch>               touches;
+    const std::vector<PrescribedRow> rows = prescribed_rows(supports, bodies);
+    for (unsigned int s = 0; s < supports.size(); ++s)
+      {
+        std::vector<SectionLoad> held;
+        for (const PrescribedRow &row : rows)
+          if (row.support == s && row.row.body == body)
+            held.push_back(
+              load_of_row(beam, row.row.row, row.position, 1., false));
+        add_touches("support " + supports[s].name, held, touches);
+      }
+    for (const Load &load : loads)
+      {
+        std::vector<types::global_dof_index> sizes;
+        for (const auto &one : bodies)
+          sizes.push_back(one->n_dofs());
+        BlockVector vector(sizes);
+        add_load(load, bodies, vector);
+        add_touches("load " + load.name,
+                    loads_of_vector(beam, vector.block(body)),
+                    touches);
+      }
+    for (const ContactInterface &contact : contacts)
+      {
+        std::vector<SectionLoad> pressed;
+        for (unsigned int k = 0; k < contact.rows.size(); ++k)
+          for (const BodyRow &part : contact.rows[k].parts)
+            if (part.body == body)
+              pressed.push_back(load_of_row(beam,
+                                            part.row,
+                                            body == contact.first_body ?
+                                              contact.points[k].first :
+                                              contact.points[k].second,
+                                            contact.points[k].area,
+                                            true));
+        add_touches("contact " + contact.name, pressed, touches);
+      }
+    return touches;
+  }
+} // namespace lamella

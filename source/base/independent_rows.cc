@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <lamella/base/independent_rows.h>
+
+#include <deal.II/lac/vector.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace lamella
+{
+  using namespace dealii;
+
+  std::vector<unsigned int>
+  most_independent(const LAPACKFullMatrix<double> &A, const double relative)
+  {
+    std::vector<double> squares(A.m(), 0.);
+    for (unsigned int c = 0; c < A.n(); ++c)
+      for (unsigned int i = 0; i < A.m(); ++i)
+        squares[i] += A(i, c) * A(i, c);
+    std::vector<unsigned int>   chosen;
+    std::vector<Vector<double>> directions;
+    Vector<double>              parts(A.m());
+    double                      longest = 0.;
+    for (const double square : squares)
+      longest = std::max(longest, square);
+    while (chosen.size() < std::min(A.n(), A.m()))
+      {
+        const auto next = std::max_element(squares.begin(),
+                                           squares.end(),
+                                           [](const double a, const double b) {
+                                             // Equal up to rounding: the first,
+                                             // always.
+                                             return a < (1. - 1e-9) * b;
+                                           });
+        if (*next <= relative * relative * longest)
+          break;
+        const unsigned int row = next - squares.begin();
+        *next                  = 0.;
+        Vector<double> direction(A.n());
+        for (unsigned int c = 0; c < A.n(); ++c)
+          direction[c] = A(row, c);
+        for (unsigned int pass = 0; pass < 2; ++pass)
+          for (const Vector<double> &known : directions)
+            direction.add(-(direction * known), known);
+        // The squares are differences: what is left may be less.
+        if (direction.l2_norm() <= relative * std::sqrt(longest))
+          continue;
+        direction /= direction.l2_norm();
+        A.vmult(parts, direction);
+        for (unsigned int i = 0; i < A.m(); ++i)
+          squares[i] = std::max(squares[i] - parts[i] * parts[i], 0.);
+        squares[row] = 0.;
+        chosen.push_back(row);
+        directions.push_back(std::move(direction));
+      }
+    return chosen;
+  }
+} // namespace lamella

@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <lamella/section/field_space.h>
+
+#include <algorithm>
+#include <numeric>
+
+namespace lamella
+{
+  using namespace dealii;
+
+  namespace
+  {
+    /// The five matrices in the order of FactorRow::entries.
+    const Matrix &
+    matrix_of(const Section &section, const unsigned int m)
+    {
+      return m < 4 ? section.S(m / 2, m % 2) : section.S_shear();
+    }
+  } // namespace
+
+
+
+  FieldSpace::FieldSpace(std::shared_ptr<const Section> section)
+    : base(std::move(section))
+    , modes(base->n_fields(), 0)
+  {}
+
+
+
+  FieldSpace::FieldSpace(std::shared_ptr<const Section> section,
+                         FieldColumns                   columns)
+    : base(std::move(section))
+    , modes(std::move(columns))
+  {
+    AssertDimension(modes.m(), base->n_fields());
+    Assert(base->n_fields() >= n_rigid, ExcMessage("There is no torsion."));
+    for (const unsigned int m : {0, 1, 3, 4})
+      {
+        const LAPACKFullMatrix<double> SB = times_dense(matrix_of(*base, m));
+        LAPACKFullMatrix<double>       of_modes(n_modes(), n_dense());
+        modes.Tmmult(of_modes, SB);
+        dense[m].reinit(n_dense(), n_dense());
+        for (unsigned int b = 0; b < n_dense(); ++b)
+          for (unsigned int a = 0; a < n_dense(); ++a)
+            dense[m](a, b) = a < n_rigid ? SB(a, b) : of_modes(a - n_rigid, b);
+      }
+    dense[2].reinit(n_dense(), n_dense());
+    dense[1].transpose(dense[2]);
+  }
+
+
+
+  LAPACKFullMatrix<double>
+  FieldSpace::times_dense(const Matrix &S) const
+  {
+    const unsigned int       n = base->n_fields();
+    LAPACKFullMatrix<double> result(n, n_dense());
+    Vector                   column(n), product(n);
+    for (unsigned int b = 0; b < n_dense(); ++b)
+      {
+        column = 0.;
+        if (b < n_rigid)
+          column[b] = 1.;
+        else
+          std::copy_n(mode(b - n_rigid), n, column.begin());
+        S.vmult(product, column);
+        std::copy_n(product.begin(), n, &result(0, b));
+      }
+    return result;
+  }
+
+
+
+  Vector
+  FieldSpace::in_section_fields(const unsigned int alpha) const
+  {
+    Vector result(base->n_fields());
+    if (alpha < first_mode())
+      result[alpha] = 1.;
+    else
+      std::copy_n(mode(alpha - first_mode()), result.size(), result.begin());
+    return result;
+  }
+
+
+
+  void
+  FieldSpace::expand(std::vector<double> &coefficients) const
+  {
+    AssertDimension(coefficients.size(), n_fields());
+    const unsigned int n = base->n_fields();
+    for (unsigned int j = 0; j < n_modes(); ++j)
+      if (const double factor = coefficients[n + j]; factor != 0.)
+        {
+          const double *const mode = this->mode(j);
+          for (unsigned int a = 0; a < n; ++a)
+            coefficients[a] += factor * mode[a];
+        }
+    coefficients.resize(n);
+  }
+
+
+
+  void
+  FieldSpace::append_modes(std::vector<double> &work) const
+  {
+    const unsigned int n = base->n_fields();
+    AssertDimension(work.size(), n);
+    for (unsigned int j = 0; j < n_modes(); ++j)
+      {
+        const double *const mode = this->mode(j);
+        work.push_back(std::inner_product(mode, mode + n, work.begin(), 0.));
+      }
+  }
+
+
+
+  std::vector<FactorRow>
+  FieldSpace::rows(const std::vector<bool> &carried) const
+  {
+    AssertDimension(carried.size(), n_fields());
+    const unsigned int     n = base->n_fields();
+    std::vector<FactorRow> result(n_fields());
+    const bool             sparse_too =
+      std::find(carried.begin() + n_rigid, carried.begin() + n, true) !=
+      carried.begin() + n;
+
+    for (unsigned int a = 0; a < n; ++a)
+      if (carried[a])
+        result[a] = factor_row(
+          [this](const unsigned int m) -> auto & {
+            return matrix_of(*base, m);
+          },
+          a,
+          [&](const unsigned int b) { return carried[b]; });
+    if (n_modes() == 0)
+      return result;
+
+    // And with the modes. S_00, S_11 and the part in shear are symmetric, S_10
+    // is the transpose of S_01.
+    std::array<LAPACKFullMatrix<double>, 5> SB;
+    if (sparse_too)
+      for (unsigned int m = 0; m < 5; ++m)
+        SB[m] = times_dense(matrix_of(*base, m));
+    const auto entry = [&](const unsigned int a, const unsigned int b) {
+      const unsigned int    i = dense_number(a), j = dense_number(b);
+      std::array<double, 5> values{};
+      for (unsigned int m = 0; m < 5; ++m)
+        {
+          constexpr std::array<unsigned int, 5> transposed{{0, 2, 1, 3, 4}};
+          values[m] = i < n_dense() && j < n_dense() ? dense[m](i, j) :
+                      j < n_dense()                  ? SB[m](a, j) :
+                                                       SB[transposed[m]](b, i);
+        }
+      return values;
+    };
+    for (unsigned int a = 0; a < n_fields(); ++a)
+      for (unsigned int b = a < n ? n : 0; carried[a] && b < n_fields(); ++b)
+        if (carried[b])
+          {
+            result[a].columns.push_back(b);
+            result[a].entries.push_back(entry(a, b));
+          }
+    return result;
+  }
+} // namespace lamella
