@@ -292,8 +292,14 @@ namespace lamella
              const TouchedBody     &touched,
              const BodyDescription &description,
              FieldsOfSection       &fields,
-             const double           reach)
+             const FieldRules      &rules)
     {
+      const BoundingBox<2> box = beam.section().element().bounding_box();
+      const double         a = box.side_length(0), b = box.side_length(1);
+      const auto           reach = [&](const Touch &touch) {
+        return touch.holds_section ? rules.reach_of_clamp * std::max(a, b) :
+                                               rules.reach * std::min(a, b);
+      };
       std::vector<unsigned int> all(beam.section().n_fields());
       std::iota(all.begin(), all.end(), 0);
       std::vector<std::vector<unsigned int>> lists;
@@ -301,8 +307,8 @@ namespace lamella
         {
           std::set<unsigned int> near;
           for (unsigned int t = 0; t < touched.touches.size(); ++t)
-            if (y > touched.touches[t].begin - reach &&
-                y < touched.touches[t].end + reach)
+            if (const Touch &touch = touched.touches[t];
+                y > touch.begin - reach(touch) && y < touch.end + reach(touch))
               near.insert(touched.groups[t]);
           bool whole = false;
           for (const Theory &theory :
@@ -371,13 +377,12 @@ namespace lamella
         for (const Touch &touch : body.touches)
           body.groups.push_back(fields.group_of(touch));
 
-      const double reach = rules.reach * Warping(*section).height();
       std::vector<std::vector<std::vector<unsigned int>>> lists;
       for (const TouchedBody &body : touched)
         {
           const Beam            &beam        = beam_of(body.number);
           const BodyDescription &description = descriptions[body.number];
-          lists.push_back(lists_of(beam, body, description, fields, reach));
+          lists.push_back(lists_of(beam, body, description, fields, rules));
           if (description.pieces.empty() && theory.order > 0)
             if (const std::string why = nothing_won(lists.back(), beam, rules);
                 !why.empty())

@@ -2,6 +2,7 @@
 
 #include <lamella/axis/parameters.h>
 #include <lamella/base/patterns.h>
+#include <lamella/base/text.h>
 
 namespace lamella
 {
@@ -18,9 +19,11 @@ namespace lamella
                       "exact for bending under forces at its ends.");
     prm.declare_entry("Axis elements",
                       "10",
-                      patterns::numbers(),
+                      dealii::Patterns::Anything(),
                       "Number of equal elements along the axis, or one number "
-                      "for each piece between Axis breaks.");
+                      "for each piece between Axis breaks. auto: graded to "
+                      "what touches the body, short at clamps and contacts; "
+                      "auto 2: twice as fine.");
     prm.declare_entry(
       "Axis breaks",
       "",
@@ -47,6 +50,25 @@ namespace lamella
   {
     // Far more than anybody solves for: a slip of the hand.
     constexpr unsigned int most_elements = 100000;
+
+
+
+    /// `auto` or `auto FACTOR`: the factor; anything else: 0.
+    double
+    parse_fineness(const Entry &entry)
+    {
+      constexpr double   least = 0.01, most = 100.;
+      const std::string &text = entry.text();
+      if (text == "auto")
+        return 1.;
+      if (text.substr(0, 5) != "auto ")
+        return 0.;
+      const double fineness = entry.number(text.substr(5));
+      if (!(fineness >= least && fineness <= most))
+        entry.refuse("the factor must lie between " + to_text(least) + " and " +
+                     to_text(most));
+      return fineness;
+    }
 
 
 
@@ -80,8 +102,16 @@ namespace lamella
     mesh.assumed_shear              = shear_strains == "assumed" ||
                          (shear_strains == "auto" && mesh.degree < 3);
 
-    mesh.breaks   = in["Axis breaks"].ascending(length, "the length");
-    mesh.elements = parse_elements(in["Axis elements"], mesh.breaks.size() + 1);
+    const Entry elements = in["Axis elements"];
+    mesh.fineness        = parse_fineness(elements);
+    mesh.breaks          = in["Axis breaks"].ascending(length, "the length");
+    if (mesh.fineness == 0.)
+      mesh.elements = parse_elements(elements, mesh.breaks.size() + 1);
+    else if (!mesh.breaks.empty())
+      in["Axis breaks"].refuse("Axis elements = " + elements.text() +
+                                 " chooses the ends of elements itself",
+                               "Leave out Axis breaks, or give numbers of "
+                               "elements.");
     return mesh;
   }
 } // namespace lamella

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <lamella/adapt/graded_axis.h>
 #include <lamella/base/exceptions.h>
 #include <lamella/base/text.h>
 #include <lamella/body/solid.h>
@@ -126,10 +127,11 @@ namespace lamella
     : scene(scene)
     , element_type(element)
   {
-    const Scene solid = with_solids(scene, element.degree());
-    solids            = make_bodies(solid.bodies,
-                         build_section_meshes(solid),
-                         solid.solve.memory_limit);
+    Scene      solid  = with_solids(scene, element.degree());
+    const auto meshes = build_section_meshes(solid);
+    grade_axes(
+      solid.bodies, meshes, solid.supports, solid.loads, solid.contacts);
+    solids = make_bodies(solid.bodies, meshes, solid.solve.memory_limit);
     for (unsigned int body = 0; body < solids.size(); ++body)
       number(body);
     firsts.emplace_back(nodes.size() + 1, elements.size() + 1);

@@ -72,8 +72,9 @@ namespace lamella
 
 
 
-    SerialStiffness::SerialStiffness(const StiffnessTerms &terms,
-                                     const Constraints    &constraints)
+    /// The places of the stiffness, condensed.
+    DynamicSparsityPattern
+    pattern_of(const StiffnessTerms &terms, const Constraints &constraints)
     {
       DynamicSparsityPattern pattern(terms.n_dofs);
       terms.for_each_block(false, [&](const StiffnessBlock &block) {
@@ -90,7 +91,16 @@ namespace lamella
             pattern.add_entries(row, dofs.begin(), dofs.end());
         }
       constraints.condense(pattern);
-      sparsity.copy_from(pattern);
+      return pattern;
+    }
+
+
+
+    SerialStiffness::SerialStiffness(const StiffnessTerms &terms,
+                                     const Constraints    &constraints)
+    {
+      // It takes as much memory as the matrix and goes before that is made.
+      sparsity.copy_from(pattern_of(terms, constraints));
       matrix.reinit(sparsity);
 
       terms.for_each_block(true, [&](const StiffnessBlock &block) {

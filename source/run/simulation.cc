@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <lamella/adapt/graded_axis.h>
 #include <lamella/adapt/node_fields.h>
 #include <lamella/base/exceptions.h>
 #include <lamella/base/memory.h>
@@ -109,6 +110,8 @@ namespace lamella
   {
     sections = build_section_meshes(scene);
     tell_large_sections(sections, out);
+    grade_axes(
+      scene.bodies, sections, scene.supports, scene.loads, scene.contacts);
     std::vector<Stabilisation> stabilisations;
     for (const BodyDescription &body : scene.bodies)
       stabilisations.push_back({body.stabilisation});

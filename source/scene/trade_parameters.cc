@@ -27,7 +27,8 @@ namespace lamella
   {
     prm.declare_entry(
       "Ladder",
-      "EBBT | TBT | TE-1 | TE-2 | TE-3 | TE-4 | LE-1 | "
+      "EBBT | TBT | TE-1 | TE-2 | TE-3 | TE-4 | "
+      "SV | SV-3 | SV-6 | SV-10 | LE-1 | "
       "LE-2, axis 0.5, section 0.5 | LE-2, axis 0.5 | LE-2 | "
       "LE-3, section 0.5 | LE-3 | solid-1 | solid-2 | solid-2, axis 2 | "
       "LE-3, axis 2",

@@ -33,6 +33,8 @@ namespace lamella
     : base(std::move(section))
     , modes(std::move(columns))
   {
+    if (n_modes() == 0)
+      return;
     AssertDimension(modes.m(), base->n_fields());
     Assert(base->n_fields() >= n_rigid, ExcMessage("There is no torsion."));
     for (const unsigned int m : {0, 1, 3, 4})

@@ -162,7 +162,9 @@ namespace lamella
                  const double               tolerance) const
   {
     const unsigned int n = section.n_fields();
-    FieldColumns       fields(n, snapshots.size());
+    if (snapshots.empty())
+      return FieldColumns(n, 0);
+    FieldColumns fields(n, snapshots.size());
     for (unsigned int j = 0; j < snapshots.size(); ++j)
       {
         Vector field = snapshots[j];
@@ -251,6 +253,9 @@ namespace lamella
   FieldColumns
   beside(const FieldColumns &a, const FieldColumns &b)
   {
+    // A matrix without columns has no rows either.
+    if (a.n() == 0 || b.n() == 0)
+      return a.n() == 0 ? b : a;
     AssertDimension(a.m(), b.m());
     FieldColumns result(a.m(), a.n() + b.n());
     for (unsigned int j = 0; j < result.n(); ++j)

@@ -99,9 +99,15 @@ namespace lamella
           continue;
         const std::string kinematics = "Body " + body.name + "/Kinematics/";
         rung.overrides.push_back(kinematics + "Theory=" + entry.theory);
+        if (!body.pieces.empty())
+          for (const char *const one : {"Theories", "Theory breaks"})
+            rung.overrides.push_back(kinematics + one + "=");
         if (entry.axis != 1.)
-          rung.overrides.push_back(kinematics + "Axis elements=" +
-                                   scaled(body.axis.elements, entry.axis));
+          rung.overrides.push_back(
+            kinematics + "Axis elements=" +
+            (body.axis.fineness > 0. ?
+               "auto " + to_text(body.axis.fineness * entry.axis) :
+               scaled(body.axis.elements, entry.axis)));
         sections.insert(body.section);
       }
     if (entry.section != 1.)

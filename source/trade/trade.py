@@ -26,6 +26,8 @@ LEAST_ERROR = 1e-4
 # From pale to dark with rising order.
 LOOKS = {"EBBT": ("p", ["#b3b3b3"]), "TBT": ("^", ["#6e6e6e"]),
          "TE": ("o", ["#fdae6b", "#f16913", "#d94801", "#a63603", "#7f2704", "#4d1600"]),
+         "SV": ("v", ["#dadaeb", "#cbc9e2", "#bcbddc", "#aba8d1", "#9e9ac8", "#8a83bf",
+                      "#756bb1", "#6751a3", "#54278f", "#3f007d"]),
          "LE": ("s", ["#9ecae1", "#4292c6", "#08519c", "#041f4a"]),
          "solid": ("D", ["#74c476", "#006d2c"])}
 COSTS = (("seconds", "front_seconds", "seconds of the whole process"),

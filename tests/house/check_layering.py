@@ -25,13 +25,13 @@ ARROWS = {
     "contact": ("base", "body", "conditions"),
     "solve": ("base", "linear", "body", "conditions", "contact"),
     "recover": ("base", "body", "conditions", "solve"),
-    "adapt": ("base", "section", "body", "conditions", "contact", "solve", "recover"),
+    "adapt": ("base", "shape", "section", "axis", "body", "conditions", "contact", "solve", "recover"),
     "report": ("base", "shape", "section", "body", "contact", "solve", "recover"),
     "scene": ("base", "material", "shape", "section", "axis", "body", "conditions",
               "contact", "solve", "recover"),
     "run": ("base", "contact", "solve", "recover", "adapt", "report", "scene"),
     "trade": ("base", "section", "body", "solve", "report", "scene", "run"),
-    "export": ("base", "body", "contact", "scene"),
+    "export": ("base", "body", "contact", "adapt", "scene"),
 }
 ROOMS = tuple(ARROWS)
 

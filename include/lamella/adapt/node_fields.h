@@ -30,8 +30,10 @@ namespace lamella
     double highest_wave = 10., highest_wave_afar = 4.;
     /// What is cut of responses, near and far (Warping::basis()).
     double near_tolerance = 3e-2, far_tolerance = 1e-2;
-    /// Responses reach this many H beyond the elements that are touched.
-    double reach = 1.;
+    /// Responses reach this many H beyond the elements that are touched, and
+    /// this many times the larger extent from where a section is held as a
+    /// whole: what a clamp disturbs dies away slowly in coupled laminates.
+    double reach = 1., reach_of_clamp = 1.5;
     /// A body keeps all fields of its section where its nodes would carry more
     /// than this share of them on average, or where its axis has no more nodes
     /// than that: nothing would be won.

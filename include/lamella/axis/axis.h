@@ -43,6 +43,9 @@ namespace lamella
     /// ascending, strictly between 0 and the length. Short pieces grade a mesh
     /// towards a clamp or a load.
     std::vector<double> breaks;
+    /// Above 0: elements and breaks are not given but follow from what touches
+    /// the body (grade_axes()), shorter by this factor than its rules say.
+    double fineness = 0.;
     /// Nodes at equal distances, as in the CUF literature's B4, instead of at
     /// the Gauss-Lobatto points of FE_Q: the same space, other contact pairs.
     /// For B2 and B3 both are the same.

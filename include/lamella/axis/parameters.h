@@ -14,7 +14,8 @@ namespace lamella
    * The entries of a body's `subsection Kinematics` that speak of its axis, the
    * one-dimensional mesh and the beam element on it:
    *   Axis element     B2, B3 or B4                    (B4)
-   *   Axis elements    a number, or one for each piece (10)
+   *   Axis elements    a number, one for each piece,
+   *                    or auto [FACTOR]                (10)
    *   Axis breaks      distances that end a piece      (none)
    *   Axis nodes       Gauss-Lobatto or equidistant    (Gauss-Lobatto)
    *   Shear strains    auto, assumed or full           (auto)

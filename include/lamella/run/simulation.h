@@ -150,7 +150,8 @@ namespace lamella
     print_results(const std::string &directory) const;
 
     // What is to be solved.
-    const Scene   scene;
+    /// As given, with the axes that grade themselves made.
+    Scene         scene;
     std::ostream &out;
     /// Wall seconds of each Phase, and of the object's whole life.
     dealii::TimerOutput timer;

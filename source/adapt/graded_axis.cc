@@ -1,0 +1,306 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <lamella/adapt/graded_axis.h>
+#include <lamella/adapt/touch.h>
+
+#include <deal.II/grid/grid_tools.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace lamella
+{
+  using namespace dealii;
+
+  namespace
+  {
+    /// s(y) of graded_breaks().
+    double
+    size_at(const double                     y,
+            const double                     length,
+            const std::vector<ShortElement> &places,
+            const GradingRules              &rules)
+    {
+      // So that the first element, over which s grows, is as long as said.
+      const double first = rules.growth / std::expm1(rules.growth);
+      double       size  = length / rules.least;
+      for (const ShortElement &place : places)
+        size =
+          std::min(size,
+                   first * place.size + rules.growth * std::abs(y - place.y));
+      return size;
+    }
+
+
+
+    /// Places by ascending y, 0 and the length among them; those that are as
+    /// good as one are one, with the smaller size.
+    std::vector<ShortElement>
+    tidy(std::vector<ShortElement> places, const double length)
+    {
+      constexpr double one = 0.5;
+      for (const double end : {0., length})
+        places.push_back({end, length});
+      std::sort(places.begin(),
+                places.end(),
+                [](const ShortElement &a, const ShortElement &b) {
+                  return a.y < b.y;
+                });
+      std::vector<ShortElement> result;
+      for (const ShortElement &place : places)
+        if (!result.empty() &&
+            place.y - result.back().y <
+              one * std::min({place.size, result.back().size, length}))
+          {
+            result.back().size = std::min(result.back().size, place.size);
+            if (place.y == length)
+              result.back().y = length;
+          }
+        else
+          result.push_back(place);
+      return result;
+    }
+  } // namespace
+
+
+
+  std::vector<double>
+  graded_breaks(const double                     length,
+                const std::vector<ShortElement> &given,
+                const GradingRules              &rules)
+  {
+    constexpr unsigned int          samples = 400;
+    const std::vector<ShortElement> places  = tidy(given, length);
+    std::vector<double>             breaks;
+    for (unsigned int piece = 0; piece + 1 < places.size(); ++piece)
+      {
+        const double begin = places[piece].y, end = places[piece + 1].y,
+                     step = (end - begin) / samples;
+        // The integral of 1 / s up to each sample, by the trapezoidal rule.
+        std::vector<double> integral{0.};
+        for (unsigned int k = 0; k < samples; ++k)
+          integral.push_back(
+            integral.back() +
+            0.5 * step *
+              (1. / size_at(begin + k * step, length, places, rules) +
+               1. / size_at(begin + (k + 1) * step, length, places, rules)));
+        const unsigned int n = std::max(1., std::ceil(integral.back() - 0.05));
+        for (unsigned int i = 1; i < n; ++i)
+          {
+            const double wanted = integral.back() * i / n;
+            const auto   above =
+              std::upper_bound(integral.begin(), integral.end(), wanted);
+            const unsigned int k = above - integral.begin() - 1;
+            breaks.push_back(begin +
+                             step * (k + (wanted - integral[k]) /
+                                           (integral[k + 1] - integral[k])));
+          }
+        if (piece + 2 < places.size())
+          breaks.push_back(end);
+      }
+    return breaks;
+  }
+
+
+
+  namespace
+  {
+    bool
+    is_automatic(const BodyDescription &body)
+    {
+      return body.axis.fineness > 0.;
+    }
+
+
+
+    /// The smaller extent of a section.
+    double
+    height(const SectionMesh &mesh)
+    {
+      const BoundingBox<2> box = GridTools::compute_bounding_box(mesh.mesh);
+      return std::min(box.side_length(0), box.side_length(1));
+    }
+
+
+
+    /// The smallest gap of rows that are each a pair of y and gap: y of the
+    /// lowest point of the parabola through the lowest row and its neighbours.
+    double
+    nearest(const std::map<double, double> &gaps)
+    {
+      const auto lowest = std::min_element(gaps.begin(),
+                                           gaps.end(),
+                                           [](const auto &a, const auto &b) {
+                                             return a.second < b.second;
+                                           });
+      if (lowest == gaps.begin() || std::next(lowest) == gaps.end())
+        return lowest->first;
+      const auto [a, fa] = *std::prev(lowest);
+      const auto [b, fb] = *lowest;
+      const auto [c, fc] = *std::next(lowest);
+      const double left = (fb - fa) / (b - a), right = (fc - fb) / (c - b),
+                   bend = (right - left) / (c - a);
+      return bend > 0. ? 0.5 * (a + b) - 0.5 * left / bend : b;
+    }
+
+
+
+    /// What one side of @p contact, that on @p body, wants along its axis.
+    void
+    add_contact_places(const ContactInterface    &contact,
+                       const unsigned int         number,
+                       const Beam                &beam,
+                       const double               H,
+                       const GradingRules        &rules,
+                       std::vector<ShortElement> &places)
+    {
+      // Gaps that differ by less than that share of H are alike.
+      constexpr double         alike = 1e-3;
+      std::map<double, double> gaps;
+      double                   lowest = std::numeric_limits<double>::max();
+      for (unsigned int k = 0; k < contact.rows.size(); ++k)
+        {
+          const Point<3> place    = number == contact.first_body ?
+                                      contact.points[k].first :
+                                      contact.points[k].second;
+          const double   y        = beam.place().to_body(place)[1],
+                       gap        = contact.rows[k].initial_gap;
+          const auto [at, is_new] = gaps.emplace(y, gap);
+          at->second              = std::min(at->second, gap);
+          lowest                  = std::min(lowest, gap);
+        }
+      double begin = beam.axis().length(), end = 0.;
+      for (const auto &[y, gap] : gaps)
+        if (gap < lowest + alike * H)
+          {
+            begin = std::min(begin, y);
+            end   = std::max(end, y);
+          }
+      const double size = rules.contact * H;
+      if (end - begin < H)
+        {
+          places.push_back({nearest(gaps), size});
+          return;
+        }
+      // They lie upon each other: edges, and nothing long between.
+      for (const double edge : {begin, end})
+        places.push_back({edge, size});
+      const unsigned int n = std::ceil((end - begin) / (2. * rules.inside * H));
+      for (unsigned int i = 1; i < n; ++i)
+        places.push_back({begin + (end - begin) * i / n, rules.inside * H});
+    }
+
+
+
+    /// What supports and loads want along the axis of body @p number.
+    void
+    add_condition_places(const std::vector<Region> &regions,
+                         const unsigned int         number,
+                         const Beam                &beam,
+                         const double               end_size,
+                         const double               point_size,
+                         std::vector<ShortElement> &places)
+    {
+      for (const Region &region : regions)
+        {
+          if (region.body != number)
+            continue;
+          const std::string &surface = region.surface;
+          for (const auto &[y, name] :
+               {std::make_pair(0., "start"),
+                std::make_pair(beam.axis().length(), "end")})
+            if (region.kind == Region::Kind::surface &&
+                (surface == name || surface == "ends"))
+              places.push_back({y, end_size});
+          for (const Point<3> &point : region.at)
+            places.push_back({beam.place().to_body(point)[1], point_size});
+        }
+    }
+
+
+
+    /// The edges of loads that do not go all along the axis of body @p number.
+    void
+    add_load_edges(const Beam                &beam,
+                   const unsigned int         number,
+                   const Bodies              &bodies,
+                   const std::vector<Load>   &loads,
+                   const double               size,
+                   std::vector<ShortElement> &places)
+    {
+      for (const Touch &touch :
+           find_touches(beam, number, bodies, {}, loads, {}))
+        for (const double edge : {touch.begin, touch.end})
+          if (edge > 0. && edge < beam.axis().length())
+            places.push_back({edge, size});
+    }
+
+
+
+    /// The bodies as beams of few fields, for their geometry alone.
+    Bodies
+    plain_beams(const std::vector<BodyDescription> &bodies,
+                const SectionMeshes                &meshes)
+    {
+      std::vector<BodyDescription> plain = bodies;
+      for (BodyDescription &body : plain)
+        {
+          body.theory                    = Theory::parse({"Theory", "TE-1"});
+          body.theory.poisson_correction = false;
+        }
+      return make_bodies(plain, meshes);
+    }
+  } // namespace
+
+
+
+  void
+  grade_axes(std::vector<BodyDescription>   &bodies,
+             const SectionMeshes            &meshes,
+             const std::vector<Support>     &supports,
+             const std::vector<Load>        &loads,
+             const std::vector<ContactPair> &contacts,
+             const GradingRules             &rules)
+  {
+    if (std::none_of(bodies.begin(), bodies.end(), is_automatic))
+      return;
+    // Fine enough to find a contact, and not more.
+    constexpr double fewest = 12., most = 240.;
+    for (BodyDescription &body : bodies)
+      if (is_automatic(body))
+        body.axis.elements = {static_cast<unsigned int>(std::clamp(
+          std::ceil(2. * body.axis.length / height(*meshes.at(body.section))),
+          fewest,
+          most))};
+    for (unsigned int pass = 0; pass < 2; ++pass)
+      {
+        const Bodies                  plain = plain_beams(bodies, meshes);
+        std::vector<ContactInterface> touching;
+        for (const ContactPair &contact : contacts)
+          touching.push_back(make_interface(contact, plain));
+        for (unsigned int b = 0; b < bodies.size(); ++b)
+          if (is_automatic(bodies[b]))
+            {
+              const Beam  &beam = dynamic_cast<const Beam &>(*plain[b]);
+              const double H =
+                height(*meshes.at(bodies[b].section)) / bodies[b].axis.fineness;
+              std::vector<ShortElement> places;
+              for (const Support &support : supports)
+                add_condition_places(
+                  support.on, b, beam, rules.clamp * H, rules.edge * H, places);
+              for (const Load &load : loads)
+                add_condition_places(
+                  load.on, b, beam, rules.edge * H, rules.edge * H, places);
+              add_load_edges(beam, b, plain, loads, rules.edge * H, places);
+              for (const ContactInterface &contact : touching)
+                if (contact.first_body == b || contact.second_body == b)
+                  add_contact_places(contact, b, beam, H, rules, places);
+              bodies[b].axis.breaks =
+                graded_breaks(bodies[b].axis.length, places, rules);
+              bodies[b].axis.elements.assign(bodies[b].axis.breaks.size() + 1,
+                                             1);
+            }
+      }
+  }
+} // namespace lamella
