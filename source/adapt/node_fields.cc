@@ -70,6 +70,10 @@ namespace lamella
       const std::vector<unsigned int> &
       list(const std::set<unsigned int> &near);
 
+      /// That of a node of SV: the rigid fields and the warpings.
+      std::vector<unsigned int>
+      saint_venant_list() const;
+
       /// The modes of @p list.
       FieldColumns
       columns_of(const std::vector<unsigned int> &list) const;
@@ -92,6 +96,13 @@ namespace lamella
 
       double
       lowest_wave() const;
+      /// FieldRules::near_tolerance for N of the theory.
+      double
+      near_tolerance() const
+      {
+        return rules.near_tolerance *
+               std::min(1., 36. / double(theory.order * theory.order));
+      }
       /// The responses of all groups, at one set of wave numbers: one
       /// factorisation each.
       void
@@ -127,10 +138,16 @@ namespace lamella
       Group group{touch.loads, touch.smooth, touch.element, {}, {}};
       if (touch.holds_section)
         {
-          // It answers to no load vector: it frees or holds the warping.
+          // It answers to no load vector: it holds the warping w, with the
+          // tractions that w has as a value and as a derivative.
           group.loads.clear();
           for (unsigned int j = 0; j < warpings.n(); ++j)
-            group.loads.push_back(warping.traction(column_of(warpings, j)));
+            for (const unsigned int q : {0, 1})
+              {
+                Vector traction(section->n_fields());
+                section->S(1, q).vmult(traction, column_of(warpings, j));
+                group.loads.push_back(traction);
+              }
           group.smooth.clear();
         }
       constexpr double alike = 1e-6;
@@ -222,9 +239,7 @@ namespace lamella
       std::vector<unsigned int> list;
       if (nothing_near)
         {
-          list.resize(6 + warpings.n());
-          std::iota(list.begin(), list.begin() + 6, 0);
-          std::iota(list.begin() + 6, list.end(), section->n_fields());
+          list = saint_venant_list();
           if (responds())
             {
               find_responses();
@@ -252,13 +267,24 @@ namespace lamella
             fresh = warping.basis(groups[last].near,
                                   warpings,
                                   columns_of(list),
-                                  rules.near_tolerance);
+                                  near_tolerance());
         }
       for (unsigned int j = 0; j < fresh.n(); ++j)
         list.push_back(section->n_fields() + modes.n() + j);
       modes              = beside(modes, fresh);
       return lists[near] = list;
     }
+
+    std::vector<unsigned int>
+    FieldsOfSection::saint_venant_list() const
+    {
+      std::vector<unsigned int> list(6 + warpings.n());
+      std::iota(list.begin(), list.begin() + 6, 0);
+      std::iota(list.begin() + 6, list.end(), section->n_fields());
+      return list;
+    }
+
+
 
     FieldColumns
     FieldsOfSection::columns_of(const std::vector<unsigned int> &list) const
@@ -310,11 +336,17 @@ namespace lamella
             if (const Touch &touch = touched.touches[t];
                 y > touch.begin - reach(touch) && y < touch.end + reach(touch))
               near.insert(touched.groups[t]);
-          bool whole = false;
+          // Between two pieces a node carries what the richer one wants.
+          bool whole = false, plain = !description.pieces.empty();
           for (const Theory &theory :
                theories_at(y, description.pieces, beam.axis().length()))
-            whole = whole || theory.kind == Theory::Kind::LE;
-          lists.push_back(whole ? all : fields.list(near));
+            {
+              whole = whole || theory.kind == Theory::Kind::LE;
+              plain = plain && theory.order == 0;
+            }
+          lists.push_back(whole ? all :
+                          plain ? fields.saint_venant_list() :
+                                  fields.list(near));
         }
       return lists;
     }
@@ -383,6 +415,14 @@ namespace lamella
           const Beam            &beam        = beam_of(body.number);
           const BodyDescription &description = descriptions[body.number];
           lists.push_back(lists_of(beam, body, description, fields, rules));
+          for (const Touch &touch : body.touches)
+            if (touch.presses && theory.order == 0 &&
+                description.pieces.empty())
+              notes.push_back("body " + beam.name() +
+                              ": SV has no fields that " + touch.name +
+                              " can dent: forces are those of a beam, "
+                              "pressures and stresses there are not to be "
+                              "used. Use SV-N, SV-6 say");
           if (description.pieces.empty() && theory.order > 0)
             if (const std::string why = nothing_won(lists.back(), beam, rules);
                 !why.empty())

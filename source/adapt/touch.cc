@@ -320,7 +320,10 @@ namespace lamella
                                               contact.points[k].second,
                                             contact.points[k].area,
                                             true));
+        const std::size_t before = touches.size();
         add_touches("contact " + contact.name, pressed, touches);
+        for (std::size_t k = before; k < touches.size(); ++k)
+          touches[k].presses = true;
       }
     return touches;
   }

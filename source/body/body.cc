@@ -127,7 +127,12 @@ namespace lamella
       monitor.assembled();
     try
       {
-        return matrix->factorise("body '" + name() + "'", monitor.sized);
+        return matrix->factorise("body '" + name() + "'",
+                                 [&](const FactorSize &size) {
+                                   matrix->release();
+                                   if (monitor.sized)
+                                     monitor.sized(size);
+                                 });
       }
     catch (const NotPositiveDefinite &error)
       {

@@ -114,7 +114,9 @@ namespace lamella
                                                const std::string   &what,
                                                const FactorMonitor &monitor)
     {
-      for (DofIndex i = 0; i < matrix.m(); ++i)
+      // The monitor may free the matrix: nobody asks it afterwards.
+      const DofIndex n = matrix.m();
+      for (DofIndex i = 0; i < n; ++i)
         greatest = std::max(greatest, std::abs(matrix.diag_element(i)));
       cholmod_l_start(&common);
       common.supernodal = CHOLMOD_SUPERNODAL;
@@ -145,11 +147,10 @@ namespace lamella
       const std::size_t minor  = factor->minor;
       const int         status = common.status;
       const auto *order = static_cast<const SuiteSparse_long *>(factor->Perm);
-      const DofIndex broken =
-        order[std::min<std::size_t>(minor, matrix.m() - 1)];
+      const DofIndex broken = order[std::min<std::size_t>(minor, n - 1)];
       // The condition is no number where the matrix holds one that is none.
-      const bool succeeded = status == CHOLMOD_OK && minor == matrix.m() &&
-                             reciprocal_condition > 0.;
+      const bool succeeded =
+        status == CHOLMOD_OK && minor == n && reciprocal_condition > 0.;
       if (!succeeded)
         {
           cholmod_l_free_factor(&factor, &common);
@@ -161,8 +162,8 @@ namespace lamella
           throw NotPositiveDefinite(
             "The stiffness matrix of " + what +
               " is not positive definite (pivot " +
-              std::to_string(std::min<std::size_t>(minor + 1, matrix.m())) +
-              " of " + std::to_string(matrix.m()) +
+              std::to_string(std::min<std::size_t>(minor + 1, n)) + " of " +
+              std::to_string(n) +
               "). Either the body can still move, or its slenderness or its "
               "ratio of stiffnesses is beyond what double precision holds.",
             broken);

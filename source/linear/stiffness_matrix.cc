@@ -65,6 +65,13 @@ namespace lamella
         return lamella::factorise(matrix, what, monitor);
       }
 
+      void
+      release() override
+      {
+        matrix.clear();
+        sparsity.reinit(0, 0, 0);
+      }
+
     private:
       SparsityPattern sparsity;
       Matrix          matrix;

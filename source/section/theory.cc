@@ -158,10 +158,18 @@ namespace lamella
                        const Entry         &order,
                        const Entry         &all)
     {
-      std::set<unsigned int> degrees;
+      std::set<unsigned int> degrees, waves;
       for (const Theory &theory : theories)
         if (theory.kind == Theory::Kind::LE)
           degrees.insert(theory.order);
+        else if (theory.order > 0)
+          waves.insert(theory.order);
+      if (waves.size() > 1)
+        all.refuse("SV-" + std::to_string(*waves.begin()) + " and SV-" +
+                     std::to_string(*waves.rbegin()) +
+                     " would answer at different wave numbers, which nothing "
+                     "is won by",
+                   "Give all pieces of SV-N the same N, or say SV.");
       if (degrees.size() > 1)
         all.refuse("LE-" + std::to_string(*degrees.begin()) + " and LE-" +
                      std::to_string(*degrees.rbegin()) +

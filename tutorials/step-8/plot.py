@@ -94,4 +94,4 @@ bar.ax.set_xlim(-1, 1)
 bar.ax.tick_params(labelsize=8.5, length=2)
 figure.text(0.32, 0.037, r"$u_y$ over its largest", ha="right", va="center",
             fontsize=9.5)
-figure.savefig(sys.argv[2], dpi=130)
+figure.savefig(sys.argv[2], dpi=110)

@@ -28,12 +28,14 @@ namespace lamella
     double lowest_wave = 0.25, lowest_wave_of_walls = 0.05;
     /// The largest one near what touches, over h_e, and far from it, over H.
     double highest_wave = 10., highest_wave_afar = 4.;
-    /// What is cut of responses, near and far (Warping::basis()).
+    /// What is cut of responses, near and far (Warping::basis()). Near times
+    /// (6 / N)^2 where N is more than 6: more wave numbers are wanted for more
+    /// digits.
     double near_tolerance = 3e-2, far_tolerance = 1e-2;
     /// Responses reach this many H beyond the elements that are touched, and
     /// this many times the larger extent from where a section is held as a
     /// whole: what a clamp disturbs dies away slowly in coupled laminates.
-    double reach = 1., reach_of_clamp = 1.5;
+    double reach = 2., reach_of_clamp = 1.5;
     /// A body keeps all fields of its section where its nodes would carry more
     /// than this share of them on average, or where its axis has no more nodes
     /// than that: nothing would be won.
@@ -55,7 +57,8 @@ namespace lamella
    * - elsewhere the responses to the mean and the linear part of all that
    *   touches it, also to what is constant along the axis.
    * Something that holds the section as a whole stands in with the tractions
-   * of the six warpings. Fields are cut to what is independent.
+   * of the six warpings w, S_10 w and S_11 w. Fields are cut to what is
+   * independent. In `Theories` pieces of SV have none of these.
    *
    * Bodies of the same section and theory share their fields. @p contacts are
    * made of @p bodies. Returns what the user should know, a sentence each.

@@ -92,6 +92,13 @@ namespace lamella
     virtual std::unique_ptr<LinearSolver>
     factorise(const std::string   &what,
               const FactorMonitor &monitor = {}) const = 0;
+
+    /// Frees the entries where factorise() has copied them by the time that it
+    /// calls its monitor, which may call this: the factor then has their
+    /// memory. Elsewhere nothing.
+    virtual void
+    release()
+    {}
   };
 
   /// In deal.II's SparseMatrix, for one process; factorised by CHOLMOD.
