@@ -22,6 +22,8 @@ namespace lamella
       return body.theory.kind == Theory::Kind::SV || !body.pieces.empty();
     }
 
+
+
     /// What touches a body, with the group of load vectors that each belongs
     /// to.
     struct TouchedBody
@@ -30,6 +32,8 @@ namespace lamella
       std::vector<Touch>        touches;
       std::vector<unsigned int> groups;
     };
+
+
 
     /// @p n numbers from @p first to @p last in equal ratios.
     std::vector<double>
@@ -42,6 +46,8 @@ namespace lamella
                    first * std::pow(last / first, double(k) / (n - 1)));
       return numbers;
     }
+
+
 
     /**
      * The fields of one section, for all bodies that have it and the same
@@ -169,6 +175,8 @@ namespace lamella
       return groups.size() - 1;
     }
 
+
+
     double
     FieldsOfSection::lowest_wave() const
     {
@@ -180,6 +188,8 @@ namespace lamella
       return (thin ? rules.lowest_wave_of_walls : rules.lowest_wave) /
              std::max(box.side_length(0), box.side_length(1));
     }
+
+
 
     void
     FieldsOfSection::find_responses()
@@ -229,6 +239,8 @@ namespace lamella
           group.far.push_back(states.response_to_constant(load));
     }
 
+
+
     const std::vector<unsigned int> &
     FieldsOfSection::list(const std::set<unsigned int> &near)
     {
@@ -247,7 +259,7 @@ namespace lamella
               for (const Group &group : groups)
                 smooth.insert(smooth.end(), group.far.begin(), group.far.end());
               fresh =
-                warping.basis(smooth, warpings, modes, rules.far_tolerance);
+                warping.basis(smooth, warpings, warpings, rules.far_tolerance);
             }
         }
       else
@@ -275,6 +287,8 @@ namespace lamella
       return lists[near] = list;
     }
 
+
+
     std::vector<unsigned int>
     FieldsOfSection::saint_venant_list() const
     {
@@ -295,6 +309,8 @@ namespace lamella
       return these_of(modes, numbers);
     }
 
+
+
     /// Of the pieces by hand that hold @p y the theories.
     std::vector<Theory>
     theories_at(const double y, const TheoryPieces &pieces, const double length)
@@ -311,6 +327,8 @@ namespace lamella
         }
       return result;
     }
+
+
 
     /// The fields that each node of @p beam carries.
     std::vector<std::vector<unsigned int>>
@@ -351,6 +369,8 @@ namespace lamella
       return lists;
     }
 
+
+
     /// As in "SV-6 (of LE-2), 12 to 111 fields a node".
     std::string
     label_of(const BodyDescription                        &body,
@@ -371,6 +391,8 @@ namespace lamella
              " fields a node";
     }
 
+
+
     /// Why a beam with the fields @p lists would cost as much as one with all
     /// fields of its section; nothing if it costs less.
     std::string
@@ -390,6 +412,8 @@ namespace lamella
                std::to_string(all) + " fields";
       return "";
     }
+
+
 
     /// Replaces the bodies @p touched of one section and theory.
     void

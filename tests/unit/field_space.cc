@@ -225,9 +225,7 @@ namespace
   Vector
   state_at(const SaintVenant &states, const unsigned int k, const double y)
   {
-    const Section &section = states.of_section();
-    const double   h       = section.element().reference_length();
-    Vector         u       = states.values()[k];
+    Vector u = states.values()[k];
     u.add(y, states.derivatives()[k]);
     // What the derivative is the warping of: a curvature has a rigid section
     // that turns, a shear the curvature, extension and torsion in its b.
@@ -259,7 +257,6 @@ namespace
     if (k >= 4)
       u[k == 4 ? RigidField::translation_x : RigidField::translation_z] +=
         y * y * y / 6.;
-    (void)h;
     return u;
   }
 
