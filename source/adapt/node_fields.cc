@@ -25,12 +25,13 @@ namespace lamella
 
 
     /// What touches a body, with the group of load vectors that each belongs
-    /// to.
+    /// to, and where its stresses are asked for.
     struct TouchedBody
     {
-      unsigned int              number;
-      std::vector<Touch>        touches;
-      std::vector<unsigned int> groups;
+      unsigned int                           number;
+      std::vector<Touch>                     touches;
+      std::vector<std::pair<double, double>> asked;
+      std::vector<unsigned int>              groups;
     };
 
 
@@ -330,6 +331,53 @@ namespace lamella
 
 
 
+    /// For each node of the axis the groups of what touches the body near it.
+    std::vector<std::set<unsigned int>>
+    groups_near_nodes(const Beam        &beam,
+                      const TouchedBody &touched,
+                      const FieldRules  &rules)
+    {
+      const BoundingBox<2> box = beam.section().element().bounding_box();
+      const double         a = box.side_length(0), b = box.side_length(1);
+      const auto           reach = [&](const Touch &touch) {
+        return touch.holds_section ? rules.reach_of_clamp * std::max(a, b) :
+                                               rules.reach * std::min(a, b);
+      };
+      std::vector<std::set<unsigned int>> near;
+      for (const double y : beam.axis().nodes())
+        {
+          near.emplace_back();
+          for (unsigned int t = 0; t < touched.touches.size(); ++t)
+            if (const Touch &touch = touched.touches[t];
+                y > touch.begin - reach(touch) && y < touch.end + reach(touch))
+              near.back().insert(touched.groups[t]);
+        }
+      return near;
+    }
+
+
+
+    /// Lets all nodes of an element have what one of them has, where stresses
+    /// are asked for in it.
+    void
+    even_out(std::vector<std::set<unsigned int>>          &near,
+             const Axis                                   &axis,
+             const std::vector<std::pair<double, double>> &asked)
+    {
+      const std::vector<std::set<unsigned int>> before = near;
+      const double tolerance                           = 1e-9 * axis.length();
+      for (unsigned int cell = 0; cell < axis.n_cells(); ++cell)
+        if (std::any_of(asked.begin(), asked.end(), [&](const auto &place) {
+              return place.second > axis.cell_begin(cell) - tolerance &&
+                     place.first < axis.cell_end(cell) + tolerance;
+            }))
+          for (const unsigned int i : axis.nodes_of_cell(cell))
+            for (const unsigned int j : axis.nodes_of_cell(cell))
+              near[i].insert(before[j].begin(), before[j].end());
+    }
+
+
+
     /// The fields that each node of @p beam carries.
     std::vector<std::vector<unsigned int>>
     lists_of(const Beam            &beam,
@@ -338,22 +386,15 @@ namespace lamella
              FieldsOfSection       &fields,
              const FieldRules      &rules)
     {
-      const BoundingBox<2> box = beam.section().element().bounding_box();
-      const double         a = box.side_length(0), b = box.side_length(1);
-      const auto           reach = [&](const Touch &touch) {
-        return touch.holds_section ? rules.reach_of_clamp * std::max(a, b) :
-                                               rules.reach * std::min(a, b);
-      };
+      auto groups_near = groups_near_nodes(beam, touched, rules);
+      even_out(groups_near, beam.axis(), touched.asked);
       std::vector<unsigned int> all(beam.section().n_fields());
       std::iota(all.begin(), all.end(), 0);
       std::vector<std::vector<unsigned int>> lists;
-      for (const double y : beam.axis().nodes())
+      for (unsigned int i = 0; i < beam.axis().n_nodes(); ++i)
         {
-          std::set<unsigned int> near;
-          for (unsigned int t = 0; t < touched.touches.size(); ++t)
-            if (const Touch &touch = touched.touches[t];
-                y > touch.begin - reach(touch) && y < touch.end + reach(touch))
-              near.insert(touched.groups[t]);
+          const double                  y    = beam.axis().nodes()[i];
+          const std::set<unsigned int> &near = groups_near[i];
           // Between two pieces a node carries what the richer one wants.
           bool whole = false, plain = !description.pieces.empty();
           for (const Theory &theory :
@@ -482,14 +523,49 @@ namespace lamella
     return std::any_of(descriptions.begin(), descriptions.end(), is_chosen);
   }
 
+  std::vector<StressPlace>
+  stress_places(const Bodies             &bodies,
+                const std::vector<Probe> &probes,
+                const std::vector<Line>  &lines,
+                const std::vector<Cut>   &cuts)
+  {
+    std::vector<StressPlace> places;
+    const auto               add =
+      [&](const unsigned int body, const Point<3> &from, const Point<3> &to) {
+        if (const auto *beam = dynamic_cast<const Beam *>(bodies[body].get()))
+          {
+            const double a = beam->place().to_body(from)[1],
+                         b = beam->place().to_body(to)[1];
+            places.push_back({body, std::min(a, b), std::max(a, b)});
+          }
+      };
+    for (const Probe &probe : probes)
+      add(probe.body, probe.position, probe.position);
+    for (const Line &line : lines)
+      add(line.body, line.from, line.to);
+    for (const Cut &cut : cuts)
+      places.push_back({cut.body, cut.position, cut.position});
+    return places;
+  }
+
+
+
   std::vector<std::string>
   choose_fields(Bodies                              &bodies,
                 const std::vector<BodyDescription>  &descriptions,
                 const std::vector<Support>          &supports,
                 const std::vector<Load>             &loads,
                 const std::vector<ContactInterface> &contacts,
+                const std::vector<StressPlace>      &asked,
                 const FieldRules                    &rules)
   {
+    const auto asked_of = [&asked](const unsigned int body) {
+      std::vector<std::pair<double, double>> places;
+      for (const StressPlace &place : asked)
+        if (place.body == body)
+          places.emplace_back(place.begin, place.end);
+      return places;
+    };
     std::map<std::pair<std::string, Theory>, std::vector<TouchedBody>> touched;
     for (unsigned int b = 0; b < descriptions.size(); ++b)
       if (is_chosen(descriptions[b]))
@@ -501,6 +577,7 @@ namespace lamella
                         supports,
                         loads,
                         contacts),
+           asked_of(b),
            {}});
     std::vector<std::string> notes;
     for (auto &[key, of_section] : touched)

@@ -136,7 +136,12 @@ namespace lamella
         for (const ContactPair &contact : scene.contacts)
           touching.push_back(make_interface(contact, bodies));
         field_notes = choose_fields(
-          bodies, scene.bodies, scene.supports, scene.loads, touching);
+          bodies,
+          scene.bodies,
+          scene.supports,
+          scene.loads,
+          touching,
+          stress_places(bodies, scene.probes, scene.lines, scene.cuts));
       }
     return bodies;
   }

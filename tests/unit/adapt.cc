@@ -135,6 +135,38 @@ BOOST_AUTO_TEST_CASE(touches_are_load_vectors_of_the_section)
 
 
 
+BOOST_AUTO_TEST_CASE(elements_with_probes_are_rich_as_a_whole)
+{
+  // The patch reaches 2 H beyond the elements it is on, from 10 to 11.67: up to
+  // y = 13.67, within the element from 13.33 to 14.17.
+  const auto fields = [](const std::vector<Probe> &probes) {
+    const BodyDescription body   = description("SV-6");
+    Bodies                bodies = make_bodies({body}, meshes());
+    choose_fields(bodies,
+                  {body},
+                  {clamp()},
+                  {patch()},
+                  {},
+                  stress_places(bodies, probes, {}, {}));
+    const Beam               &beam = beam_of(bodies);
+    std::vector<unsigned int> sizes;
+    for (const unsigned int node : beam.axis().nodes_of_cell(16))
+      sizes.push_back(beam.dofs().fields(node).size());
+    sizes.push_back(fields_at(beam, 14.5));
+    return sizes;
+  };
+  Probe probe;
+  probe.name         = "edge";
+  probe.position     = Point<3>(0.5, 14., 0.1);
+  const auto without = fields({}), with = fields({probe});
+  BOOST_TEST(without[0] > without[1]);
+  for (unsigned int i = 0; i < 4; ++i)
+    BOOST_TEST(with[i] == without[0]);
+  BOOST_TEST(with[4] == without[4]);
+}
+
+
+
 BOOST_AUTO_TEST_CASE(energies_are_nested)
 {
   // Under one load the energy grows with the space: SV in SV-6, SV-6 in

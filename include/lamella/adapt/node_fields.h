@@ -10,6 +10,7 @@
 
 #include <lamella/adapt/touch.h>
 #include <lamella/body/parameters.h>
+#include <lamella/recover/requests.h>
 
 #include <string>
 #include <vector>
@@ -43,6 +44,22 @@ namespace lamella
     unsigned int least_nodes = 15;
   };
 
+  /// Where stresses of a body are asked for: a probe, a line, a cut.
+  struct StressPlace
+  {
+    /// Its number in Bodies.
+    unsigned int body = 0;
+    /// From where to where along the body's axis [length].
+    double begin = 0., end = 0.;
+  };
+
+  /// Those of @p probes, @p lines and @p cuts in the beams among @p bodies.
+  std::vector<StressPlace>
+  stress_places(const Bodies             &bodies,
+                const std::vector<Probe> &probes,
+                const std::vector<Line>  &lines,
+                const std::vector<Cut>   &cuts);
+
   /**
    * Gives the bodies of SV-N, and those with `Theories`, the fields that their
    * scene excites, and leaves all others as they are. @p bodies are those of
@@ -60,6 +77,10 @@ namespace lamella
    * of the six warpings w, S_10 w and S_11 w. Fields are cut to what is
    * independent. In `Theories` pieces of SV have none of these.
    *
+   * The stress in an element is as poor as the poorest of its nodes, so where
+   * one of @p asked lies in an element some of whose nodes are near something,
+   * all of its nodes carry what these do.
+   *
    * Bodies of the same section and theory share their fields. @p contacts are
    * made of @p bodies. Returns what the user should know, a sentence each.
    * Throws NumericsError if the section's matrices cannot be factorised.
@@ -71,6 +92,7 @@ namespace lamella
                 const std::vector<Support>          &supports,
                 const std::vector<Load>             &loads,
                 const std::vector<ContactInterface> &contacts,
+                const std::vector<StressPlace>      &asked = {},
                 const FieldRules                    &rules = {});
 
   /// Whether choose_fields() would change any of the bodies.
