@@ -4,6 +4,7 @@
 #include <lamella/base/mpi_session.h>
 #include <lamella/base/processes.h>
 #include <lamella/base/version.h>
+#include <lamella/estimate/tolerance_run.h>
 #include <lamella/export/calculix_deck.h>
 #include <lamella/run/command_line.h>
 #include <lamella/run/simulation.h>
@@ -57,11 +58,21 @@ namespace
         output() << scene.resolved;
         return;
       }
+    if (!scene.goals.tolerances.empty() && !command.validate)
+      {
+        if (command.resume)
+          throw InputError("--resume goes on with load steps; a run to a "
+                           "Tolerance (subsection Goals) begins anew.");
+        return ToleranceRun(scene, output()).run(command.output);
+      }
     const auto simulation = make_simulation(scene, text, output());
     if (command.validate)
       simulation->print_validation();
     else
-      simulation->run(command.output, command.resume);
+      simulation->run(command.output, command.resume, [&](Results &results) {
+        ModelCache cache;
+        results.goals = Estimation(*simulation, output(), cache).goals();
+      });
   }
 
 

@@ -124,6 +124,15 @@ namespace lamella
 
 
 
+    double
+    height_of(const Beam &beam)
+    {
+      const BoundingBox<2> box = beam.section().element().bounding_box();
+      return std::min(box.side_length(0), box.side_length(1));
+    }
+
+
+
     /// The smallest gap of rows that are each a pair of y and gap: y of the
     /// lowest point of the parabola through the lowest row and its neighbours.
     double
@@ -186,9 +195,12 @@ namespace lamella
       // They lie upon each other: edges, and nothing long between.
       for (const double edge : {begin, end})
         places.push_back({edge, size});
-      const unsigned int n = std::ceil((end - begin) / (2. * rules.inside * H));
+      const double most = rules.most_inside * height_of(beam) / H;
+      const double n =
+        std::ceil(std::min((end - begin) / (rules.inside * H), most) / 2.);
       for (unsigned int i = 1; i < n; ++i)
-        places.push_back({begin + (end - begin) * i / n, rules.inside * H});
+        places.push_back(
+          {begin + (end - begin) * i / n, 0.5 * (end - begin) / n});
     }
 
 
@@ -238,6 +250,68 @@ namespace lamella
 
 
 
+    /// All that body @p number wants along its axis, sizes divided by
+    /// @p fineness.
+    std::vector<ShortElement>
+    places_of(const unsigned int                   number,
+              const Bodies                        &bodies,
+              const double                         fineness,
+              const std::vector<Support>          &supports,
+              const std::vector<Load>             &loads,
+              const std::vector<ContactInterface> &touching,
+              const GradingRules                  &rules)
+    {
+      const Beam  &beam = dynamic_cast<const Beam &>(*bodies[number]);
+      const double H    = height_of(beam) / fineness;
+      std::vector<ShortElement> places;
+      for (const Support &support : supports)
+        add_condition_places(
+          support.on, number, beam, rules.clamp * H, rules.edge * H, places);
+      for (const Load &load : loads)
+        add_condition_places(
+          load.on, number, beam, rules.edge * H, rules.edge * H, places);
+      add_load_edges(beam, number, bodies, loads, rules.edge * H, places);
+      for (const ContactInterface &contact : touching)
+        if (contact.first_body == number || contact.second_body == number)
+          add_contact_places(contact, number, beam, H, rules, places);
+      return places;
+    }
+
+
+
+    /// Node-to-node contact pairs nodes that face each other: two axes along
+    /// the same line have the places of both.
+    void
+    share_places_of_paired_nodes(const std::vector<ContactPair> &contacts,
+                                 const Bodies                   &bodies,
+                                 std::vector<std::vector<ShortElement>> &places)
+    {
+      for (const ContactPair &contact : contacts)
+        {
+          if (contact.discretisation != Discretisation::node_to_node ||
+              contact.obstacle != nullptr)
+            continue;
+          const unsigned int a = contact.first.body, b = contact.second.body;
+          const auto        &one   = dynamic_cast<const Beam &>(*bodies[a]),
+                     &other        = dynamic_cast<const Beam &>(*bodies[b]);
+          const double length      = one.axis().length();
+          const auto   y_in_one_of = [&](const double y) {
+            return one.place().to_body(
+              other.place().to_scene(Point<3>(0., y, 0.)))[1];
+          };
+          constexpr double tolerance = 1e-9;
+          if (std::abs(other.axis().length() - length) > tolerance * length ||
+              std::abs(y_in_one_of(0.)) > tolerance * length ||
+              std::abs(y_in_one_of(length) - length) > tolerance * length)
+            continue;
+          std::vector<ShortElement> both = places[a];
+          both.insert(both.end(), places[b].begin(), places[b].end());
+          places[a] = places[b] = both;
+        }
+    }
+
+
+
     /// The bodies as beams of few fields, for their geometry alone.
     Bodies
     plain_beams(const std::vector<BodyDescription> &bodies,
@@ -279,28 +353,26 @@ namespace lamella
         std::vector<ContactInterface> touching;
         for (const ContactPair &contact : contacts)
           touching.push_back(make_interface(contact, plain));
+        std::vector<std::vector<ShortElement>> places(bodies.size());
+        for (unsigned int b = 0; b < bodies.size(); ++b)
+          if (is_automatic(bodies[b]))
+            places[b] = places_of(b,
+                                  plain,
+                                  bodies[b].axis.fineness,
+                                  supports,
+                                  loads,
+                                  touching,
+                                  rules);
+        share_places_of_paired_nodes(contacts, plain, places);
         for (unsigned int b = 0; b < bodies.size(); ++b)
           if (is_automatic(bodies[b]))
             {
-              const Beam  &beam = dynamic_cast<const Beam &>(*plain[b]);
-              const double H =
-                height(*meshes.at(bodies[b].section)) / bodies[b].axis.fineness;
-              std::vector<ShortElement> places;
-              for (const Support &support : supports)
-                add_condition_places(
-                  support.on, b, beam, rules.clamp * H, rules.edge * H, places);
-              for (const Load &load : loads)
-                add_condition_places(
-                  load.on, b, beam, rules.edge * H, rules.edge * H, places);
-              add_load_edges(beam, b, plain, loads, rules.edge * H, places);
-              for (const ContactInterface &contact : touching)
-                if (contact.first_body == b || contact.second_body == b)
-                  add_contact_places(contact, b, beam, H, rules, places);
-              bodies[b].axis.breaks =
-                graded_breaks(bodies[b].axis.length, places, rules);
-              bodies[b].axis.elements.assign(bodies[b].axis.breaks.size() + 1,
-                                             1);
+              AxisMesh &axis = bodies[b].axis;
+              axis.breaks    = graded_breaks(axis.length, places[b], rules);
+              axis.elements.assign(axis.breaks.size() + 1, 1);
             }
       }
+    for (BodyDescription &body : bodies)
+      body.axis.fineness = 0.;
   }
 } // namespace lamella

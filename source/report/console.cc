@@ -3,6 +3,7 @@
 #include <lamella/base/text.h>
 #include <lamella/body/fields.h>
 #include <lamella/report/console.h>
+#include <lamella/report/goals_table.h>
 
 #include <algorithm>
 #include <cmath>
@@ -231,6 +232,7 @@ namespace lamella
         out << "  line " << results.lines[l] << ": tractions jump by "
             << percent(100. * step.jumps[l].relative)
             << " of the largest at ply interfaces\n";
+    print_goals(out, results.goals);
     print_cost(out, results);
     for (const std::string &warning : results.all_warnings())
       out << "\nNote: " << warning << ".\n";

@@ -4,6 +4,7 @@
 #include <lamella/base/output_file.h>
 #include <lamella/base/processes.h>
 #include <lamella/base/version.h>
+#include <lamella/report/goals_table.h>
 #include <lamella/report/results_writer.h>
 #include <lamella/report/section_stiffness.h>
 #include <lamella/report/section_table.h>
@@ -151,6 +152,8 @@ namespace lamella
     if (!is_speaker())
       return;
     write_file(place.path() + "/summary.json", summary_text(results));
+    if (!results.goals.empty())
+      write_file(place.path() + "/goals.csv", goals_csv(results.goals));
     if (results.converged)
       {
         // Nothing to go on with: a word that says so.

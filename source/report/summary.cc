@@ -101,6 +101,31 @@ namespace lamella
 
 
 
+    Json
+    goal_json(const GoalResult &goal)
+    {
+      Json json{{"value", goal.value},
+                {"estimate", goal.estimate},
+                {"corrected", goal.value + goal.estimate},
+                {"trusted", goal.trusted},
+                {"scale", goal.scale},
+                {"kinematics", goal.kinematics}};
+      if (goal.trusted)
+        json["bar"] = goal.bar;
+      else
+        json["why"] = goal.why;
+      for (const auto &[source, share] : goal.shares)
+        json["shares"][source] = share;
+      if (goal.tolerance)
+        {
+          json["tolerance"] = *goal.tolerance * goal.scale;
+          json["met"]       = goal.met();
+        }
+      return json;
+    }
+
+
+
     /// Resultants and checks of the last load step.
     void
     add_last_step(const Results &results, Json &json)
@@ -146,6 +171,8 @@ namespace lamella
                                   {"moment", to_json(load.moment)}};
     if (!results.steps.empty())
       add_last_step(results, json);
+    for (const GoalResult &goal : results.goals)
+      json["goals"][goal.name] = goal_json(goal);
     json["converged"] = results.converged;
     json["warnings"]  = results.all_warnings();
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";

@@ -406,7 +406,9 @@ namespace lamella
 
 
   void
-  Simulation::run(const std::string &directory, const bool resume)
+  Simulation::run(const std::string  &directory,
+                  const bool          resume,
+                  const Afterthought &afterwards)
   {
     ResultsWriter writer(
       directory,
@@ -431,29 +433,53 @@ namespace lamella
           {
             count_costs();
             writer.write_end(found);
-            print_results(directory);
+            print_results(directory, out);
           }
         if (writer.folder().has_earlier_results())
           throw NumericsError(std::string(error.what()) + " (The results in " +
                               directory + " are of an earlier run.)");
         throw;
       }
+    if (afterwards)
+      afterwards(found);
     writer.write_end(found);
-    print_results(directory);
+    print_results(directory, out);
   }
 
 
 
   void
-  Simulation::print_results(const std::string &directory) const
+  Simulation::write(const std::string             &directory,
+                    const std::vector<GoalResult> &goals)
+  {
+    found.goals = goals;
+    count_costs();
+    ResultsWriter writer(
+      directory,
+      {*structure, contacts, sections, scene.resolved, scene.write_vtu});
+    Results so_far = found;
+    so_far.steps.clear();
+    for (const StepResults &step : found.steps)
+      {
+        so_far.steps.push_back(step);
+        writer.write_step(so_far);
+      }
+    writer.write_end(found);
+  }
+
+
+
+  void
+  Simulation::print_results(const std::string &directory,
+                            std::ostream      &to) const
   {
     if (found.load_steps > 1)
-      out << "\nOf load step " << found.steps.size() << ", load factor "
-          << found.last().load_factor << ":";
-    print_comparison(out, found, references_of(scene));
-    print_summary(out, found);
-    out << "\nResults are in " << directory
-        << " (summary.json, probes.csv, solution.pvd, ...)" << std::endl;
+      to << "\nOf load step " << found.steps.size() << ", load factor "
+         << found.last().load_factor << ":";
+    print_comparison(to, found, references_of(scene));
+    print_summary(to, found);
+    to << "\nResults are in " << directory
+       << " (summary.json, probes.csv, solution.pvd, ...)" << std::endl;
   }
 
 

@@ -63,8 +63,10 @@ namespace lamella
         Anything(),
         "Of all bodies: EBBT, TBT (classical), TE-N (Taylor expansion of "
         "degree N over the whole section, N to 20), LE-N (layer-wise Lagrange "
-        "expansion of degree N; LE-1, 2, 3 are L4, L9, L16), solid-N (no beams "
-        "but hexahedra of degree N, 1 or 2, on the same meshes).");
+        "expansion of degree N; LE-1, 2, 3 are L4, L9, L16), SV-N (the "
+        "section's own Saint-Venant fields and its responses to what touches "
+        "it at N wave numbers; SV is SV-0), solid-N (no beams but hexahedra of "
+        "degree N, 1 or 2, on the same meshes).");
       SolveParameters::declare(prm);
       prm.declare_entry(
         "Write VTU",
@@ -127,6 +129,9 @@ namespace lamella
               declare_references(prm);
             prm.leave_subsection();
           }
+      prm.enter_subsection("Goals");
+      GoalParameters::declare(prm);
+      prm.leave_subsection();
       prm.enter_subsection("Trade");
       TradeParameters::declare(prm);
       prm.leave_subsection();
@@ -324,12 +329,20 @@ namespace lamella
       subsections.each("Cuts", "Cut", [&](const auto &name, auto in) {
         scene.cuts.push_back(CutParameters::parse(in, name, bodies));
       });
+      const QuantityNames names{scene.probes,
+                                scene.support_references,
+                                scene.contact_references};
       prm.enter_subsection("Trade");
-      scene.trade = TradeParameters::parse(Entries(prm, "Trade"),
-                                           {bodies,
-                                            scene.probes,
-                                            scene.support_references,
-                                            scene.contact_references});
+      scene.trade =
+        TradeParameters::parse(Entries(prm, "Trade"), {bodies, names});
+      // What it has by itself the goals have by themselves.
+      const bool named = !Entries(prm, "Trade")["Quantities"].is_empty();
+      prm.leave_subsection();
+      prm.enter_subsection("Goals");
+      scene.goals = GoalParameters::parse(Entries(prm, "Goals"),
+                                          names,
+                                          named ? scene.trade.quantities :
+                                                  std::vector<NamedQuantity>());
       prm.leave_subsection();
     }
 
@@ -377,6 +390,28 @@ namespace lamella
 
 
 
+  namespace
+  {
+    /// What a run to a tolerance begins with where @p text does not say: the
+    /// section's own fields, with responses where contacts press, and axes that
+    /// grade themselves.
+    void
+    assume_start(SceneText &text, const NameLists &names)
+    {
+      if (trimmed(text.says("Goals/Tolerance").value_or("")).empty())
+        return;
+      text.assume("Theory", names.at("Contacts").empty() ? "SV" : "SV-6");
+      for (const std::string &body : names.at("Bodies"))
+        {
+          const std::string kinematics = "Body " + body + "/Kinematics/";
+          if (!text.says(kinematics + "Axis breaks"))
+            text.assume(kinematics + "Axis elements", "auto");
+        }
+    }
+  } // namespace
+
+
+
   void
   check_entries(const SceneText &given)
   {
@@ -396,6 +431,7 @@ namespace lamella
       {
         NameLists names;
         std::tie(text, names) = listed(given);
+        assume_start(text, names);
         ParameterHandler prm;
         declare_all(prm, names);
         text.check_declared(prm);

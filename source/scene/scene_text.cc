@@ -255,21 +255,46 @@ namespace lamella
                        "prints what it may say.")
         .at(file + ": ");
     for (const std::string &assignment : overrides)
-      {
-        const Item entry = override_entry(checked_bytes(assignment, "--set"));
-        const auto old =
-          std::find_if(entries.begin(), entries.end(), [&entry](const Item &e) {
-            return e.path == entry.path;
-          });
-        if (old != entries.end())
-          *old = entry;
-        else
-          entries.push_back(entry);
-        for (std::string path = parent(entry.path); !path.empty();
-             path             = parent(path))
-          if (!has_subsection(path))
-            subsections.push_back({path, "", 0});
-      }
+      put(override_entry(checked_bytes(assignment, "--set")));
+  }
+
+
+
+  void
+  SceneText::put(const Item &entry)
+  {
+    const auto old =
+      std::find_if(entries.begin(), entries.end(), [&entry](const Item &e) {
+        return e.path == entry.path;
+      });
+    if (old != entries.end())
+      *old = entry;
+    else
+      entries.push_back(entry);
+    for (std::string path = parent(entry.path); !path.empty();
+         path             = parent(path))
+      if (!has_subsection(path))
+        subsections.push_back({path, "", 0});
+  }
+
+
+
+  std::optional<std::string>
+  SceneText::says(const std::string &path) const
+  {
+    for (const Item &entry : entries)
+      if (entry.path == path)
+        return entry.value;
+    return std::nullopt;
+  }
+
+
+
+  void
+  SceneText::assume(const std::string &path, const std::string &value)
+  {
+    if (!says(path))
+      put({path, value, 0});
   }
 
 

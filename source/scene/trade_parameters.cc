@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <lamella/base/patterns.h>
-#include <lamella/body/fields.h>
 #include <lamella/scene/trade_parameters.h>
 #include <lamella/section/theory.h>
 
@@ -13,14 +12,6 @@ namespace lamella
 {
   using dealii::ParameterHandler;
   using dealii::Patterns::Anything;
-
-  std::string
-  TradeQuantity::label() const
-  {
-    return name + (ply == 0 ? "" : "/" + std::to_string(ply)) + ": " + column;
-  }
-
-
 
   void
   TradeParameters::declare(ParameterHandler &prm)
@@ -47,7 +38,7 @@ namespace lamella
       "",
       Anything(),
       "What is compared, between '|': PROBE: COLUMN (of probes.csv; PROBE/PLY "
-      "on an interface), SUPPORT: fx (fy, fz) or CONTACT: fx. By default what "
+      "on an interface), SUPPORT: fx (fy, fz, mx, my, mz) or CONTACT: fx. By default what "
       "the scene gives References for, and of probes without any the largest "
       "displacement and stress.");
     prm.declare_entry(
@@ -149,163 +140,13 @@ namespace lamella
 
 
 
-    /// The first of @p references of @p column.
-    std::optional<double>
-    first_of(const std::vector<Reference> &references,
-             const std::string            &column)
-    {
-      for (const Reference &reference : references)
-        if (reference.quantity == column)
-          return reference.value;
-      return std::nullopt;
-    }
-
-
-
-    const std::vector<std::string> &
-    components()
-    {
-      static const std::vector<std::string> names{"fx", "fy", "fz"};
-      return names;
-    }
-
-
-
-    std::vector<std::string>
-    all_names(const TradeNames &names)
-    {
-      std::vector<std::string> all;
-      for (const Probe &probe : names.probes)
-        all.push_back(probe.name);
-      for (const auto *resultants : {&names.supports, &names.contacts})
-        for (const auto &resultant : *resultants)
-          all.push_back(resultant.first);
-      return all;
-    }
-
-
-
-    /// A component of a resultant, if a support or a contact is called
-    /// @p name; @p text is what the scene says of the quantity.
-    TradeQuantity
-    find_resultant(const Entry       &text,
-                   const std::string &name,
-                   const std::string &column,
-                   const TradeNames  &names)
-    {
-      const bool of_support = names.supports.count(name) > 0,
-                 of_contact = names.contacts.count(name) > 0;
-      if (of_support && of_contact)
-        text.refuse("both a support and a contact are called '" + name + "'",
-                    "Rename one of the two.");
-      TradeQuantity quantity;
-      if (!of_support && !of_contact)
-        return quantity;
-      if (std::find(components().begin(), components().end(), column) ==
-          components().end())
-        text.refuse(name + " is no probe but a resultant: its quantities are " +
-                    joined(components()));
-      quantity.of =
-        of_support ? TradeQuantity::Of::support : TradeQuantity::Of::contact;
-      quantity.name   = name;
-      quantity.column = column;
-      quantity.given =
-        first_of((of_support ? names.supports : names.contacts).at(name),
-                 column);
-      return quantity;
-    }
-
-
-
-    /// A column of @p probe, which @p place (NAME or NAME/PLY) begins with.
-    TradeQuantity
-    find_column(const Entry                    &text,
-                const Probe                    &probe,
-                const std::vector<std::string> &place,
-                const std::string              &column)
-    {
-      TradeQuantity quantity{
-        TradeQuantity::Of::probe, probe.name, 0, column, {}};
-      if (place.size() > 1)
-        {
-          constexpr double most = 1e6;
-          const double     ply  = text.number(place[1]);
-          if (place.size() > 2 ||
-              !(ply >= 1. && ply <= most && ply == std::floor(ply)))
-            text.refuse("plies are counted from 1 at the bottom, as in tip/2: "
-                        "syz");
-          quantity.ply = static_cast<unsigned int>(ply);
-        }
-      const auto &columns = field_names();
-      if (std::find(columns.begin(), columns.end(), column) == columns.end())
-        text.refuse("a probe gives no '" + column + "'",
-                    "The nearest is '" + nearest_name(column, columns) +
-                      "'; all of them: " + joined(columns) + ".");
-      quantity.given = first_of(probe.references, column);
-      return quantity;
-    }
-
-
-
-    /// @p text is the entry's part for this quantity.
-    TradeQuantity
-    parse_quantity(const Entry &text, const TradeNames &names)
-    {
-      const auto parts = text.items(':');
-      if (parts.size() != 2)
-        text.refuse("write NAME: QUANTITY, as in tip: uz");
-      const auto place = split(parts[0], '/');
-      for (const Probe &probe : names.probes)
-        if (!place.empty() && probe.name == place[0])
-          return find_column(text, probe, place, parts[1]);
-      const TradeQuantity resultant =
-        find_resultant(text, parts[0], parts[1], names);
-      if (resultant.of == TradeQuantity::Of::undefined)
-        text.refuse("no probe, support or contact is called '" + parts[0] + "'",
-                    "The nearest is '" +
-                      nearest_name(parts[0], all_names(names)) + "'.");
-      return resultant;
-    }
-
-
-
-    /// Everything that the scene has References for, each once.
-    std::vector<TradeQuantity>
-    quantities_with_references(const TradeNames         &names,
-                               std::vector<std::string> &whole_probes)
-    {
-      std::vector<TradeQuantity> quantities;
-      const auto                 add = [&](const TradeQuantity::Of       of,
-                           const std::string            &name,
-                           const std::vector<Reference> &references) {
-        std::set<std::string> seen;
-        for (const Reference &reference : references)
-          if (seen.insert(reference.quantity).second)
-            quantities.push_back(
-              {of, name, 0, reference.quantity, reference.value});
-      };
-      for (const Probe &probe : names.probes)
-        {
-          add(TradeQuantity::Of::probe, probe.name, probe.references);
-          if (probe.references.empty())
-            whole_probes.push_back(probe.name);
-        }
-      for (const auto &[name, references] : names.supports)
-        add(TradeQuantity::Of::support, name, references);
-      for (const auto &[name, references] : names.contacts)
-        add(TradeQuantity::Of::contact, name, references);
-      return quantities;
-    }
-
-
-
     /// Throws InputError if @p reference, which says `given`, has no number
     /// for one of @p quantities, or zero.
     void
     check_given(const Entry                      &reference,
-                const std::vector<TradeQuantity> &quantities)
+                const std::vector<NamedQuantity> &quantities)
     {
-      for (const TradeQuantity &quantity : quantities)
+      for (const NamedQuantity &quantity : quantities)
         {
           if (!quantity.given)
             reference.refuse(quantity.label() +
@@ -383,14 +224,14 @@ namespace lamella
     const Entry quantities = in["Quantities"];
     for (const std::string &piece : quantities.items('|'))
       trade.quantities.push_back(
-        parse_quantity(Entry(quantities.path(), piece), names));
+        parse_quantity(Entry(quantities.path(), piece), names.quantities));
 
     const Entry reference = in["Reference"];
     trade.reference       = parse_reference(reference, trade.ladder);
     if (trade.quantities.empty())
       {
         trade.quantities =
-          quantities_with_references(names, trade.whole_probes);
+          quantities_with_references(names.quantities, trade.whole_probes);
         if (trade.reference == "given")
           trade.whole_probes.clear();
       }

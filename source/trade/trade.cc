@@ -337,7 +337,7 @@ namespace lamella
         values = RungValues(record.at("values"));
         values.tell_cost(result);
         // What no run can give shows in the first, not after the last.
-        for (const TradeQuantity &quantity : quantities)
+        for (const NamedQuantity &quantity : quantities)
           values.value(quantity);
       }
     out << (result.failure.empty() ? std::to_string(result.dofs) + " DoFs, " +
@@ -398,7 +398,7 @@ namespace lamella
       if (results[k].failure.empty())
         {
           for (const std::string &probe : scene.trade.whole_probes)
-            for (const TradeQuantity &quantity : numbers[k].largest_at(probe))
+            for (const NamedQuantity &quantity : numbers[k].largest_at(probe))
               quantities.push_back(quantity);
           return;
         }
@@ -411,7 +411,7 @@ namespace lamella
   {
     for (unsigned int k = 0; k < results.size(); ++k)
       if (results[k].failure.empty())
-        for (const TradeQuantity &quantity : quantities)
+        for (const NamedQuantity &quantity : quantities)
           results[k].values.push_back(numbers[k].value(quantity));
   }
 

@@ -28,7 +28,7 @@ namespace lamella
 
 
   TradeTable::TradeTable(std::vector<RungResult>    rungs,
-                         std::vector<TradeQuantity> quantities,
+                         std::vector<NamedQuantity> quantities,
                          const std::string         &reference,
                          std::vector<double>        tolerances)
     : all(std::move(rungs))
@@ -283,7 +283,7 @@ namespace lamella
     table_of_errors(const TradeTable &table)
     {
       TextTable text{{"rung"}};
-      for (const TradeQuantity &quantity : table.quantities())
+      for (const NamedQuantity &quantity : table.quantities())
         text.front().push_back(quantity.label());
       text.front().push_back("");
       for (unsigned int k = 0; k < table.rungs().size(); ++k)

@@ -30,6 +30,7 @@ ARROWS = {
     "scene": ("base", "material", "shape", "section", "axis", "body", "conditions",
               "contact", "solve", "recover"),
     "run": ("base", "contact", "solve", "recover", "adapt", "report", "scene"),
+    "estimate": ("base", "section", "axis", "body", "contact", "solve", "recover", "report", "scene", "run"),
     "trade": ("base", "section", "body", "solve", "report", "scene", "run"),
     "export": ("base", "body", "contact", "adapt", "scene"),
 }
@@ -42,7 +43,7 @@ FRONT_DOORS = {
     "shape": "section_mesh", "section": "section", "axis": "axis", "body": "body",
     "conditions": "region", "contact": "gap_rows", "solve": "structure",
     "recover": "recovery", "adapt": "node_fields", "report": "results_writer", "scene": "scene",
-    "run": "simulation", "trade": "trade", "export": "calculix_deck",
+    "run": "simulation", "estimate": "estimation", "trade": "trade", "export": "calculix_deck",
 }
 
 # These see bodies through their interface alone.

@@ -36,6 +36,10 @@ is `0.1%` (relative), `abs 1e-9`, `exact`, `below` (|result| <= VALUE), `limit`
     difference:ux,uy,uz               `run` against `again`: the largest
                                       difference in all probes and lines over
                                       the largest magnitude of these columns
+    goal:NAME                         a goal's value, as in goal:tip: uz; with the
+                                      tolerance `bar` it is within the run's own
+                                      bar, which is trusted, and with `no bar` it
+                                      has none
     exit                              the exit status (0 where not named)
     stdout:REGEX, stderr:REGEX        `present` or `absent`, tolerance `exact`
 """
@@ -154,6 +158,13 @@ def json_value(run, name, path):
     return value
 
 
+def goal(run, name):
+    goals = json_value(run, "summary.json", "goals")
+    if name not in goals:
+        raise Fault(f"no goal {name}; there are {', '.join(goals)}")
+    return goals[name]
+
+
 def coupling(run, section):
     k = json_value(run, f"sections/{section}.json", "stiffness")
     return max(abs(k[i][j]) / math.sqrt(k[i][i] * k[j][j])
@@ -263,6 +274,8 @@ def evaluate(key, run, again):
         return contact_value(run, *parts)
     if kind == "kuhn_tucker" and rest:
         return kuhn_tucker(run, rest)
+    if kind == "goal" and rest:
+        return goal(run, rest)["value"]
     if kind == "difference" and rest:
         return difference(run, again, rest.split(","))
     raise Fault("unknown key")
@@ -313,6 +326,15 @@ def compare(result, text, tolerance):
     raise Fault(f"unknown tolerance {tolerance}")
 
 
+def compare_bar(of_run, value, text, tolerance):
+    """The same with the bar that the run holds of its goal."""
+    if not of_run["trusted"]:
+        return tolerance == "no bar", "no bar"
+    error = abs(as_number(value) - as_number(text))
+    deviation = f"{error / of_run['bar']:.2g} of the bar"
+    return tolerance == "bar" and error <= of_run["bar"], deviation
+
+
 def shown(result):
     return f"{result:.8g}" if isinstance(result, float) else str(result)
 
@@ -323,7 +345,11 @@ def compare_row(row, run, again):
     result = deviation = ""
     try:
         result = evaluate(key, run, again)
-        good, deviation = compare(result, expected, tolerance)
+        if tolerance in ("bar", "no bar"):
+            of_run = goal(run, key.partition(":")[2])
+            good, deviation = compare_bar(of_run, result, expected, tolerance)
+        else:
+            good, deviation = compare(result, expected, tolerance)
         verdict = "ok" if good else "FAIL"
     except (Fault, re.error) as fault:
         verdict = f"FAIL: {fault}"

@@ -51,10 +51,10 @@ namespace
 
 
 
-  TradeQuantity
+  NamedQuantity
   quantity(const std::string &column, const std::optional<double> &given = {})
   {
-    return {TradeQuantity::Of::probe, "tip", 0, column, given};
+    return {NamedQuantity::Of::probe, "tip", 0, column, given};
   }
 
 

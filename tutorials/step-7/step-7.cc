@@ -101,7 +101,7 @@ BendingTest::climb(const LadderEntry &entry)
 
       const RungValues values(results);
       values.tell_cost(result);
-      for (const TradeQuantity &quantity : scene.trade.quantities)
+      for (const NamedQuantity &quantity : scene.trade.quantities)
         result.values.push_back(values.value(quantity));
 
       // What presses on the nose has come from the bearing.

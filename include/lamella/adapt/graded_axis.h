@@ -30,8 +30,9 @@ namespace lamella
     /// Beside supports and loads at points and lines, and beside the edge of a
     /// load.
     double edge = 0.25;
-    /// At most, where bodies lie upon each other.
-    double inside = 0.5;
+    /// At most, where bodies lie upon each other, unless that makes more
+    /// elements of it than most_inside.
+    double inside = 0.5, most_inside = 40.;
     /// What elements grow by for each of their lengths: neighbours differ by a
     /// factor of some 1.8.
     double growth = 0.6;
@@ -57,10 +58,11 @@ namespace lamella
   /**
    * Makes the axes of `Axis elements = auto` (AxisMesh::fineness) among
    * @p bodies: graded to what touches each of them, all sizes divided by its
-   * fineness. Contacts are looked for on equal elements first, then again on
+   * fineness, which is 0 afterwards. Contacts are looked for on equal elements first, then again on
    * the graded ones; where bodies do not lie upon each other the place is that
    * of the smallest gap, which a parabola through three rows gives. Supports
-   * of ends count as clamps; what acts on a whole body or along all of its
+   * of ends count as clamps; two bodies whose nodes a contact pairs, along the
+   * same line, are graded alike. What acts on a whole body or along all of its
    * sides grades nothing.
    *
    * Throws what conditions and contacts throw. Collective where Beam is.

@@ -78,6 +78,10 @@ namespace lamella
       return found;
     }
 
+    /// Is handed the results when all steps are solved, and may add what it
+    /// finds out (estimates of errors, say) before they are written.
+    using Afterthought = std::function<void(Results &)>;
+
     /**
      * solve(), each step written into @p directory when it is done
      * (ResultsWriter), and what a user wants to read of it to the output. With
@@ -87,7 +91,27 @@ namespace lamella
      * the summary of those before it is written before that is thrown.
      */
     void
-    run(const std::string &directory, const bool resume = false);
+    run(const std::string  &directory,
+        const bool          resume     = false,
+        const Afterthought &afterwards = {});
+
+    /// Writes what is solved into @p directory, as run() does, all of it at
+    /// once, with what is handed in. Throws InputError for a folder that cannot
+    /// be written.
+    void
+    write(const std::string &directory, const std::vector<GoalResult> &goals);
+
+    /// Prints what a user wants to read of the last load step to @p to.
+    void
+    print_results(const std::string &directory, std::ostream &to) const;
+
+    /// The scene as it is solved: as it was given, with the axes that grade
+    /// themselves made.
+    const Scene &
+    solved_scene() const
+    {
+      return scene;
+    }
 
     /// Prints plies, laminate stiffnesses, sections as beams, bodies, contacts
     /// and notes, without solving: what --validate is for.
@@ -145,9 +169,6 @@ namespace lamella
     /// pairing assumed (small sliding, collinear normals).
     std::vector<std::string>
     warnings_of_step(const double factor, const Checks &checks) const;
-    /// What a user wants to read of the last load step.
-    void
-    print_results(const std::string &directory) const;
 
     // What is to be solved.
     /// As given, with the axes that grade themselves made.

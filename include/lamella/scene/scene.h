@@ -18,6 +18,7 @@
 #include <lamella/conditions/support.h>
 #include <lamella/contact/parameters.h>
 #include <lamella/recover/requests.h>
+#include <lamella/scene/goal_parameters.h>
 #include <lamella/scene/scene_text.h>
 #include <lamella/scene/trade_parameters.h>
 #include <lamella/shape/shapes.h>
@@ -81,6 +82,8 @@ namespace lamella
     ReferencesByName support_references, contact_references;
     /// Whether a run leaves pictures for ParaView.
     bool write_vtu = true;
+    /// The numbers that the run is made for, and how exact they are to be.
+    GoalParameters goals;
     /// What `lamella trade` is asked; a run does not look at it.
     TradeParameters trade;
 

@@ -7,6 +7,7 @@
 
 #include <deal.II/base/parameter_handler.h>
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -95,6 +96,16 @@ namespace lamella
     std::string
     folder() const;
 
+    /// What the text, or an override, says of the entry @p path; none if it
+    /// does not have it.
+    std::optional<std::string>
+    says(const std::string &path) const;
+
+    /// Says that the entry @p path is @p value, unless the text says something
+    /// of it.
+    void
+    assume(const std::string &path, const std::string &value);
+
     /// Whether the text, or an override, has the subsection @p path.
     bool
     has_subsection(const std::string &path) const;
@@ -138,6 +149,11 @@ namespace lamella
     [[noreturn]] void
     fail_on_subsection(const Item              &item,
                        const std::vector<Item> &declared) const;
+
+    /// Puts in @p entry, in the place of that with its path if there is one,
+    /// with the subsections it needs.
+    void
+    put(const Item &entry);
 
     /// Its name, for messages.
     std::string file;

@@ -4,7 +4,7 @@
 #define lamella_scene_trade_parameters_h
 
 #include <lamella/base/entry.h>
-#include <lamella/recover/requests.h>
+#include <lamella/recover/named_quantity.h>
 
 #include <deal.II/base/parameter_handler.h>
 
@@ -15,34 +15,6 @@
 
 namespace lamella
 {
-  /// A number of a run's results that a trade compares: a column of probes.csv
-  /// at a probe, or a component of the resultant of a support or a contact, at
-  /// the last load step.
-  struct TradeQuantity
-  {
-    /// What it is a number of.
-    enum class Of
-    {
-      undefined,
-      probe,
-      support, ///< the reaction on the bodies
-      contact  ///< the resultant on the second side
-    };
-    Of of = Of::undefined;
-    /// Of the probe, support or contact.
-    std::string name;
-    /// Of a probe on a ply interface, from 1 at the bottom; 0: not said.
-    unsigned int ply = 0;
-    /// `uz`, `syy`, ... of a probe; `fx`, `fy` or `fz` of a resultant.
-    std::string column;
-    /// The first of the scene's References of this quantity.
-    std::optional<double> given;
-
-    /// `upper_top: uz`, with a ply `middle/2: syz`, as the scene says it.
-    std::string
-    label() const;
-  };
-
   /// One rung of a ladder: a theory, and how much finer than the scene's its
   /// meshes are.
   struct LadderEntry
@@ -58,13 +30,11 @@ namespace lamella
     std::vector<std::string> overrides;
   };
 
-  /// What the names in a trade can mean: the names of a scene, with the
-  /// References that it gives for each.
+  /// What the names in a trade can mean: those of a scene.
   struct TradeNames
   {
-    std::vector<std::string>                      bodies;
-    std::vector<Probe>                            probes;
-    std::map<std::string, std::vector<Reference>> supports, contacts;
+    std::vector<std::string> bodies;
+    QuantityNames            quantities;
   };
 
   /// The entries of `subsection Trade`, see `lamella trade`.
@@ -73,7 +43,7 @@ namespace lamella
     /// At least two, cheap ones first and the finest last.
     std::vector<LadderEntry> ladder;
     /// Those named; or those that the scene gives References for.
-    std::vector<TradeQuantity> quantities;
+    std::vector<NamedQuantity> quantities;
     /// Probes that Quantities, left empty, asks for without naming columns: the
     /// largest displacement and stress there are taken. None where the
     /// reference is `given`, which has no numbers for them.

@@ -174,6 +174,37 @@ namespace lamella
     double initial_gap_min = 0., initial_gap_max = 0.;
   };
 
+  /// A number that a run was made for, and what is held of its error. In the
+  /// unit of the quantity.
+  struct GoalResult
+  {
+    /// As the scene says it: `tip: uz`.
+    std::string name;
+    double      value = 0.;
+    /// The estimated error, to be added to the value, and what bounds it.
+    double estimate = 0., bar = 0.;
+    /// Whether the bar can be held to; if not, why.
+    bool        trusted = false;
+    std::string why;
+    /// What tolerances are shares of: |value|, or the largest of its kind in
+    /// the scene where that is near zero.
+    double scale = 0.;
+    /// As a share of the scale, if one was asked for.
+    std::optional<double> tolerance;
+    /// What the estimate is the sum of, by the source of the error.
+    std::vector<std::pair<std::string, double>> shares;
+    /// What no refinement shows: the part of the scale that a theory of small
+    /// rotations misses, half the square of the largest.
+    double kinematics = 0.;
+
+    /// Whether the bar can be held to and is within the tolerance.
+    bool
+    met() const
+    {
+      return trusted && tolerance && bar <= *tolerance * scale;
+    }
+  };
+
   /**
    * Everything that a run has found out, free of what it was found with: no
    * file, no reference to a scene, a body or a solver. Console, tables, JSON
@@ -201,6 +232,9 @@ namespace lamella
     /// What the user should know of the scene as a whole, said before and
     /// after what the steps say.
     std::vector<std::string> notes, endnotes;
+    /// The numbers that it was made for, of the last step; none where no errors
+    /// were estimated.
+    std::vector<GoalResult> goals;
     /// Of the condensed stiffnesses, the largest of all bodies; a lower bound,
     /// 0 if unknown (only CHOLMOD knows one).
     double condition_estimate = 0.;

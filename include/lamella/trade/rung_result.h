@@ -40,12 +40,11 @@ namespace lamella
   };
 
   /**
-   * The numbers of a run that a trade may ask for, at its last load step. A
-   * rung's process sends them home, and its record keeps them: all of them and
-   * not only those asked for, so another trade of the same ladder may ask for
-   * others without running it again.
+   * What a rung's process sends home and its record keeps: its numbers, all of
+   * them, so that another trade of the same ladder may ask for others without
+   * running it again, and what it cost.
    */
-  class RungValues
+  class RungValues : public ResultNumbers
   {
   public:
     /// Those of a rung that failed: none.
@@ -62,45 +61,15 @@ namespace lamella
     nlohmann::json
     to_json() const;
 
-    /// The value of @p quantity, which must be one of the scene's. Throws
-    /// InputError if a probe lies on an interface, its plies differ there (by
-    /// more than 1e-9 of the larger) and the quantity names none, or names one
-    /// that is not there.
-    double
-    value(const TradeQuantity &quantity) const;
-
-    /// The displacement and the stress, components in scene axes, that are
-    /// largest in magnitude at the probe @p name: two quantities. On an
-    /// interface the stress is that of the first ply there.
-    std::vector<TradeQuantity>
-    largest_at(const std::string &name) const;
-
     /// DoFs, seconds by phase and memory into @p result.
     void
     tell_cost(RungResult &result) const;
 
   private:
-    /// A row of a probe, of one ply (from 1 at the bottom).
-    struct ProbeRow
-    {
-      std::string  probe;
-      unsigned int ply = 0;
-      /// By the names of probes.csv.
-      std::map<std::string, double> columns;
-    };
-
-    /// Those of one probe, a ply each, from the bottom.
-    std::vector<const ProbeRow *>
-    rows_of(const std::string &probe) const;
-
     unsigned int dofs = 0;
     /// Peak [MB], and wall seconds by phase.
     double                        memory = 0.;
     std::map<std::string, double> seconds;
-    /// Three components each of the reaction on the bodies, and of the force on
-    /// the second side.
-    std::map<std::string, std::vector<double>> supports, contacts;
-    std::vector<ProbeRow>                      probes;
   };
 } // namespace lamella
 

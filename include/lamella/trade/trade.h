@@ -107,7 +107,7 @@ namespace lamella
     std::string base;
 
     /// Those of the scene, and after complete_quantities() the rest.
-    std::vector<TradeQuantity> quantities;
+    std::vector<NamedQuantity> quantities;
     /// Of each rung that was not left out, in the order of the ladder.
     std::vector<RungResult> results;
     /// As the scene says; the rung that stands for it if it was left out.

@@ -36,7 +36,7 @@ namespace lamella
     /// @p tolerances are shares of 1. Throws NumericsError if the rung that the
     /// reference means, or every rung, failed.
     TradeTable(std::vector<RungResult>    rungs,
-               std::vector<TradeQuantity> quantities,
+               std::vector<NamedQuantity> quantities,
                const std::string         &reference,
                std::vector<double>        tolerances);
 
@@ -46,7 +46,7 @@ namespace lamella
     {
       return all;
     }
-    const std::vector<TradeQuantity> &
+    const std::vector<NamedQuantity> &
     quantities() const
     {
       return asked;
@@ -116,7 +116,7 @@ namespace lamella
 
     /// rungs(), quantities(), tolerances() and reference_rung().
     std::vector<RungResult>    all;
-    std::vector<TradeQuantity> asked;
+    std::vector<NamedQuantity> asked;
     std::vector<double>        bounds;
     int                        against = -1;
   };

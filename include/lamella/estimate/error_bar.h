@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef lamella_estimate_error_bar_h
+#define lamella_estimate_error_bar_h
+
+#include <string>
+
+namespace lamella
+{
+  /// What a run, a richer model of the same scene and a still richer one give
+  /// for a quantity, in its unit.
+  struct Refinements
+  {
+    double run = 0., richer = 0., richest = 0.;
+    /// The sum of |share| over the sources of error (GoalEstimate::shares).
+    double shares = 0.;
+    /// What errors are small against: the value, or the largest of its kind in
+    /// the scene where that is near zero.
+    double scale = 0.;
+    /// What the arithmetic leaves open of the value.
+    double rounding = 0.;
+  };
+
+  /// The error of a run's value as it is estimated.
+  struct ErrorBar
+  {
+    /// eta = richest - run, signed: the value plus this is the better number.
+    double estimate = 0.;
+    /// The true error is held to be at most this, a length of the bar to either
+    /// side.
+    double bar = 0.;
+    /// Whether the two refinements agree, so that the bar can be held to.
+    bool trusted = false;
+    /// If not, why not: a sentence without a full stop.
+    std::string why = {};
+  };
+
+  /**
+   * The bar of a value v_0 from those of two richer models, v_1 and v_2:
+   *   estimate  eta = v_2 - v_0
+   *   bar       max(2 |eta|, 1/2 sum |shares|, rounding).
+   * With an error that each refinement multiplies by q, v_2 - v_1 is q times
+   * v_1 - v_0, and eta is short of the error by q^2 of it; the bar is trusted if
+   * q is at most 2/3, or if all three values agree to 1e-2 of the scale (twice
+   * their spread is the bar then). A
+   * value that goes on in one direction by as much again is told to grow: there
+   * is no limit that could be near. (Estimates of goals from richer spaces:
+   * Becker and Rannacher, Acta Numerica 10 (2001) 1-102; here these are solved
+   * for.)
+   */
+  ErrorBar
+  error_bar(const Refinements &values);
+} // namespace lamella
+
+#endif

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef lamella_estimate_tolerance_run_h
+#define lamella_estimate_tolerance_run_h
+
+#include <lamella/estimate/estimation.h>
+
+#include <iosfwd>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace lamella
+{
+  /**
+   * A tolerance instead of a mesh: models of one scene, each with less of the
+   * errors that matter, until the bars of all goals are within their
+   * tolerances. A pass
+   *   1. solves the model and estimates its goals (Estimation),
+   *   2. writes its results, so that an interrupted run leaves those of its
+   *      last whole pass,
+   *   3. ends the run if all goals are met, or enriches the model in each
+   * source of error with more than a quarter of what a goal may be off by. The
+   * first model is the scene as it is said (SV, SV-6 with contacts, and graded
+   * axes where it does not say).
+   *
+   * It also ends when the next model would exceed a budget, cannot be solved,
+   * or when the worst goal has got no better in two passes; the result is then
+   * that of the last pass, and a note says why.
+   */
+  class ToleranceRun
+  {
+  public:
+    /// @p out is referred to.
+    ToleranceRun(const Scene &scene, std::ostream &out);
+
+    /// Makes passes and writes the results into @p directory. Throws as
+    /// Simulation::run() does for the first model.
+    void
+    run(const std::string &directory);
+
+  private:
+    /// One model with its bars.
+    struct Pass
+    {
+      unsigned int            number = 0, dofs = 0;
+      double                  seconds = 0.;
+      std::string             theories;
+      std::vector<GoalResult> goals;
+    };
+
+    /// Solves and estimates `scene`; the simulation and its goals.
+    void
+    make_pass();
+    /// The sources that the goals want less of.
+    std::vector<Source>
+    wanted() const;
+    /// Why no further pass is made; empty if one is.
+    std::string
+    reason_to_stop() const;
+    void
+    print_pass() const;
+    /// passes.csv, a line for each pass and goal.
+    std::string
+    table() const;
+
+    Scene                       scene;
+    std::ostream               &out;
+    std::unique_ptr<Simulation> simulation;
+    ModelCache                  cache;
+    std::vector<Pass>           passes;
+    dealii::Timer               wall;
+  };
+
+  /// The largest of bar over tolerance, 1 or less if all of @p goals are met;
+  /// infinite where there is no bar.
+  double
+  worst_ratio(const std::vector<GoalResult> &goals);
+} // namespace lamella
+
+#endif

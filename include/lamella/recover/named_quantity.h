@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef lamella_recover_named_quantity_h
+#define lamella_recover_named_quantity_h
+
+#include <lamella/recover/requests.h>
+#include <lamella/solve/results.h>
+
+#include <nlohmann/json_fwd.hpp>
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace lamella
+{
+  /// A number of a run's results that can be asked for by name, at the last
+  /// load step: a column of probes.csv at a probe, or a component of the
+  /// resultant of a support or a contact.
+  struct NamedQuantity
+  {
+    /// What it is a number of.
+    enum class Of
+    {
+      undefined,
+      probe,
+      support, ///< the reaction on the bodies
+      contact  ///< the resultant on the second side
+    };
+    Of of = Of::undefined;
+    /// Of the probe, support or contact.
+    std::string name;
+    /// Of a probe on a ply interface, from 1 at the bottom; 0: not said.
+    unsigned int ply = 0;
+    /// `uz`, `syy`, ... of a probe; of a resultant `fx`, `fy`, `fz` or its
+    /// moments `mx`, `my`, `mz`.
+    std::string column;
+    /// The first of the scene's References of this quantity.
+    std::optional<double> given;
+    /// The entry that asks for it, for messages.
+    std::string path = {};
+
+    /// `upper_top: uz`, with a ply `middle/2: syz`, as the scene says it.
+    std::string
+    label() const;
+  };
+
+  /// What the names in a quantity can mean: the names of a scene, with the
+  /// References that it gives for each.
+  struct QuantityNames
+  {
+    std::vector<Probe>                            probes;
+    std::map<std::string, std::vector<Reference>> supports, contacts;
+  };
+
+  /// The quantity that @p text says, NAME: COLUMN. Throws InputError unless a
+  /// probe, a support or a contact has that name, and only one of the latter
+  /// two, and has such a number.
+  NamedQuantity
+  parse_quantity(const Entry &text, const QuantityNames &names);
+
+  /// Everything that the scene has References for, each once. Names of probes
+  /// without any are appended to @p others.
+  std::vector<NamedQuantity>
+  quantities_with_references(const QuantityNames      &names,
+                             std::vector<std::string> &others);
+
+  /**
+   * The numbers of a run that a NamedQuantity may ask for, at its last load
+   * step, free of the run itself: they go through pipes and into records, all
+   * of them and not only those that are asked for.
+   */
+  class ResultNumbers
+  {
+  public:
+    /// Those of a run that failed: none.
+    ResultNumbers() = default;
+
+    /// Throws InputError if no step was solved.
+    explicit ResultNumbers(const Results &results);
+
+    /// Those that to_json() has written. Throws nlohmann::json::exception for
+    /// anything else.
+    explicit ResultNumbers(const nlohmann::json &json);
+
+    /// An object whose doubles come back to the last bit.
+    nlohmann::json
+    to_json() const;
+
+    /// The value of @p quantity, which must be one of the scene's. Throws
+    /// InputError if a probe lies on an interface, its plies differ there (by
+    /// more than 1e-9 of the larger) and the quantity names none, or names one
+    /// that is not there.
+    double
+    value(const NamedQuantity &quantity) const;
+
+    /// The displacement and the stress, components in scene axes, that are
+    /// largest in magnitude at the probe @p name: two quantities. On an
+    /// interface the stress is that of the first ply there.
+    std::vector<NamedQuantity>
+    largest_at(const std::string &name) const;
+
+    /// The largest magnitude of what is of the same kind as @p quantity: any
+    /// displacement, strain or stress of any probe, any force or any moment of
+    /// supports and contacts.
+    double
+    largest_of_kind(const NamedQuantity &quantity) const;
+
+  private:
+    /// A row of a probe, of one ply (from 1 at the bottom).
+    struct ProbeRow
+    {
+      std::string  probe;
+      unsigned int ply = 0;
+      /// By the names of probes.csv.
+      std::map<std::string, double> columns;
+    };
+
+    /// Those of one probe, a ply each, from the bottom.
+    std::vector<const ProbeRow *>
+    rows_of(const std::string &probe) const;
+
+    /// Force and moment, six components each: of the reaction on the bodies,
+    /// and on the second side.
+    std::map<std::string, std::vector<double>> supports, contacts;
+    std::vector<ProbeRow>                      probes;
+  };
+} // namespace lamella
+
+#endif

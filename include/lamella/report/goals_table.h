@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef lamella_report_goals_table_h
+#define lamella_report_goals_table_h
+
+#include <lamella/solve/results.h>
+
+#include <iosfwd>
+#include <string>
+
+namespace lamella
+{
+  /// The file goals.csv, a line each: goal, value, estimate, corrected, bar,
+  /// trusted, tolerance, met, the shares of axis, fields, section and contact,
+  /// kinematics, scale, why. In the units of the quantities; trusted and met
+  /// are 0 or 1; tolerance is a length of the bar, empty if none was asked for,
+  /// and so is the bar if there is none.
+  std::string
+  goals_csv(const std::vector<GoalResult> &goals);
+
+  /// Prints the goals with their bars and, where a share of the error is large,
+  /// what it comes from and what mends it. Nothing without any.
+  void
+  print_goals(std::ostream &out, const std::vector<GoalResult> &goals);
+
+  /// The share of @p goal that is largest, or "" if there is none.
+  std::string
+  largest_share(const GoalResult &goal);
+} // namespace lamella
+
+#endif

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef lamella_scene_goal_parameters_h
+#define lamella_scene_goal_parameters_h
+
+#include <lamella/base/entry.h>
+#include <lamella/base/names.h>
+#include <lamella/recover/named_quantity.h>
+
+#include <deal.II/base/parameter_handler.h>
+
+#include <string>
+#include <vector>
+
+namespace lamella
+{
+  /// Whether a run estimates the errors of its goals.
+  enum class ErrorBars
+  {
+    undefined,
+    automatic, ///< where that costs at most half of what the run does
+    always,
+    never
+  };
+
+  template <>
+  struct Names<ErrorBars>
+  {
+    static constexpr NameOf<ErrorBars> all[] = {{ErrorBars::automatic, "auto"},
+                                                {ErrorBars::always, "true"},
+                                                {ErrorBars::never, "false"}};
+  };
+
+  /// The entries of `subsection Goals`: the numbers that a run is made for.
+  struct GoalParameters
+  {
+    /// Those named; else those that the scene gives References for, or that
+    /// its Trade names.
+    std::vector<NamedQuantity> quantities;
+    /// Probes of which, where nothing is named, the largest displacement and
+    /// stress are taken.
+    std::vector<std::string> whole_probes;
+    /// Of each quantity, or one for all, as shares of 1 (the scene says them in
+    /// per cent). Empty: none is asked for.
+    std::vector<double> tolerances;
+    ErrorBars           bars = ErrorBars::undefined;
+    /// What a run to a tolerance may take; 0: what it wants.
+    unsigned int budget_dofs    = 0;
+    double       budget_seconds = 0.;
+
+    /// Declares them in `subsection Goals`, which must be entered.
+    static void
+    declare(dealii::ParameterHandler &prm);
+
+    /// From `subsection Goals`. @p of_trade are the quantities that a trade
+    /// names. Throws InputError for a quantity that nothing of @p names gives,
+    /// a tolerance that is not above 0 and at most 100 per cent, and another
+    /// number of them than one or one for each quantity.
+    static GoalParameters
+    parse(const Entries                    &in,
+          const QuantityNames              &names,
+          const std::vector<NamedQuantity> &of_trade);
+  };
+} // namespace lamella
+
+#endif

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <lamella/base/text.h>
+#include <lamella/estimate/error_bar.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace lamella
+{
+  ErrorBar
+  error_bar(const Refinements &values)
+  {
+    // The largest ratio of two successive changes that still converges fast
+    // enough to be summed up, and the share of the scale below which all that
+    // the values do is taken for their error.
+    constexpr double most_left = 2. / 3., small = 1e-2;
+
+    const double first  = values.richer - values.run,
+                 second = values.richest - values.richer;
+    ErrorBar result;
+    result.estimate = values.richest - values.run;
+    const double spread =
+      std::max({std::abs(first), std::abs(second), std::abs(result.estimate)});
+    result.bar = std::max(
+      {2. * std::abs(result.estimate), 0.5 * values.shares, values.rounding});
+
+    const bool agree =
+      std::abs(second) <= most_left * std::abs(result.estimate);
+    if (agree || spread <= values.rounding)
+      result.trusted = true;
+    else if (spread <= small * values.scale)
+      {
+        result.trusted = true;
+        result.bar     = std::max(result.bar, 2. * spread);
+      }
+    else if (first * second > 0.)
+      result.why = "it grows from one refinement to the next, by " +
+                   to_text(100. * std::abs(first) / values.scale, 2) +
+                   " and then by " +
+                   to_text(100. * std::abs(second) / values.scale, 2) +
+                   " %, as at a point load, at the edge of a clamp or at the "
+                   "corner of a punch. Ask for it at some distance from there";
+    else
+      result.why =
+        "two refinements do not agree: one changes it by " +
+        to_text(100. * first / values.scale, 2) + " %, the next by " +
+        to_text(100. * second / values.scale, 2) + " %. Refine theory or mesh";
+    return result;
+  }
+} // namespace lamella

@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <lamella/base/exceptions.h>
+#include <lamella/base/output_file.h>
+#include <lamella/base/processes.h>
+#include <lamella/base/text.h>
+#include <lamella/estimate/tolerance_run.h>
+#include <lamella/report/fields_table.h>
+#include <lamella/report/goals_table.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <ostream>
+
+namespace lamella
+{
+  namespace
+  {
+    // A source with less than this share of what a goal may be off by stays as
+    // it is; the worst goal has to get better by this factor in two passes.
+    constexpr double small_share = 0.25, least_progress = 0.8;
+    // More are a sign that none would be enough.
+    constexpr unsigned int most_passes = 8;
+  } // namespace
+
+
+
+  double
+  worst_ratio(const std::vector<GoalResult> &goals)
+  {
+    double worst = 0.;
+    for (const GoalResult &goal : goals)
+      worst =
+        std::max(worst,
+                 goal.trusted ? goal.bar / (*goal.tolerance * goal.scale) :
+                                std::numeric_limits<double>::infinity());
+    return worst;
+  }
+
+
+
+  ToleranceRun::ToleranceRun(const Scene &scene, std::ostream &out)
+    : scene(scene)
+    , out(out)
+  {}
+
+
+
+  void
+  ToleranceRun::make_pass()
+  {
+    std::ostream nowhere(nullptr);
+    auto         next = std::make_unique<Simulation>(scene, nowhere);
+    const double most = scene.goals.budget_dofs;
+    if (most > 0 && next->results().n_dofs() > most)
+      throw NumericsError("the next model has " +
+                          std::to_string(next->results().n_dofs()) +
+                          " DoFs, more than the budget of " +
+                          std::to_string(scene.goals.budget_dofs));
+    out << "Pass " << passes.size() + 1 << ": " << next->results().n_dofs()
+        << " DoFs" << std::endl;
+    next->solve();
+    Pass pass;
+    pass.number  = passes.size() + 1;
+    pass.dofs    = next->results().n_dofs();
+    pass.goals   = Estimation(*next, out, cache).goals();
+    pass.seconds = wall.wall_time();
+    for (const BodyFacts &body : next->results().bodies)
+      pass.theories +=
+        (pass.theories.empty() ? "" : "; ") + body.name + " " + body.theory;
+    passes.push_back(pass);
+    simulation = std::move(next);
+  }
+
+
+
+  std::vector<Source>
+  ToleranceRun::wanted() const
+  {
+    std::vector<Source> sources;
+    for (const Source source :
+         {Source::axis, Source::fields, Source::section, Source::contact})
+      for (const GoalResult &goal : passes.back().goals)
+        if (!goal.met())
+          for (const auto &[name, share] : goal.shares)
+            if (name == name_of(source) &&
+                (std::abs(share) > small_share * *goal.tolerance * goal.scale ||
+                 name == largest_share(goal)) &&
+                std::find(sources.begin(), sources.end(), source) ==
+                  sources.end())
+              sources.push_back(source);
+    return sources;
+  }
+
+
+
+  std::string
+  ToleranceRun::reason_to_stop() const
+  {
+    const double worst = worst_ratio(passes.back().goals);
+    if (worst <= 1.)
+      return "all goals are within their tolerances";
+    if (passes.size() > 2 &&
+        worst > least_progress * worst_ratio(passes[passes.size() - 3].goals))
+      return "the worst goal has got no better in two passes";
+    if (passes.size() == most_passes)
+      return std::to_string(most_passes) + " passes are the most";
+    if (const double most = scene.goals.budget_seconds;
+        most > 0. && wall.wall_time() > most)
+      return "the budget of " + to_text(most) + " s is spent";
+    if (wanted().empty())
+      return "nothing is left to be enriched";
+    return "";
+  }
+
+
+
+  void
+  ToleranceRun::print_pass() const
+  {
+    const Pass &pass = passes.back();
+    out << "  after " << to_text(pass.seconds, 3) << " s: " << pass.theories
+        << "\n";
+    for (const GoalResult &goal : pass.goals)
+      {
+        out << "  " << goal.name << " = " << to_text(goal.value, 6);
+        if (goal.trusted)
+          out << " +- " << to_text(100. * goal.bar / goal.scale, 2) << " %"
+              << (goal.met() ? ", met" : "");
+        else
+          out << ", no bar yet";
+        out << "\n";
+      }
+    out << std::flush;
+  }
+
+
+
+  std::string
+  ToleranceRun::table() const
+  {
+    std::string text =
+      "pass,dofs,seconds,goal,value,estimate,bar,trusted,met\n";
+    for (const Pass &pass : passes)
+      for (const GoalResult &goal : pass.goals)
+        text += std::to_string(pass.number) + "," + std::to_string(pass.dofs) +
+                "," + csv(pass.seconds) + ",\"" + goal.name + "\"," +
+                csv(goal.value) + "," + csv(goal.estimate) + "," +
+                (goal.trusted ? csv(goal.bar) + ",1" : ",0") +
+                (goal.met() ? ",1\n" : ",0\n");
+    return text;
+  }
+
+
+
+  void
+  ToleranceRun::run(const std::string &directory)
+  {
+    std::string reason;
+    while (reason.empty())
+      {
+        try
+          {
+            make_pass();
+          }
+        catch (const std::runtime_error &error)
+          {
+            if (passes.empty())
+              throw;
+            reason = trimmed(error.what());
+            break;
+          }
+        simulation->write(directory, passes.back().goals);
+        if (is_speaker())
+          write_file(directory + "/passes.csv", table());
+        print_pass();
+        reason = reason_to_stop();
+        if (!reason.empty())
+          break;
+        const Model *model = cache.find(simulation->solved_scene());
+        Scene        next  = simulation->solved_scene();
+        for (const Source source : wanted())
+          next = enriched(next, source, model->dofs, most_dofs_of_layers);
+        scene = next;
+      }
+    simulation->print_results(directory, out);
+    const double worst = worst_ratio(passes.back().goals);
+    out << (worst <= 1. ? "\nDone in " : "\nNot all goals are met after ")
+        << passes.size() << (passes.size() == 1 ? " pass: " : " passes: ")
+        << reason << "." << std::endl;
+  }
+} // namespace lamella

@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+// Bars of errors as arithmetic, and the richer models that they come from.
+
+#include <lamella/estimate/enrichment.h>
+#include <lamella/estimate/error_bar.h>
+
+#include <boost/test/unit_test.hpp>
+
+#include <cmath>
+
+using namespace lamella;
+
+namespace
+{
+  /// The values 1 + c q^k, k = 0, 1, 2, of a quantity whose limit is 1.
+  Refinements
+  geometric(const double c, const double q)
+  {
+    Refinements values;
+    values.run     = 1. + c;
+    values.richer  = 1. + c * q;
+    values.richest = 1. + c * q * q;
+    values.shares  = std::abs(values.richer - values.run);
+    values.scale   = 1.;
+    return values;
+  }
+} // namespace
+
+BOOST_AUTO_TEST_SUITE(estimate)
+
+BOOST_AUTO_TEST_CASE(bars_hold_of_what_converges)
+{
+  // The estimate is c (q^2 - 1): short of the error by the share q^2 of it.
+  for (const double c : {1., -0.3, 1e-4, -1e-7})
+    for (const double q : {0., 0.1, 0.25, 0.6})
+      {
+        const ErrorBar bar = error_bar(geometric(c, q));
+        BOOST_TEST(bar.trusted);
+        BOOST_TEST(std::abs(bar.estimate - c * (q * q - 1.)) <
+                   1e-15 * (1. + std::abs(c)));
+        BOOST_TEST(bar.bar >= std::abs(c));
+        BOOST_TEST(bar.bar <= 2. * std::abs(c) * (1. + 1e-9) + 1e-15);
+      }
+}
+
+
+
+BOOST_AUTO_TEST_CASE(no_bar_for_what_grows_or_wavers)
+{
+  // A logarithm: as much again at each refinement.
+  Refinements grows{1., 1.1, 1.2, 0.1, 1., 0.};
+  const auto  bar = error_bar(grows);
+  BOOST_TEST(!bar.trusted);
+  BOOST_TEST(bar.why.find("grows") != std::string::npos);
+
+  const auto wavers = error_bar({1., 1.2, 1.02, 0.2, 1., 0.});
+  BOOST_TEST(!wavers.trusted);
+  BOOST_TEST(wavers.why.find("do not agree") != std::string::npos);
+
+  // The same within a share of the scale that is small anyway has a bar of
+  // twice all that it does.
+  const auto little = error_bar({1., 1.002, 1.0002, 0.002, 1., 0.});
+  BOOST_TEST(little.trusted);
+  BOOST_TEST(std::abs(little.bar - 0.004) < 1e-12);
+}
+
+
+
+BOOST_AUTO_TEST_CASE(opposite_shares_count)
+{
+  // Two errors that cancel: the estimate is 0, the bar is not.
+  const auto bar = error_bar({1., 1., 1., 0.2, 1., 1e-12});
+  BOOST_TEST(bar.estimate == 0.);
+  BOOST_TEST(std::abs(bar.bar - 0.1) < 1e-15);
+}
+
+
+
+BOOST_AUTO_TEST_CASE(rounding_is_no_refinement)
+{
+  const auto bar = error_bar({1., 1. + 1e-13, 1. - 2e-13, 1e-13, 1., 1e-12});
+  BOOST_TEST(bar.trusted);
+  BOOST_TEST(bar.bar == 1e-12);
+}
+
+
+
+namespace
+{
+  Scene
+  scene_of(const std::string &theory)
+  {
+    Scene           scene;
+    BodyDescription body;
+    body.name          = "beam";
+    body.theory        = Theory::parse({"Theory", theory});
+    body.axis.elements = {3, 4};
+    body.axis.breaks   = {1.};
+    body.axis.length   = 2.;
+    scene.bodies       = {body};
+    return scene;
+  }
+
+
+
+  std::string
+  enriched_theory(const std::string &theory,
+                  const Source       source,
+                  const double       most_dofs = 1e9)
+  {
+    return enriched(scene_of(theory), source, {1000}, most_dofs)
+      .bodies[0]
+      .theory.name();
+  }
+} // namespace
+
+BOOST_AUTO_TEST_CASE(richer_models)
+{
+  BOOST_TEST(enriched_theory("EBBT", Source::fields) == "SV-10 (of LE-3)");
+  BOOST_TEST(enriched_theory("TE-4", Source::fields) == "SV-10 (of LE-3)");
+  BOOST_TEST(enriched_theory("SV", Source::fields) == "SV-6 (of LE-3)");
+  BOOST_TEST(enriched_theory("SV-6", Source::fields) == "SV-10 (of LE-3)");
+  BOOST_TEST(enriched_theory("LE-2", Source::section) == "LE-3 (L16)");
+  BOOST_TEST(enriched_theory("LE-2", Source::section, 2000.) ==
+             "SV-10 (of LE-3)");
+  BOOST_TEST(enriched_theory("solid-1", Source::section) == "solid-2");
+  BOOST_TEST(enriched_theory("LE-2", Source::axis) == "LE-2 (L9)");
+
+  const Scene finer = enriched(scene_of("SV-6"), Source::axis, {1000}, 1e9);
+  BOOST_TEST(finer.bodies[0].axis.elements[0] == 6);
+  BOOST_TEST(finer.bodies[0].axis.elements[1] == 8);
+  const Scene higher = enriched(scene_of("SV-6"), Source::section, {1}, 1e9);
+  BOOST_TEST(higher.bodies[0].theory.section_order == 4);
+
+  BOOST_TEST(!has_source(scene_of("LE-2"), Source::fields));
+  BOOST_TEST(!has_source(scene_of("EBBT"), Source::section));
+  BOOST_TEST(!has_source(scene_of("solid-2"), Source::axis));
+  BOOST_TEST(!has_source(scene_of("LE-2"), Source::contact));
+}
+
+BOOST_AUTO_TEST_SUITE_END()
