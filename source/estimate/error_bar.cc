@@ -15,6 +15,8 @@ namespace lamella
     // enough to be summed up, and the share of the scale below which all that
     // the values do is taken for their error.
     constexpr double most_left = 2. / 3., small = 1e-2;
+    // What has a limit changes less from one refinement to the next.
+    constexpr double growth = 0.9;
 
     const double first  = values.richer - values.run,
                  second = values.richest - values.richer;
@@ -25,16 +27,15 @@ namespace lamella
     result.bar = std::max(
       {2. * std::abs(result.estimate), 0.5 * values.shares, values.rounding});
 
-    const bool agree =
-      std::abs(second) <= most_left * std::abs(result.estimate);
-    if (agree || spread <= values.rounding)
+    if (std::abs(second) <= most_left * std::abs(first) ||
+        spread <= values.rounding)
       result.trusted = true;
     else if (spread <= small * values.scale)
       {
         result.trusted = true;
         result.bar     = std::max(result.bar, 2. * spread);
       }
-    else if (first * second > 0.)
+    else if (first * second > growth * first * first)
       result.why = "it grows from one refinement to the next, by " +
                    to_text(100. * std::abs(first) / values.scale, 2) +
                    " and then by " +
