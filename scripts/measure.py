@@ -7,6 +7,8 @@ import math
 import sys
 from concurrent.futures import ThreadPoolExecutor
 
+from measure_aims import (aims, compact, flexure, growth_length, growth_plies, hairs,
+                          paper, three_plies, walls)
 from measure_bars import bars
 from measure_fields import fields
 from measure_solids import calculix, hanging, million, solids
@@ -322,12 +324,15 @@ def draw_stability(lengths, curves):
 def main():
     tables = {f.__name__: f for f in (variants, shear, penalty, cost, crossed, phases,
                                       theories, stability, solids, hanging, calculix,
-                                      parallel, million, fields, bars)}
+                                      parallel, million, fields, aims, hairs, walls,
+                                      compact, flexure, three_plies, paper,
+                                      growth_plies, growth_length, bars)}
     unknown = [name for name in sys.argv[1:] if name not in tables]
     if unknown:
         sys.exit(f"no table {unknown[0]}; there are: {', '.join(tables)}")
     # A million DoFs take minutes and gigabytes: only when asked for.
-    only_asked = ("parallel", "million", "fields", "bars")
+    only_asked = ("parallel", "million", "fields", "aims", "hairs", "walls", "compact",
+                  "flexure", "three_plies", "paper", "growth_plies", "growth_length", "bars")
     for name in sys.argv[1:] or [name for name in tables if name not in only_asked]:
         print(f"## {name}: {tables[name].__doc__}\n")
         tables[name]()

@@ -452,16 +452,24 @@ def contact_errors(run, reference, contacts, clear):
                                       worst_place(stresses)])
 
 
+def at_their_word(theory, bodies):
+    """@p theory as `Theories`, of which no body keeps all fields for having nothing to
+    win."""
+    return [f"Body {body}/Kinematics/Theories={theory}" for body in bodies]
+
+
 CONTACT_HEADER = ["theory", "fields a node", "DoFs", "seconds", "memory [MB]", "force",
                   "w", *STRESSES, "pressures", "active rows", "worst stress"]
 
 
-def contact_table(name, scene, theories, order, overrides=(), clear=ANYWHERE):
+def contact_table(name, scene, theories, order, overrides=(), clear=ANYWHERE, word=()):
+    """The bodies @p word have the theory as `Theories`, which never keep all fields."""
     reference = FieldRun(scene, f"LE-{order}", overrides=overrides)
     contacts = sorted(reference.rows)
     rows = [[f"LE-{order}", ""] + reference.costs()]
     for theory in theories:
-        run = FieldRun(scene, theory, order, overrides)
+        run = FieldRun(scene, theory, order,
+                       list(overrides) + at_their_word(theory, word))
         rows.append([theory, run.fields()] + run.costs() +
                     contact_errors(run, reference, contacts, clear))
     print(f"{name}; contacts {', '.join(contacts)}, the force on the first "
@@ -567,7 +575,7 @@ def nested():
     table(["scene", "SV", "SV-3", "SV-6", "SV-10", "LE-2", "each no less"], rows)
 
 
-# A: Saint-Venant fields alone, slender and not; F: growth.
+# A: Saint-Venant fields alone, slender and not.
 
 def cantilever_scene(section, slenderness, load):
     """b = 2, h = 1, clamped at its start, loaded at its end."""
@@ -631,37 +639,8 @@ def exponent(x, y):
             sum((p - mu) ** 2 for p in u))
 
 
-def growth():
-    """F. Seconds over plies and over length, SV-6 against LE-2."""
-    plies = {n: plate_scene({**laminate(f"[0/90]{n // 4}s", across=4),
-                             "Ply thickness": 1 / n}, 20, .5, 1.5)
-             for n in (4, 8, 16, 32)}
-    lengths = {}
-    for length in (10., 32., 100., 316., 1000.):
-        scene = plate_scene(laminate("0/90/0"), length, .5, 1.5)
-        y = length / 2
-        scene["Body beam"]["Kinematics"] = graded(
-            length, [(0., 0., .125), (length, length, .125), (y - .5, y + .5, .25)], 2.)
-        lengths[length] = scene
-    for what, scenes in (("plies", plies), ("length over h", lengths)):
-        rows, spent = [], {"SV-6": [], "LE-2": []}
-        for x, scene in scenes.items():
-            row = [f"{x:g}"]
-            for theory, seconds in spent.items():
-                run = FieldRun(scene, theory, 2)
-                seconds.append(run.summary["seconds"]["total"])
-                row += [run.fields()] * (theory == "SV-6") + run.costs()
-            rows.append(row)
-        last = slice(-3, None)
-        rows.append(["exponent of the last three", ""] +
-                    ["" if k != 1 else f"{exponent(list(scenes)[last], s[last]):.2f}"
-                     for s in spent.values() for k in range(3)])
-        table([what, "SV-6: fields a node", "DoFs", "seconds", "memory [MB]",
-               "LE-2: DoFs", "seconds", "memory [MB]"], rows)
-
-
 def fields():
     """Fields of the section's own (SV, SV-N, Theories) against LE-N: errors in %."""
-    for part in (central, local, rollers, bodies, by_hand, growth):
+    for part in (central, local, rollers, bodies, by_hand):
         print(f"### {part.__doc__}\n")
         part()

@@ -73,6 +73,14 @@ namespace lamella
         return theory.order > 0 && !groups.empty();
       }
 
+      /// How many load vectors of the group @p group a support holds; none of
+      /// one that holds the section as a whole.
+      std::size_t
+      n_held(const unsigned int group) const
+      {
+        return groups[group].is_held ? groups[group].loads.size() : 0;
+      }
+
       /// The list of a node near the groups @p near.
       const std::vector<unsigned int> &
       list(const std::set<unsigned int> &near);
@@ -97,6 +105,7 @@ namespace lamella
       {
         std::vector<Vector> loads, smooth;
         double              element = 0.;
+        bool                is_held = false;
         /// To the loads, and to the smooth ones.
         std::vector<Vector> near, far;
       };
@@ -142,7 +151,12 @@ namespace lamella
     unsigned int
     FieldsOfSection::group_of(const Touch &touch)
     {
-      Group group{touch.loads, touch.smooth, touch.element, {}, {}};
+      Group group{touch.loads,
+                  touch.smooth,
+                  touch.element,
+                  touch.holds && !touch.holds_section,
+                  {},
+                  {}};
       if (touch.holds_section)
         {
           // It answers to no load vector: it holds the warping w, with the
@@ -170,7 +184,10 @@ namespace lamella
               same = difference.l2_norm() < alike * group.loads[k].l2_norm();
             }
           if (same)
-            return g;
+            {
+              groups[g].is_held = groups[g].is_held || group.is_held;
+              return g;
+            }
         }
       groups.push_back(group);
       return groups.size() - 1;
@@ -331,11 +348,11 @@ namespace lamella
 
 
 
-    /// For each node of the axis the groups of what touches the body near it.
+    /// The groups of load vectors that each node of @p beam is near.
     std::vector<std::set<unsigned int>>
-    groups_near_nodes(const Beam        &beam,
-                      const TouchedBody &touched,
-                      const FieldRules  &rules)
+    near_groups(const Beam        &beam,
+                const TouchedBody &touched,
+                const FieldRules  &rules)
     {
       const BoundingBox<2> box = beam.section().element().bounding_box();
       const double         a = box.side_length(0), b = box.side_length(1);
@@ -343,16 +360,16 @@ namespace lamella
         return touch.holds_section ? rules.reach_of_clamp * std::max(a, b) :
                                                rules.reach * std::min(a, b);
       };
-      std::vector<std::set<unsigned int>> near;
+      std::vector<std::set<unsigned int>> result;
       for (const double y : beam.axis().nodes())
         {
-          near.emplace_back();
+          result.emplace_back();
           for (unsigned int t = 0; t < touched.touches.size(); ++t)
             if (const Touch &touch = touched.touches[t];
                 y > touch.begin - reach(touch) && y < touch.end + reach(touch))
-              near.back().insert(touched.groups[t]);
+              result.back().insert(touched.groups[t]);
         }
-      return near;
+      return result;
     }
 
 
@@ -378,34 +395,31 @@ namespace lamella
 
 
 
-    /// The fields that each node of @p beam carries.
+    /// The fields that each node of @p beam carries, @p near the groups of
+    /// each.
     std::vector<std::vector<unsigned int>>
-    lists_of(const Beam            &beam,
-             const TouchedBody     &touched,
-             const BodyDescription &description,
-             FieldsOfSection       &fields,
-             const FieldRules      &rules)
+    lists_of(const Beam                                &beam,
+             const std::vector<std::set<unsigned int>> &near,
+             const BodyDescription                     &description,
+             FieldsOfSection                           &fields)
     {
-      auto groups_near = groups_near_nodes(beam, touched, rules);
-      even_out(groups_near, beam.axis(), touched.asked);
       std::vector<unsigned int> all(beam.section().n_fields());
       std::iota(all.begin(), all.end(), 0);
       std::vector<std::vector<unsigned int>> lists;
-      for (unsigned int i = 0; i < beam.axis().n_nodes(); ++i)
+      for (unsigned int node = 0; node < near.size(); ++node)
         {
-          const double                  y    = beam.axis().nodes()[i];
-          const std::set<unsigned int> &near = groups_near[i];
           // Between two pieces a node carries what the richer one wants.
           bool whole = false, plain = !description.pieces.empty();
-          for (const Theory &theory :
-               theories_at(y, description.pieces, beam.axis().length()))
+          for (const Theory &theory : theories_at(beam.axis().nodes()[node],
+                                                  description.pieces,
+                                                  beam.axis().length()))
             {
               whole = whole || theory.kind == Theory::Kind::LE;
               plain = plain && theory.order == 0;
             }
           lists.push_back(whole ? all :
                           plain ? fields.saint_venant_list() :
-                                  fields.list(near));
+                                  fields.list(near[node]));
         }
       return lists;
     }
@@ -434,6 +448,30 @@ namespace lamella
 
 
 
+    /// Why nothing can be won on @p beam, before any field is sought; nothing
+    /// if something may be.
+    std::string
+    nothing_to_win(const std::vector<std::set<unsigned int>> &near,
+                   const Beam                                &beam,
+                   const FieldsOfSection                     &fields,
+                   const FieldRules                          &rules)
+    {
+      const std::size_t n_nodes = near.size();
+      if (n_nodes <= rules.least_nodes)
+        return "its axis has " + std::to_string(n_nodes) + " nodes only";
+      std::size_t sum = 0;
+      for (const std::set<unsigned int> &groups : near)
+        for (const unsigned int group : groups)
+          sum += fields.n_held(group);
+      const unsigned int all = beam.section().n_fields();
+      if (sum > rules.most_held * n_nodes * all)
+        return "supports would hold " + std::to_string(sum / n_nodes) + " of " +
+               std::to_string(all) + " fields of a node";
+      return "";
+    }
+
+
+
     /// Why a beam with the fields @p lists would cost as much as one with all
     /// fields of its section; nothing if it costs less.
     std::string
@@ -446,8 +484,6 @@ namespace lamella
       for (const auto &list : lists)
         sum += list.size();
       const unsigned int mean = sum / lists.size();
-      if (lists.size() <= rules.least_nodes)
-        return "its axis has " + std::to_string(lists.size()) + " nodes only";
       if (mean > rules.most_fields * all)
         return "a node would carry " + std::to_string(mean) + " of " +
                std::to_string(all) + " fields";
@@ -479,7 +515,28 @@ namespace lamella
         {
           const Beam            &beam        = beam_of(body.number);
           const BodyDescription &description = descriptions[body.number];
-          lists.push_back(lists_of(beam, body, description, fields, rules));
+          auto                   near        = near_groups(beam, body, rules);
+          even_out(near, beam.axis(), body.asked);
+          // Theories are taken at their word, and SV has nothing to choose.
+          const bool may_keep_all =
+            description.pieces.empty() && theory.order > 0;
+          std::string why;
+          if (may_keep_all)
+            why = nothing_to_win(near, beam, fields, rules);
+          lists.emplace_back();
+          if (why.empty())
+            lists.back() = lists_of(beam, near, description, fields);
+          if (may_keep_all && why.empty())
+            why = nothing_won(lists.back(), beam, rules);
+          if (!why.empty())
+            {
+              notes.push_back("body " + beam.name() + ": with " +
+                              theory.name() + " " + why +
+                              "; nothing is won there, and its nodes carry "
+                              "all fields of the section (" +
+                              section->theory().name() + ")");
+              lists.back().clear();
+            }
           for (const Touch &touch : body.touches)
             if (touch.presses && theory.order == 0 &&
                 description.pieces.empty())
@@ -488,17 +545,6 @@ namespace lamella
                               " can dent: forces are those of a beam, "
                               "pressures and stresses there are not to be "
                               "used. Use SV-N, SV-6 say");
-          if (description.pieces.empty() && theory.order > 0)
-            if (const std::string why = nothing_won(lists.back(), beam, rules);
-                !why.empty())
-              {
-                notes.push_back("body " + beam.name() + ": with " +
-                                theory.name() + " " + why +
-                                "; nothing is won there, and its nodes carry "
-                                "all fields of the section (" +
-                                section->theory().name() + ")");
-                lists.back().clear();
-              }
         }
       const auto space = fields.space();
       for (unsigned int k = 0; k < touched.size(); ++k)

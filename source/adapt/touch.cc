@@ -294,7 +294,10 @@ namespace lamella
           if (row.support == s && row.row.body == body)
             held.push_back(
               load_of_row(beam, row.row.row, row.position, 1., false));
+        const std::size_t before = touches.size();
         add_touches("support " + supports[s].name, held, touches);
+        for (std::size_t k = before; k < touches.size(); ++k)
+          touches[k].holds = true;
       }
     for (const Load &load : loads)
       {

@@ -4,11 +4,12 @@
 processes and in more load steps, and compares the results with those of the scenes as
 they are.
 
-Usage: invariance.py LAMELLA WORKDIR [NAMES...] [--quick] [--jobs 2] [--tolerance 1e-8]
+Usage: invariance.py LAMELLA WORKDIR [NAMES...] [--quick] [--only mm,skew] [--jobs 2]
+       [--tolerance 1e-8]
 
-NAMES are scenes (all by default). Every scene is a function here that writes its text
-for a Transformation; results are transformed back: fields at the probes, reactions,
-contact forces, strain energy. A difference is taken over the largest value of its kind
+NAMES are scenes (by default all but those of CUT). Every scene is a
+function here that writes its text for a Transformation; results are transformed back:
+fields at the probes, reactions, contact forces, strain energy. A difference is taken over the largest value of its kind
 (displacements, stresses, ...) in the original scene. --quick leaves out some scenes and
 transformations. Each run stays in WORKDIR/SCENE/TRANSFORMATION.
 
@@ -209,6 +210,9 @@ class Writer:
 
 SCENES = {}
 QUICK = ("cantilever", "beams", "crossed", "floor", "meshed", "solids")
+# Responses are cut by a tolerance of per cents: where the section is rounded otherwise (in
+# inches, in a mirror) a field more or less, or 1e-6 of another answer. Not in `all`.
+CUT = ("fields",)
 CARBON = ((161e9, 11.38e9, 11.38e9, 5.17e9, 5.17e9, 3.98e9), (0.32, 0.32, 0.44))
 
 
@@ -327,6 +331,43 @@ def roller(t):
               Search_distance=t.lengths(5.))
     w.probe("below", "beam", 20., 240., 20.)
     w.probe("interface", "beam", 0., 125., 32.)
+    return w
+
+
+def fields_writer(t):
+    """A laminate that bends and twists, under a patch beside its middle."""
+    w = Writer(t, "SV-4")
+    w.add("Material", "carbon", {"Engineering constants": t.orthotropic(*CARBON)})
+    w.laminate("strip", 0.1, (30, -45, 90), (0.01, 0.02, 0.01), "carbon", Cells_across="3")
+    w.add("Load", "patch", {"On": "beam: top", "Pressure": t.pressure(
+        "if(({y}>0.4)&&({y}<0.5)&&({x}>0.35),1e5,0)")})
+    w.probe("below", "beam", 0.37, 0.25, 0.11)
+    w.probe("aside", "beam", 0.31, 0.6, 0.13)
+    return w
+
+
+@scene
+def fields(t):
+    """Fields of the section's own, a roller on them."""
+    w = fields_writer(t)
+    w.body("beam", "strip", 2., (0.3, -0.2, 0.1), Axis_elements="20", Section_order="2")
+    w.support("clamps", "beam: ends")
+    w.add("Obstacle", "roller", {
+        "Shape": "cylinder", "Through": t.point(0.35, 1., 0.24), "Radius": t.lengths(0.1),
+        "Axis": t.direction(1., 0., 0.), "u": t.displacement(0., 0., -0.002)})
+    w.contact("nip", "beam: top", "roller", symmetric=False,
+              Discretisation="surface to surface", Enforcement="exact",
+              Search_distance=t.lengths(0.02))
+    return w
+
+
+@scene
+def lists(t):
+    """Theories by hand: nodes with all fields beside nodes with few."""
+    w = fields_writer(t)
+    w.body("beam", "strip", 2., (0.3, -0.2, 0.1), Axis_elements="20", Section_order="auto",
+           Theories="LE-2, SV-4, SV", Theory_breaks=t.lengths(0.2, 1.2))
+    w.support("clamp", "beam: start")
     return w
 
 
@@ -571,6 +612,7 @@ def arguments():
     parser.add_argument("workdir", type=Path)
     parser.add_argument("names", nargs="*")
     parser.add_argument("--quick", action="store_true")
+    parser.add_argument("--only", help="transformations, separated by commas")
     parser.add_argument("--jobs", type=int, default=2)
     parser.add_argument("--tolerance", type=float, default=1e-8)
     return parser.parse_args()
@@ -578,8 +620,10 @@ def arguments():
 
 def main():
     given = arguments()
-    names = given.names or (QUICK if given.quick else list(SCENES))
-    labels = QUICKLY if given.quick else list(TRANSFORMATIONS)
+    names = given.names or (QUICK if given.quick else
+                            [name for name in SCENES if name not in CUT])
+    labels = (given.only.split(",") if given.only else
+              QUICKLY if given.quick else list(TRANSFORMATIONS))
     for name in names:
         if name not in SCENES:
             sys.exit(f"There is no scene {name}; there are {', '.join(SCENES)}.")

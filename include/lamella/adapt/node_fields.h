@@ -42,6 +42,11 @@ namespace lamella
     /// than that: nothing would be won.
     double       most_fields = 0.5;
     unsigned int least_nodes = 15;
+    /// Nor where supports (but those of whole sections) hold more load vectors
+    /// than this share of the fields, on average: a surface held all along
+    /// leaves lists with little but what is held to be eliminated from, which
+    /// is slow and costs digits.
+    double most_held = 0.05;
   };
 
   /// Where stresses of a body are asked for: a probe, a line, a cut.

@@ -38,8 +38,8 @@ namespace lamella
     double element = 0.;
     /// Whether it takes hold of the section as a whole: a clamp.
     bool holds_section = false;
-    /// Whether it is a side of a contact.
-    bool presses = false;
+    /// Whether it is a side of a contact, and whether a support.
+    bool presses = false, holds = false;
   };
 
   /// What touches the body number @p body, @p beam, which carries all fields at
