@@ -393,7 +393,7 @@ namespace
       {"clamp", {{0, Region::Kind::surface, "start", {}}}, {{0., 0., 0.}}}};
     const std::vector<Load> pull{traction("end", "0", "0", "1")};
     Bodies                  bodies = make_bodies({body}, meshes(2));
-    choose_fields(bodies, {body}, held, pull, {}, rules);
+    choose_fields(bodies, {body}, held, pull, {}, {}, rules);
     const Solved solved = solve_linear(std::move(bodies[0]), held, pull);
     return {unsigned(solved.structure->n_dofs()),
             scaled_condition(*solved.structure),

@@ -389,7 +389,7 @@ BOOST_AUTO_TEST_CASE(chosen_fields_hold_the_states)
       Bodies     bodies = make_bodies({body}, meshes);
       FieldRules rules;
       rules.most_fields = 2.;
-      choose_fields(bodies, {body}, {clamps}, {patch}, {}, rules);
+      choose_fields(bodies, {body}, {clamps}, {patch}, {}, {}, rules);
       const Beam           &beam = dynamic_cast<const Beam &>(*bodies[0]);
       std::set<std::size_t> sizes;
       for (unsigned int node = 0; node < beam.dofs().n_nodes(); ++node)
