@@ -101,8 +101,10 @@ namespace lamella
     std::array<unsigned int, 3> degrees = recovery_degrees();
     for (const unsigned int node :
          beam_axis->nodes_of_cell(cell / beam_section->n_cells()))
-      for (const unsigned int d : {0, 2})
-        degrees[d] = std::min(degrees[d], degree_at(node));
+      if (const unsigned int q = degree_at(node);
+          q < beam_section->element().degree())
+        for (const unsigned int d : {0, 2})
+          degrees[d] = std::min(degrees[d], q);
     return degrees;
   }
 
