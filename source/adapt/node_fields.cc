@@ -348,6 +348,98 @@ namespace lamella
 
 
 
+    /// The list of LE-@p degree: all of the section's fields, or those of lower
+    /// degree that lead them.
+    std::vector<unsigned int>
+    list_of_degree(const Section &section, const unsigned int degree)
+    {
+      std::vector<unsigned int> list;
+      for (unsigned int alpha = 0; alpha < section.n_fields(); ++alpha)
+        if (degree >= section.element().degree() ||
+            section.field_degree(alpha) <= degree)
+          list.push_back(alpha);
+      return list;
+    }
+
+
+
+    /// Of the pieces at a node what they want of it together.
+    struct Wanted
+    {
+      /// The highest degree of LE, or 0; and whether there is SV, or nothing
+      /// but SV without responses.
+      unsigned int degree = 0;
+      bool         any_SV = false, plain = true;
+    };
+
+    Wanted
+    wanted_by(const std::vector<Theory> &theories)
+    {
+      Wanted wanted;
+      for (const Theory &theory : theories)
+        if (theory.kind == Theory::Kind::LE)
+          wanted.degree = std::max(wanted.degree, theory.order);
+        else
+          wanted.any_SV = true;
+      for (const Theory &theory : theories)
+        wanted.plain = wanted.plain && theory.order == 0;
+      return wanted;
+    }
+
+
+
+    /// Notes the contacts surface to surface that reach nodes of LE of a lower
+    /// degree than the section's: they have a row for each node of its trace.
+    void
+    note_coarse_rows(const Beam                          &beam,
+                     const unsigned int                   body,
+                     const TheoryPieces                  &pieces,
+                     const std::vector<ContactInterface> &contacts,
+                     std::vector<std::string>            &notes)
+    {
+      std::vector<bool> is_coarse;
+      for (const double y : beam.axis().nodes())
+        {
+          const Wanted wanted =
+            wanted_by(theories_at(y, pieces, beam.axis().length()));
+          is_coarse.push_back(!wanted.any_SV &&
+                              wanted.degree <
+                                beam.section().element().degree());
+        }
+      const auto reaches = [&](const GapRow &row) {
+        for (const BodyRow &part : row.parts)
+          for (const auto &[dof, weight] : part.row.entries())
+            if (part.body == body && is_coarse[beam.dofs().node_of(dof)])
+              return true;
+        return false;
+      };
+      for (const ContactInterface &contact : contacts)
+        if (contact.discretisation == Discretisation::surface_to_surface &&
+            std::any_of(contact.rows.begin(), contact.rows.end(), reaches))
+          notes.push_back(
+            "body " + beam.name() + ": rows of contact " + contact.name +
+            " outnumber what nodes of LE of a lower degree can deform; where "
+            "it closes there its force is right and single pressures are not "
+            "to be used. Let the piece of the highest degree reach further, or "
+            "use Discretisation = node to surface");
+    }
+
+
+
+    /// The lists of a body whose pieces are all LE.
+    std::vector<std::vector<unsigned int>>
+    lists_by_degree(const Beam &beam, const TheoryPieces &pieces)
+    {
+      std::vector<std::vector<unsigned int>> lists;
+      for (const double y : beam.axis().nodes())
+        lists.push_back(list_of_degree(
+          beam.section(),
+          wanted_by(theories_at(y, pieces, beam.axis().length())).degree));
+      return lists;
+    }
+
+
+
     /// The groups of load vectors that each node of @p beam is near.
     std::vector<std::set<unsigned int>>
     near_groups(const Beam        &beam,
@@ -403,23 +495,23 @@ namespace lamella
              const BodyDescription                     &description,
              FieldsOfSection                           &fields)
     {
-      std::vector<unsigned int> all(beam.section().n_fields());
-      std::iota(all.begin(), all.end(), 0);
       std::vector<std::vector<unsigned int>> lists;
       for (unsigned int node = 0; node < near.size(); ++node)
         {
-          // Between two pieces a node carries what the richer one wants.
-          bool whole = false, plain = !description.pieces.empty();
-          for (const Theory &theory : theories_at(beam.axis().nodes()[node],
-                                                  description.pieces,
-                                                  beam.axis().length()))
-            {
-              whole = whole || theory.kind == Theory::Kind::LE;
-              plain = plain && theory.order == 0;
-            }
-          lists.push_back(whole ? all :
-                          plain ? fields.saint_venant_list() :
-                                  fields.list(near[node]));
+          // Between two pieces a node carries what the richer one wants; LE-q
+          // and SV are both in the section's own LE, and hardly in less.
+          const Wanted wanted = wanted_by(theories_at(beam.axis().nodes()[node],
+                                                      description.pieces,
+                                                      beam.axis().length()));
+          if (wanted.degree > 0)
+            lists.push_back(list_of_degree(beam.section(),
+                                           wanted.any_SV ?
+                                             beam.section().element().degree() :
+                                             wanted.degree));
+          else if (wanted.plain && wanted.any_SV)
+            lists.push_back(fields.saint_venant_list());
+          else
+            lists.push_back(fields.list(near[node]));
         }
       return lists;
     }
@@ -488,6 +580,25 @@ namespace lamella
         return "a node would carry " + std::to_string(mean) + " of " +
                std::to_string(all) + " fields";
       return "";
+    }
+
+
+
+    /// Replaces the body @p description, whose pieces are all LE, by one with
+    /// the leading fields of each degree.
+    void
+    replace_by_degrees(const BodyDescription &description,
+                       std::unique_ptr<Body> &body)
+    {
+      const auto &beam  = dynamic_cast<const Beam &>(*body);
+      const auto  lists = lists_by_degree(beam, description.pieces);
+      body              = std::make_unique<Beam>(beam.name(),
+                                    std::make_shared<FieldSpace>(
+                                      beam.fields().shared_section()),
+                                    beam.shared_axis(),
+                                    beam.place(),
+                                    lists,
+                                    label_of(description, lists));
     }
 
 
@@ -614,7 +725,8 @@ namespace lamella
     };
     std::map<std::pair<std::string, Theory>, std::vector<TouchedBody>> touched;
     for (unsigned int b = 0; b < descriptions.size(); ++b)
-      if (is_chosen(descriptions[b]))
+      if (is_chosen(descriptions[b]) &&
+          descriptions[b].theory.kind == Theory::Kind::SV)
         touched[{descriptions[b].section, descriptions[b].theory}].push_back(
           {b,
            find_touches(dynamic_cast<const Beam &>(*bodies[b]),
@@ -626,8 +738,20 @@ namespace lamella
            asked_of(b),
            {}});
     std::vector<std::string> notes;
+    for (unsigned int b = 0; b < descriptions.size(); ++b)
+      if (descriptions[b].theory.hierarchical)
+        note_coarse_rows(dynamic_cast<const Beam &>(*bodies[b]),
+                         b,
+                         descriptions[b].pieces,
+                         contacts,
+                         notes);
     for (auto &[key, of_section] : touched)
       replace(bodies, descriptions, of_section, rules, notes);
+    // Not before all touches are found, which the fields of whole sections say.
+    for (unsigned int b = 0; b < descriptions.size(); ++b)
+      if (is_chosen(descriptions[b]) &&
+          descriptions[b].theory.kind == Theory::Kind::LE)
+        replace_by_degrees(descriptions[b], bodies[b]);
     return notes;
   }
 } // namespace lamella

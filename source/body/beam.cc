@@ -5,6 +5,7 @@
 #include <lamella/body/beam.h>
 
 #include <array>
+#include <map>
 #include <numeric>
 
 namespace lamella
@@ -147,20 +148,33 @@ namespace lamella
   double
   Beam::stiffness_entries() const
   {
-    const double sparse = beam_section->S(0, 0).n_nonzero_elements(),
-                 all    = beam_section->n_fields();
-    double sum          = 0.;
+    const Matrix      &S   = beam_section->S(0, 0);
+    const unsigned int all = beam_section->n_fields();
+    // Lists of fields of the section are as sparse as its matrices.
+    using List = std::vector<unsigned int>;
+    std::map<std::pair<const List *, const List *>, double> sparse;
+    const auto entries_between = [&](const unsigned int i,
+                                     const unsigned int j) {
+      const List &rows = dof_map.fields(i);
+      const auto [known, is_new] =
+        sparse.try_emplace({&rows, &dof_map.fields(j)}, 0.);
+      if (is_new)
+        for (const unsigned int a : rows)
+          for (auto entry = S.begin(a); entry != S.end(a); ++entry)
+            known->second += dof_map.place(j, entry->column()) >= 0;
+      return known->second;
+    };
+    double sum = 0.;
     for (const auto &entry : beam_axis->A(0, 0))
       {
-        const auto &row      = dof_map.fields(entry.row()),
-                   &column   = dof_map.fields(entry.column());
-        const double product = double(row.size()) * column.size();
-        // Lists of fields of the section are as sparse as its matrices.
-        sum += row.back() < all && column.back() < all ?
-                 std::min(sparse, product) :
-                 std::min(product,
-                          sparse + space->n_dense() *
-                                     double(row.size() + column.size()));
+        const List &row    = dof_map.fields(entry.row()),
+                   &column = dof_map.fields(entry.column());
+        sum +=
+          row.back() < all && column.back() < all ?
+            entries_between(entry.row(), entry.column()) :
+            std::min(double(row.size()) * column.size(),
+                     S.n_nonzero_elements() +
+                       space->n_dense() * double(row.size() + column.size()));
       }
     return sum;
   }

@@ -95,6 +95,21 @@ namespace lamella
 
 
 
+  std::array<unsigned int, 3>
+  Beam::recovery_degrees_of(const unsigned int cell) const
+  {
+    std::array<unsigned int, 3> degrees = recovery_degrees();
+    for (const unsigned int node :
+         beam_axis->nodes_of_cell(cell / beam_section->n_cells()))
+      if (const unsigned int q = degree_at(node);
+          q < beam_section->element().degree())
+        for (const unsigned int d : {0, 2})
+          degrees[d] = std::min(degrees[d], q);
+    return degrees;
+  }
+
+
+
   namespace
   {
     /// What a field and the functions N, N^, N' of a node make of a quantity.

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <set>
 
 namespace lamella
@@ -115,21 +116,35 @@ namespace lamella
     const SurfaceParts        parts = parts_of(surface, element.section_mesh());
     std::vector<SurfacePoint> points;
     for (const bool at_start : parts.ends)
-      for (const EdgePoint &p : element.section_grid())
+      for (const EdgePoint &p : element.coarse_section_grid(
+             degree_at(at_start ? 0 : beam_axis->n_nodes() - 1)))
         points.push_back(end_point(p, at_start));
 
     const std::vector<double> weights = beam_axis->node_weights();
     for (const std::string &boundary : parts.boundaries)
       {
-        const auto around = element.edge_points(boundary);
+        std::map<unsigned int, std::vector<EdgePoint>> around;
         for (unsigned int node = 0; node < beam_axis->n_nodes(); ++node)
           {
-            const auto [cell, eta] = beam_axis->place_of_node(node);
-            for (const EdgePoint &p : around)
+            const auto [cell, eta]    = beam_axis->place_of_node(node);
+            const unsigned int degree = degree_at(node);
+            if (around.count(degree) == 0)
+              around[degree] = element.coarse_edge_points(boundary, degree);
+            for (const EdgePoint &p : around[degree])
               points.push_back(lateral_point(p, weights[node], cell, eta));
           }
       }
     return points;
+  }
+
+
+
+  unsigned int
+  Beam::degree_at(const unsigned int node) const
+  {
+    const unsigned int last = dof_map.fields(node).back();
+    return last < space->first_mode() ? beam_section->field_degree(last) :
+                                        beam_section->element().degree();
   }
 
 
@@ -180,10 +195,15 @@ namespace lamella
     const SurfaceParts    parts = parts_of(surface, element.section_mesh());
     std::vector<Location> locations;
     for (const bool at_start : parts.ends)
-      for (const EdgePoint &p :
-           fixing(element.section_points(),
-                  dof_map.fields(at_start ? 0 : beam_axis->n_nodes() - 1)))
-        locations.push_back(end_point(p, at_start).location);
+      {
+        const unsigned int node   = at_start ? 0 : beam_axis->n_nodes() - 1;
+        const unsigned int degree = degree_at(node);
+        for (const EdgePoint &p : fixing(degree < element.degree() ?
+                                           element.coarse_section_grid(degree) :
+                                           element.section_points(),
+                                         dof_map.fields(node)))
+          locations.push_back(end_point(p, at_start).location);
+      }
     for (const std::string &boundary : parts.boundaries)
       for (const SurfacePoint &point : surface_points(boundary))
         locations.push_back(point.location);
@@ -195,12 +215,17 @@ namespace lamella
   std::vector<Location>
   Beam::body_points() const
   {
-    const auto            in_section = beam_section->element().section_points();
+    const CrossSectionElement &element = beam_section->element();
+    std::map<unsigned int, std::vector<EdgePoint>> in_section{
+      {element.degree(), element.section_points()}};
     std::vector<Location> locations;
     for (unsigned int node = 0; node < beam_axis->n_nodes(); ++node)
       {
-        const auto [cell, eta] = beam_axis->place_of_node(node);
-        for (const EdgePoint &p : in_section)
+        const auto [cell, eta]    = beam_axis->place_of_node(node);
+        const unsigned int degree = degree_at(node);
+        if (in_section.count(degree) == 0)
+          in_section[degree] = element.coarse_section_grid(degree);
+        for (const EdgePoint &p : in_section[degree])
           locations.push_back(location(
             placement.to_scene(
               {p.position[0], beam_axis->nodes()[node], p.position[1]}),

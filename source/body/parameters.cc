@@ -6,6 +6,7 @@
 #include <lamella/body/parameters.h>
 #include <lamella/body/solid.h>
 #include <lamella/body/solid_parameters.h>
+#include <lamella/section/lagrange_element.h>
 
 #include <deal.II/grid/grid_tools.h>
 
@@ -170,6 +171,32 @@ namespace lamella
 
 
 
+  namespace
+  {
+    /// Functions in columns are no leading ones of each other.
+    void
+    check_degrees(const BodyDescription             &body,
+                  std::shared_ptr<const SectionMesh> mesh)
+    {
+      if (!body.theory.hierarchical ||
+          !LagrangeElement(std::move(mesh), 1).has_columns())
+        return;
+      std::string all;
+      for (const Theory &theory : body.pieces.theories)
+        all += (all.empty() ? "" : ", ") + theory.name();
+      throw InputError(
+        "Body " + body.name + "/Kinematics/Theories",
+        all,
+        "the section '" + body.section + "' is more than " +
+          to_text(LagrangeElement::usual_column_aspect) +
+          " times as long as thick; LE is made of functions of whole columns "
+          "there, in which degrees of LE do not share theirs",
+        "Give all pieces of LE-N the same N, and Section order = auto.");
+    }
+  } // namespace
+
+
+
   Bodies
   make_bodies(const std::vector<BodyDescription> &descriptions,
               const SectionMeshes                &meshes,
@@ -197,7 +224,10 @@ namespace lamella
         auto &section =
           sections[{description.section, description.theory.of_section()}];
         if (section == nullptr)
-          section = make_section(mesh, description.theory);
+          {
+            check_degrees(description, mesh);
+            section = make_section(mesh, description.theory);
+          }
         bodies.push_back(
           std::make_unique<Beam>(description.name,
                                  section,

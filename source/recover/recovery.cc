@@ -227,7 +227,7 @@ namespace lamella
     if (fit == nullptr && kind == StressValues::recovered)
       fit = std::make_unique<PatchFit>(patch_points(ply, places),
                                        frames(places),
-                                       degrees);
+                                       degrees_of(places));
     else if (fit == nullptr)
       {
         FieldValues mean;
@@ -240,17 +240,31 @@ namespace lamella
 
 
 
+  std::array<unsigned int, 3>
+  StressRecovery::degrees_of(const std::vector<Place> &elements) const
+  {
+    std::array<unsigned int, 3> least = degrees;
+    for (const Place &element : elements)
+      {
+        const auto own = body.recovery_degrees_of(element.cell);
+        for (unsigned int d = 0; d < 3; ++d)
+          least[d] = std::min(least[d], own[d]);
+      }
+    return least;
+  }
+
+
+
   StressRecovery::Source
   StressRecovery::best_fits(const unsigned int ply, const Place &node)
   {
-    const PatchFit    &own = own_fit(ply, node);
-    const unsigned int all =
-      (degrees[0] + 1) * (degrees[1] + 1) * (degrees[2] + 1);
-    if (own.rank() == all)
+    const PatchFit          &own    = own_fit(ply, node);
+    const std::vector<Place> places = meeting(ply, node);
+    const auto               terms  = degrees_of(places);
+    if (own.rank() == (terms[0] + 1) * (terms[1] + 1) * (terms[2] + 1))
       return {{1., &own}};
 
     // By terms first, by shared elements second.
-    const std::vector<Place>             places = meeting(ply, node);
     std::pair<unsigned int, std::size_t> best{own.rank(), places.size()};
     std::vector<const PatchFit *>        chosen{&own};
     for (const Place &place : places)
@@ -291,6 +305,7 @@ namespace lamella
     std::vector<PatchPoint> result;
     for (const Place &element : elements)
       {
+        const auto own_degrees = body.recovery_degrees_of(element.cell);
         // All places of an element share its Gauss points, but for coordinates
         // that stay.
         Place corner = element;
@@ -306,7 +321,7 @@ namespace lamella
                 if (degrees[d] == 0)
                   continue;
                 std::vector<Place> finer;
-                const QGauss<1>    gauss(degrees[d]);
+                const QGauss<1>    gauss(own_degrees[d]);
                 for (Place place : places)
                   for (const Point<1> &point : gauss.get_points())
                     {

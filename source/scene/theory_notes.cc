@@ -213,6 +213,22 @@ namespace lamella
 
   namespace
   {
+    /// All along the axis or in some piece.
+    bool
+    has_LE_1(const BodyDescription &body)
+    {
+      std::vector<Theory> theories = body.pieces.theories;
+      theories.push_back(body.theory);
+      return std::any_of(theories.begin(),
+                         theories.end(),
+                         [](const Theory &theory) {
+                           return theory.kind == Theory::Kind::LE &&
+                                  theory.order == 1;
+                         });
+    }
+
+
+
     /// What low orders get wrong, in words.
     std::vector<std::string>
     notes_on_orders(const Scene &scene)
@@ -228,7 +244,7 @@ namespace lamella
               " elements with full Shear strains are too stiff in bending "
               "where they are longer than the section is high (shear "
               "locking); use B4, or Shear strains = auto");
-          if (body.theory.kind == Theory::Kind::LE && body.theory.order == 1)
+          if (has_LE_1(body))
             notes.push_back("body " + body.name +
                             ": LE-1 (L4) cells cannot contract linearly "
                             "through their height and are too stiff in "

@@ -12,13 +12,23 @@ namespace lamella
 
   LagrangeElement::LagrangeElement(std::shared_ptr<const SectionMesh> mesh_,
                                    const unsigned int                 degree,
-                                   const double column_aspect)
+                                   const double column_aspect,
+                                   const Basis  basis)
     : CrossSectionElement(mesh_)
     , geometry(mesh_, degree)
+    , basis(basis)
     , cells(geometry.n_cells())
   {
+    if (is_hierarchical())
+      {
+        for (unsigned int q = 1; q < degree; ++q)
+          coarse.push_back(std::make_unique<SectionGeometry>(mesh_, q));
+        number_hierarchical_functions();
+        return;
+      }
     const Grid grid = find_grid(column_aspect);
-    if (grid.n_columns > 0)
+    in_columns      = grid.n_columns > 0;
+    if (in_columns)
       number_column_functions(grid);
     else
       number_nodal_functions();
@@ -28,10 +38,9 @@ namespace lamella
 
 
   std::array<unsigned int, 3>
-  LagrangeElement::replaced_nodes() const
+  LagrangeElement::replaced_nodes(const std::vector<Point<2>> &nodes) const
   {
-    const auto &nodes    = geometry.nodes();
-    const auto  farthest = [&nodes](const auto &measure) {
+    const auto farthest = [&nodes](const auto &measure) {
       unsigned int best = 0;
       for (unsigned int i = 1; i < nodes.size(); ++i)
         if (measure(nodes[i]) > measure(nodes[best]))
@@ -57,7 +66,7 @@ namespace lamella
   {
     const unsigned int        n = geometry.nodes().size();
     std::vector<unsigned int> function_of_node(n);
-    const auto                replaced = replaced_nodes();
+    const auto                replaced = replaced_nodes(geometry.nodes());
     levels.assign(n, 1);
     std::fill(levels.begin(), levels.begin() + 3, 0);
     for (unsigned int node = 0, next = 3; node < n; ++node)
@@ -188,6 +197,119 @@ namespace lamella
 
 
 
+  namespace
+  {
+    /// A hierarchical function of a section: its degree, the kind of what it is
+    /// on (vertex, edge, cell) with the number of that, and its indices there.
+    using HierarchicalKey = std::array<unsigned int, 5>;
+
+    HierarchicalKey
+    key_of_vertex(const unsigned int vertex)
+    {
+      return {{1, 0, vertex, 0, 0}};
+    }
+
+
+
+    /// The product l_i l_j on @p cell, with its sign there: odd functions of an
+    /// edge point from its vertex of the smaller number to the other.
+    std::pair<HierarchicalKey, double>
+    key_of_product(const Triangulation<2>::active_cell_iterator &cell,
+                   const unsigned int                            i,
+                   const unsigned int                            j)
+    {
+      const unsigned int degree = std::max({i, j, 1u});
+      if (i < 2 && j < 2)
+        return {key_of_vertex(cell->vertex_index(i + 2 * j)), 1.};
+      if (i > 1 && j > 1)
+        return {{{degree, 2, cell->active_cell_index(), i, j}}, 1.};
+      // deal.II's lines: x = 0, x = 1 upwards, z = 0, z = 1 to the right.
+      const bool         upwards = i < 2;
+      const unsigned int line    = upwards ? i : 2 + j;
+      const unsigned int begin   = upwards ? i : 2 * j,
+                         end     = upwards ? i + 2 : 2 * j + 1;
+      const bool backwards =
+        cell->vertex_index(end) < cell->vertex_index(begin);
+      return {{{degree, 1, cell->line_index(line), degree, 0}},
+              backwards && degree % 2 == 1 ? -1. : 1.};
+    }
+
+
+
+    /// l_0 ... l_p at @p t with their derivatives. The Legendre polynomials are
+    /// 1 at s = 1 and +-1 at s = -1 to the last bit, so the l_k vanish there.
+    void
+    integrated_legendre(const unsigned int   p,
+                        const double         t,
+                        std::vector<double> &values,
+                        std::vector<double> &derivatives)
+    {
+      const double        s = 2. * t - 1.;
+      std::vector<double> P{1., s};
+      for (unsigned int k = 2; k <= p; ++k)
+        P.push_back(((2. * k - 1.) * s * P[k - 1] - (k - 1.) * P[k - 2]) / k);
+      values      = {1. - t, t};
+      derivatives = {-1., 1.};
+      for (unsigned int k = 2; k <= p; ++k)
+        {
+          values.push_back((P[k] - P[k - 2]) / std::sqrt(4. * k - 2.));
+          derivatives.push_back(std::sqrt(4. * k - 2.) * P[k - 1]);
+        }
+    }
+  } // namespace
+
+
+
+  void
+  LagrangeElement::number_hierarchical_functions()
+  {
+    const unsigned int                      p = degree();
+    std::map<HierarchicalKey, unsigned int> numbers;
+    std::vector<unsigned int>               vertices;
+    std::vector<Point<2>>                   positions;
+    const auto active_cells = mesh->mesh.active_cell_iterators();
+    for (const auto &cell : active_cells)
+      for (unsigned int i = 0; i <= p; ++i)
+        for (unsigned int j = 0; j <= p; ++j)
+          if (numbers.try_emplace(key_of_product(cell, i, j).first, 0).second &&
+              i < 2 && j < 2)
+            {
+              vertices.push_back(cell->vertex_index(i + 2 * j));
+              positions.push_back(cell->vertex(i + 2 * j));
+            }
+    for (const unsigned int node : replaced_nodes(positions))
+      numbers.erase(key_of_vertex(vertices[node]));
+    // Keys begin with their degree.
+    levels.assign(3, 0);
+    for (auto &[key, number] : numbers)
+      {
+        number = levels.size();
+        levels.push_back(key[0]);
+      }
+
+    for (const auto &cell : active_cells)
+      {
+        Cell &here = cells[cell->active_cell_index()];
+        for (unsigned int i = 0; i <= p; ++i)
+          for (unsigned int j = 0; j <= p; ++j)
+            {
+              const auto [key, sign] = key_of_product(cell, i, j);
+              if (const auto found = numbers.find(key); found != numbers.end())
+                here.products.push_back({found->second, {{i, j}}, sign});
+            }
+        std::sort(here.products.begin(),
+                  here.products.end(),
+                  [](const Product &a, const Product &b) {
+                    return a.number < b.number;
+                  });
+        here.numbers = {0, 1, 2};
+        for (const Product &product : here.products)
+          here.numbers.push_back(product.number);
+      }
+  }
+
+
+
   void
   LagrangeElement::collect_numbers()
   {
@@ -212,10 +334,45 @@ namespace lamella
     const auto [position, jacobian] = geometry.map(cell, unit);
     FunctionValues     result       = linear_functions(position, jacobian);
     const Tensor<2, 2> to_real      = transpose(invert(jacobian));
-    const unsigned int across       = 1 - long_side;
-    const double       t = (position[across] - origin[across]) / column_length;
+    if (is_hierarchical())
+      append_products(cells[cell], unit, to_real, result);
+    else
+      append_functions(cells[cell], unit, to_real, result);
+    return result;
+  }
 
-    for (const LocalFunction &function : cells[cell].functions)
+
+
+  void
+  LagrangeElement::append_products(const Cell         &cell,
+                                   const Point<2>     &unit,
+                                   const Tensor<2, 2> &to_real,
+                                   FunctionValues     &values) const
+  {
+    std::array<std::vector<double>, 2> l, d;
+    for (unsigned int c = 0; c < 2; ++c)
+      integrated_legendre(degree(), unit[c], l[c], d[c]);
+    for (const auto &[number, indices, sign] : cell.products)
+      {
+        const auto [i, j] = indices;
+        values.values.push_back(sign * l[0][i] * l[1][j]);
+        values.gradients.push_back(
+          to_real *
+          Point<2>(sign * d[0][i] * l[1][j], sign * l[0][i] * d[1][j]));
+      }
+  }
+
+
+
+  void
+  LagrangeElement::append_functions(const Cell         &cell,
+                                    const Point<2>     &unit,
+                                    const Tensor<2, 2> &to_real,
+                                    FunctionValues     &values) const
+  {
+    const unsigned int across = 1 - long_side;
+    const double t = (values.position[across] - origin[across]) / column_length;
+    for (const LocalFunction &function : cell.functions)
       {
         double       value = 0.;
         Tensor<1, 2> gradient;
@@ -235,10 +392,9 @@ namespace lamella
             gradient[across] = value / column_length;
             value *= t;
           }
-        result.values.push_back(value);
-        result.gradients.push_back(gradient);
+        values.values.push_back(value);
+        values.gradients.push_back(gradient);
       }
-    return result;
   }
 
 
@@ -246,8 +402,28 @@ namespace lamella
   std::vector<EdgePoint>
   LagrangeElement::edge_points(const std::string &boundary) const
   {
-    const FE_Q<2>                    &fe = geometry.fe();
-    const QGauss<1>                   quadrature(fe.degree + 1);
+    return edge_points_of(geometry, boundary);
+  }
+
+
+
+  std::vector<EdgePoint>
+  LagrangeElement::coarse_edge_points(const std::string &boundary,
+                                      const unsigned int degree) const
+  {
+    return edge_points_of(degree <= coarse.size() ? *coarse[degree - 1] :
+                                                    geometry,
+                          boundary);
+  }
+
+
+
+  std::vector<EdgePoint>
+  LagrangeElement::edge_points_of(const SectionGeometry &grid,
+                                  const std::string     &boundary) const
+  {
+    const FE_Q<2>                    &fe = grid.fe();
+    const QGauss<1>                   quadrature(degree() + 1);
     std::map<unsigned int, EdgePoint> found;
     for (const auto &[c, f] : boundary_faces(boundary))
       for (unsigned int i = 0; i < fe.n_dofs_per_cell(); ++i)
@@ -255,9 +431,10 @@ namespace lamella
           const Point<2> unit = fe.unit_support_point(i);
           if (std::abs(unit[f / 2] - f % 2) > 1e-12)
             continue;
-          const unsigned int node  = geometry.nodes_of_cell(c)[i];
+          const unsigned int node  = grid.nodes_of_cell(c)[i];
           EdgePoint         &point = found[node];
-          point.position           = geometry.nodes()[node];
+          point.position           = &grid == &geometry ? grid.nodes()[node] :
+                                                          geometry.map(c, unit).position;
           point.cell               = c;
           point.unit               = unit;
           point.depth              = depth(c, f);
@@ -292,17 +469,36 @@ namespace lamella
   std::vector<EdgePoint>
   LagrangeElement::section_grid() const
   {
-    const FE_Q<2>         &fe = geometry.fe();
-    const QGauss<2>        quadrature(fe.degree + 1);
-    std::vector<EdgePoint> points(geometry.nodes().size());
+    return grid_points_of(geometry);
+  }
+
+
+
+  std::vector<EdgePoint>
+  LagrangeElement::coarse_section_grid(const unsigned int degree) const
+  {
+    return grid_points_of(degree <= coarse.size() ? *coarse[degree - 1] :
+                                                    geometry);
+  }
+
+
+
+  std::vector<EdgePoint>
+  LagrangeElement::grid_points_of(const SectionGeometry &grid) const
+  {
+    const FE_Q<2>         &fe = grid.fe();
+    const QGauss<2>        quadrature(degree() + 1);
+    std::vector<EdgePoint> points(grid.nodes().size());
     for (unsigned int c = 0; c < cells.size(); ++c)
       for (unsigned int i = 0; i < fe.n_dofs_per_cell(); ++i)
         {
-          const unsigned int node  = geometry.nodes_of_cell(c)[i];
+          const unsigned int node  = grid.nodes_of_cell(c)[i];
           EdgePoint         &point = points[node];
-          point.position           = geometry.nodes()[node];
           point.cell               = c;
           point.unit               = fe.unit_support_point(i);
+          point.position           = &grid == &geometry ?
+                                       grid.nodes()[node] :
+                                       geometry.map(c, point.unit).position;
           for (unsigned int q = 0; q < quadrature.size(); ++q)
             point.weight +=
               fe.shape_value(i, quadrature.point(q)) * quadrature.weight(q) *

@@ -318,8 +318,12 @@ namespace lamella
     const Theory                               of_section = theory.of_section();
     std::unique_ptr<const CrossSectionElement> element;
     if (of_section.kind == Theory::Kind::LE)
-      element =
-        std::make_unique<LagrangeElement>(std::move(mesh), of_section.order);
+      element = std::make_unique<LagrangeElement>(
+        std::move(mesh),
+        of_section.order,
+        LagrangeElement::usual_column_aspect,
+        of_section.hierarchical ? LagrangeElement::Basis::hierarchical :
+                                  LagrangeElement::Basis::nodal);
     else
       element =
         std::make_unique<TaylorElement>(std::move(mesh), of_section.order);

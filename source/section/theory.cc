@@ -86,7 +86,7 @@ namespace lamella
                       "",
                       dealii::Patterns::Anything(),
                       "Instead of Theory: one for each piece of the axis "
-                      "between Theory breaks, e.g. LE-2, SV-6, LE-2. LE-N and "
+                      "between Theory breaks, e.g. LE-2, SV-6, LE-3. LE-N and "
                       "SV-N only.");
     prm.declare_entry("Theory breaks",
                       "",
@@ -98,8 +98,8 @@ namespace lamella
                       patterns::WordOr("auto", patterns::Whole(1, 8)),
                       "Of SV and SV-N: the degree of the layer-wise functions "
                       "that their fields are made of. It costs section "
-                      "solutions, no DoFs. auto: 3, or that of LE-N where "
-                      "Theories has one.");
+                      "solutions, no DoFs. auto: 3, or the highest N of LE-N "
+                      "where Theories has one.");
     prm.declare_entry("Poisson correction",
                       "true",
                       dealii::Patterns::Bool(),
@@ -151,38 +151,47 @@ namespace lamella
 
 
 
-    /// All of one section space: that of the LE-N among them, or as @p order
-    /// says.
+    /// All of one section space: that of the highest LE-N among them, or as
+    /// @p order says.
     void
     set_section_orders(std::vector<Theory> &theories,
                        const Entry         &order,
                        const Entry         &all)
     {
       std::set<unsigned int> degrees, waves;
+      bool                   only_LE = true;
       for (const Theory &theory : theories)
         if (theory.kind == Theory::Kind::LE)
           degrees.insert(theory.order);
-        else if (theory.order > 0)
-          waves.insert(theory.order);
+        else
+          {
+            only_LE = false;
+            if (theory.order > 0)
+              waves.insert(theory.order);
+          }
       if (waves.size() > 1)
         all.refuse("SV-" + std::to_string(*waves.begin()) + " and SV-" +
                      std::to_string(*waves.rbegin()) +
                      " would answer at different wave numbers, which nothing "
                      "is won by",
                    "Give all pieces of SV-N the same N, or say SV.");
-      if (degrees.size() > 1)
-        all.refuse("LE-" + std::to_string(*degrees.begin()) + " and LE-" +
-                     std::to_string(*degrees.rbegin()) +
-                     " do not share their functions",
-                   "Give all pieces of LE-N the same N.");
-      if (!degrees.empty() && order.text() != "auto" &&
-          section_order_of(order) != *degrees.begin())
-        order.refuse("Theories has LE-" + std::to_string(*degrees.begin()) +
-                       ", whose functions all fields are made of",
+      const unsigned int highest = degrees.empty() ? 0 : *degrees.rbegin();
+      const unsigned int space   = order.text() == "auto" && highest > 0 ?
+                                     highest :
+                                     section_order_of(order);
+      if (space < highest)
+        order.refuse("Theories has LE-" + std::to_string(highest) +
+                       ", which functions of a lower degree do not hold",
+                     "Leave it at auto, or give " + std::to_string(highest) +
+                       " or more.");
+      if (only_LE && space > highest)
+        order.refuse("Theories has no SV-N whose fields would be of it",
                      "Leave it at auto.");
       for (Theory &theory : theories)
-        theory.section_order =
-          degrees.empty() ? section_order_of(order) : *degrees.begin();
+        {
+          theory.section_order = space;
+          theory.hierarchical  = !degrees.empty() && *degrees.begin() < space;
+        }
     }
   } // namespace
 
@@ -251,8 +260,12 @@ namespace lamella
   operator<(const Theory &a, const Theory &b)
   {
     const auto key = [](const Theory &t) {
-      return std::make_tuple(
-        t.kind, t.order, t.section_order, t.poisson_correction, t.shear_factor);
+      return std::make_tuple(t.kind,
+                             t.order,
+                             t.section_order,
+                             t.hierarchical,
+                             t.poisson_correction,
+                             t.shear_factor);
     };
     return key(a) < key(b);
   }

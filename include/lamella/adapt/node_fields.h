@@ -80,7 +80,10 @@ namespace lamella
    *   touches it, also to what is constant along the axis.
    * Something that holds the section as a whole stands in with the tractions
    * of the six warpings w, S_10 w and S_11 w. Fields are cut to what is
-   * independent. In `Theories` pieces of SV have none of these.
+   * independent. In `Theories` pieces of SV have none of these, and nodes of
+   * LE-q carry the section's fields of degree q and less
+   * (Section::field_degree()): at the end of such a piece those of the higher
+   * degree, and where it ends at SV all of them.
    *
    * The stress in an element is as poor as the poorest of its nodes, so where
    * one of @p asked lies in an element some of whose nodes are near something,

@@ -164,6 +164,9 @@ namespace lamella
     /// rotation is -w'; across it that of LE-N, or zero.
     std::array<unsigned int, 3>
     recovery_degrees() const override;
+    /// Across it the least degree of LE that a node of the axis element has.
+    std::array<unsigned int, 3>
+    recovery_degrees_of(const unsigned int cell) const override;
 
     std::vector<std::string>
     surfaces() const override;
@@ -171,6 +174,8 @@ namespace lamella
      * On a lateral surface a point for each node of the axis and each edge
      * point of the section (CrossSectionElement::edge_points), with the area
      * int N_i dy times the edge point's length. On an end the section's grid.
+     * Nodes that carry LE-q in a space of a higher degree have the points of
+     * LE-q: rows there must not outnumber what the node can deform.
      * `ends` and `all` are these one after the other: places that two of them
      * share come twice, each with its own normal.
      */
@@ -418,6 +423,11 @@ namespace lamella
     /// area the point's weight, its depth the length of the axis element there.
     SurfacePoint
     end_point(const EdgePoint &point, const bool at_start) const;
+
+    /// The degree of LE that @p node of the axis carries
+    /// (Section::field_degree()); that of the section for nodes with modes.
+    unsigned int
+    degree_at(const unsigned int node) const;
 
     /// Of the points @p points of the section, which fix all its fields, as few
     /// as a node with the fields @p list takes: for each component of the

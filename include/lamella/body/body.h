@@ -413,6 +413,14 @@ namespace lamella
     virtual std::array<unsigned int, 3>
     recovery_degrees() const = 0;
 
+    /// The same of the element @p cell where elements differ: at most the above
+    /// and zero along the same coordinates.
+    virtual std::array<unsigned int, 3>
+    recovery_degrees_of(const unsigned int) const
+    {
+      return recovery_degrees();
+    }
+
     /// Names that the functions below take: the named boundaries of the
     /// section, swept along the axis, then the two sections `start` and `end`,
     /// both of them as `ends`, and `all`, the whole surface. Who takes a name

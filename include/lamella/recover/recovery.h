@@ -66,6 +66,9 @@ namespace lamella
    * - A ply of one element through its thickness fixes degree p - 1 there:
    *   values are extrapolated from the reduced Gauss points.
    * - A corner on the edge of a larger element takes what that one has there.
+   * - Where degrees differ from element to element (nodes of LE-1 beside LE-2)
+   *   each has its own Gauss points, and a patch the least degree of its
+   *   elements.
    * - Along coordinates in which Body::recovery_degrees() is zero values are
    *   those at the point itself: Taylor theories are recovered along the axis
    *   only.
@@ -142,6 +145,11 @@ namespace lamella
     /// `nodal` the constant mean of the elements there.
     const PatchFit &
     own_fit(const unsigned int ply, const Place &node);
+
+    /// The degrees of a patch's fit: the least of its @p elements
+    /// (Body::recovery_degrees_of()).
+    std::array<unsigned int, 3>
+    degrees_of(const std::vector<Place> &elements) const;
 
     /// The fits that @p node takes, as above. Its own where that fixes all
     /// terms; else the richest, and of those the ones that share most elements,

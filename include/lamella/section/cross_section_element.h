@@ -114,6 +114,15 @@ namespace lamella
       return tau < 3 ? 0 : 1;
     }
 
+    /// Of functions that are hierarchical by degree the q of the LE-q that the
+    /// function completes: those of degree q and less are the leading ones, and
+    /// span LE-q. degree() of all others.
+    virtual unsigned int
+    function_degree(const unsigned int) const
+    {
+      return degree();
+    }
+
     /// The functions that do not vanish on @p cell, ascending. The first three
     /// are 0, 1, 2 on every cell. The reference stays valid.
     virtual const std::vector<unsigned int> &
@@ -149,6 +158,20 @@ namespace lamella
     /// The tributary areas of a beam's end faces.
     virtual std::vector<EdgePoint>
     section_grid() const = 0;
+
+    /// edge_points() and section_grid() for the functions of @p degree and less
+    /// (function_degree()): as few as these take. Those for all functions if
+    /// they are not hierarchical by degree.
+    virtual std::vector<EdgePoint>
+    coarse_edge_points(const std::string &boundary, const unsigned int) const
+    {
+      return edge_points(boundary);
+    }
+    virtual std::vector<EdgePoint>
+    coarse_section_grid(const unsigned int) const
+    {
+      return section_grid();
+    }
 
     /// The sides of cells, as pairs of cell and face, of the boundary @p name.
     /// Faces as deal.II numbers those of the unit square: xi = 0, xi = 1, eta =

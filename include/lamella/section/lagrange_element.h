@@ -6,6 +6,12 @@
 #include <lamella/section/cross_section_element.h>
 #include <lamella/shape/section_geometry.h>
 
+#include <algorithm>
+#include <array>
+#include <memory>
+#include <string>
+#include <vector>
+
 namespace lamella
 {
   /**
@@ -25,6 +31,29 @@ namespace lamella
    * differentiated analytically in z, and three of these to 1, x, z. (On one
    * that is much higher than wide x and z change places.)
    *
+   * Both are bases of LE-p alone. Where nodes of one beam are to carry LE-1,
+   * LE-2, ... the basis is *hierarchical* by degree, as that of deal.II's
+   * FE_Q_Hierarchical: the bilinear functions of the vertices, and products
+   *   l_i(xi) l_j(eta),   max(i, j) = 2, 3, ..., p,
+   *   l_0 = 1 - t,  l_1 = t,
+   *   l_k = int_(-1)^(2t-1) P_(k-1) / |P_(k-1)| ds   for k > 1
+   * (integrated Legendre polynomials, Szabo and Babuska 1991, which vanish at
+   * both ends), on edges where one of i, j is below 2, else inside of a cell.
+   * Odd ones on an edge change sign with its direction, which is from the
+   * vertex of the smaller number to the other, whatever cells make of it. Three
+   * vertices give way to 1, x, z. Functions are numbered degree after degree:
+   * the leading ones up to degree q span LE-q, so that LE-1 < LE-2 < ... are
+   * parts of one space and share one set of S_pq.
+   *
+   * (Not so always: it wins nothing for a body of one LE-p, whose factor and
+   * rows of contact fill by some per cent more, and condition numbers double;
+   * doc/theories.md has numbers. Columns have no like of it yet.)
+   *
+   * On curved cells the map is that of degree p for all functions. Parts of
+   * lower degree do not hold x and z by themselves, but 1, x, z are functions
+   * of their own: rigid motions are exact in each, and the part q is not
+   * exactly what LE-q with cells of its own shape would be.
+   *
    * On a mesh with cells in each ply that is the layer-wise (LW) expansion: u
    * is continuous, its derivatives may jump at ply interfaces, so transverse
    * strains do and transverse stresses need not.
@@ -36,6 +65,14 @@ namespace lamella
   class LagrangeElement : public CrossSectionElement
   {
   public:
+    /// Nodal functions, in columns where the section is slender, or
+    /// hierarchical ones, in which there are no columns.
+    enum class Basis
+    {
+      nodal,
+      hierarchical
+    };
+
     /// The ratio of width and height from which grids are built in columns:
     /// below it the columns only cost (their functions couple with more). Of
     /// the width over the height, or the other way round.
@@ -43,10 +80,18 @@ namespace lamella
 
     /// @p degree p from 1. @p column_aspect is the ratio of the long to the
     /// short side of a rectangular grid from which on it is built in columns.
-    /// Shares @p mesh.
+    /// A hierarchical basis takes no notice of it. Shares @p mesh.
     LagrangeElement(std::shared_ptr<const SectionMesh> mesh,
                     const unsigned int                 degree,
-                    const double column_aspect = usual_column_aspect);
+                    const double column_aspect = usual_column_aspect,
+                    const Basis  basis         = Basis::nodal);
+
+    /// Whether the basis is one in columns.
+    bool
+    has_columns() const
+    {
+      return in_columns;
+    }
 
     unsigned int
     degree() const override
@@ -61,11 +106,20 @@ namespace lamella
     }
 
     /// 0 for 1, x, z; 1 for warping, in a grid of columns for the functions of
-    /// whole columns, whose other nodal functions are of level 2.
+    /// whole columns, whose other nodal functions are of level 2; the degree of
+    /// hierarchical functions.
     unsigned int
     level(const unsigned int tau) const override
     {
       return levels[tau];
+    }
+
+    /// Of a hierarchical basis the q of the LE-q that the function completes;
+    /// 1, x, z belong to LE-1.
+    unsigned int
+    function_degree(const unsigned int tau) const override
+    {
+      return is_hierarchical() ? std::max(levels[tau], 1u) : degree();
     }
 
     const std::vector<unsigned int> &
@@ -102,6 +156,14 @@ namespace lamella
     std::vector<EdgePoint>
     section_grid() const override;
 
+    /// Of a hierarchical basis the nodes of LE-q, at their places in the map of
+    /// degree p.
+    std::vector<EdgePoint>
+    coarse_edge_points(const std::string &boundary,
+                       const unsigned int degree) const override;
+    std::vector<EdgePoint>
+    coarse_section_grid(const unsigned int degree) const override;
+
   private:
     /**
      * A function that does not vanish on a cell: the sum of the nodal
@@ -128,12 +190,23 @@ namespace lamella
       std::vector<unsigned int> nodes;
     };
 
-    /// What a cell evaluates, in the order of its numbers.
+    /// A hierarchical function on a cell: sign l_i(xi) l_j(eta), with its
+    /// number in the whole section.
+    struct Product
+    {
+      unsigned int                number;
+      std::array<unsigned int, 2> indices;
+      double                      sign;
+    };
+
+    /// What a cell evaluates, in the order of its numbers: functions or, of a
+    /// hierarchical basis, products.
     struct Cell
     {
-      /// 0, 1, 2 and those of functions, ascending.
+      /// 0, 1, 2 and those of functions or products, ascending.
       std::vector<unsigned int>  numbers;
       std::vector<LocalFunction> functions;
+      std::vector<Product>       products;
     };
 
     /// A grid of nodes: for each its place along the long side of the section
@@ -145,10 +218,16 @@ namespace lamella
       unsigned int              n_columns = 0, n_places = 0;
     };
 
-    /// The three nodes that give way: two far apart and a third far off their
-    /// line.
+    bool
+    is_hierarchical() const
+    {
+      return basis == Basis::hierarchical;
+    }
+
+    /// The three of @p nodes that give way: two far apart and a third far off
+    /// their line.
     std::array<unsigned int, 3>
-    replaced_nodes() const;
+    replaced_nodes(const std::vector<dealii::Point<2>> &nodes) const;
 
     /// The nodes as a grid of columns across the direction long_side, empty if
     /// they are none or the section is not slender. They are a grid if as many
@@ -165,15 +244,44 @@ namespace lamella
     void
     number_column_functions(const Grid &grid);
 
+    /// Numbers for the hierarchical basis, degree after degree.
+    void
+    number_hierarchical_functions();
+
+    /// Appends the functions of @p cell at @p unit to @p values; @p to_real
+    /// turns gradients on the unit square into those in x and z.
+    void
+    append_functions(const Cell                 &cell,
+                     const dealii::Point<2>     &unit,
+                     const dealii::Tensor<2, 2> &to_real,
+                     FunctionValues             &values) const;
+    void
+    append_products(const Cell                 &cell,
+                    const dealii::Point<2>     &unit,
+                    const dealii::Tensor<2, 2> &to_real,
+                    FunctionValues             &values) const;
+
+    /// edge_points() and section_grid() in the nodes of @p grid, which may be
+    /// of a lower degree than the map.
+    std::vector<EdgePoint>
+    edge_points_of(const SectionGeometry &grid,
+                   const std::string     &boundary) const;
+    std::vector<EdgePoint>
+    grid_points_of(const SectionGeometry &grid) const;
+
     /// Sorts the functions of each cell and lists their numbers.
     void
     collect_numbers();
 
     /// The isoparametric map in the expansion's own nodes.
     SectionGeometry geometry;
+    Basis           basis;
+    /// Of a hierarchical basis the nodes of the degrees 1 ... p - 1.
+    std::vector<std::unique_ptr<const SectionGeometry>> coarse;
     /// Of each function its level(); of each cell its functions.
     std::vector<unsigned int> levels;
     std::vector<Cell>         cells;
+    bool                      in_columns = false;
     /// Of a grid: 0 if the section is wide, 1 if it is high; and the length
     /// that makes the coordinate along a column dimensionless.
     unsigned int long_side     = 0;

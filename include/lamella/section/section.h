@@ -134,6 +134,15 @@ namespace lamella
       return fields[alpha];
     }
 
+    /// The degree of the functions of the field @p alpha
+    /// (CrossSectionElement::function_degree()). Where they are hierarchical by
+    /// degree it ascends with alpha.
+    unsigned int
+    field_degree(const unsigned int alpha) const
+    {
+      return expansion->function_degree(fields[alpha].terms[0].function);
+    }
+
     unsigned int
     n_cells() const
     {

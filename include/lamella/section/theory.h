@@ -55,6 +55,12 @@ namespace lamella
 
     static constexpr unsigned int default_section_order = 3;
 
+    /// Of LE, and of the LE that SV is made of: whether the functions are
+    /// hierarchical by degree, so that LE-q of lower degrees are parts of it
+    /// (LagrangeElement::Basis). The space is the same; only bodies whose nodes
+    /// mix degrees need it.
+    bool hierarchical = false;
+
     /**
      * Whether sections of EBBT, TBT and TE-1, whose own functions cannot
      * follow the contraction under bending, contract freely (Poisson locking
@@ -126,7 +132,7 @@ namespace lamella
 
     /// The theory whose fields are looked after by themselves: the first SV-N
     /// with the largest N, or else the LE of the highest degree; its section
-    /// order is the highest of all.
+    /// order is the degree of the section's space, that of all pieces.
     Theory
     leading() const;
   };
@@ -148,13 +154,17 @@ namespace lamella
     /// What `Theories` and `Theory breaks` say of a body of @p length; empty
     /// where there are none. Throws InputError for theories that cannot stand
     /// beside others (all but LE and SV), other numbers of theories than of
-    /// pieces, and breaks that do not ascend.
+    /// pieces, SV-N of different N, a section order below the highest degree of
+    /// LE, and breaks that do not ascend. All theories returned have one
+    /// section order, that of a space which holds them all; it is hierarchical
+    /// where an LE is of a lower degree.
     static TheoryPieces
     parse_pieces(const Entries &in, const double length);
   };
 
   /// For use as a key: theories that share the section's fields and matrices.
-  /// By kind, orders, Poisson correction and shear factor, one after the other.
+  /// By kind, orders, hierarchy, Poisson correction and shear factor, one after
+  /// the other.
   bool
   operator<(const Theory &a, const Theory &b);
 } // namespace lamella
