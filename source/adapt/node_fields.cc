@@ -6,6 +6,7 @@
 #include <lamella/section/section_response.h>
 
 #include <algorithm>
+#include <limits>
 #include <map>
 #include <numeric>
 #include <set>
@@ -24,13 +25,12 @@ namespace lamella
 
 
 
-    /// What touches a body, with the group of load vectors that each belongs
-    /// to.
+    /// What touches a body, with the groups that each belongs to.
     struct TouchedBody
     {
-      unsigned int              number;
-      std::vector<Touch>        touches;
-      std::vector<unsigned int> groups;
+      unsigned int                           number;
+      std::vector<Touch>                     touches;
+      std::vector<std::vector<unsigned int>> groups;
     };
 
 
@@ -53,6 +53,7 @@ namespace lamella
      * The fields of one section, for all bodies that have it and the same
      * theory. Load vectors come in groups, one for each thing that touches, the
      * same for two that touch alike (the two supports of a beam in bending).
+     * The zones of end fields are groups that bring their fields.
      */
     class FieldsOfSection
     {
@@ -64,6 +65,16 @@ namespace lamella
       /// The group of @p touch.
       unsigned int
       group_of(const Touch &touch);
+
+      /// Those of what holds a section as a whole as @p held say: the zones of
+      /// its end fields; the tractions of its touch @p touch where there are
+      /// none, or where the rules want these.
+      std::vector<unsigned int>
+      groups_of(const Touch &touch, const std::vector<HeldSection> &held);
+
+      /// How far along the axis the nodes carry the fields of group @p g.
+      double
+      reach_of(const unsigned int g) const;
 
       /// Whether there are wave numbers to answer at.
       bool
@@ -98,10 +109,38 @@ namespace lamella
         double              element = 0.;
         /// To the loads, and to the smooth ones.
         std::vector<Vector> near, far;
+        /// Of a zone of end fields, whose fields are `near`; else 0.
+        double reach = 0.;
+        /// Whether it holds a section as a whole.
+        bool holds = false;
+        /// The first of those near a node is the last to be added: inner zones
+        /// after outer ones, and these after what has load vectors.
+        std::pair<double, std::size_t>
+        order() const
+        {
+          return {reach > 0. ? reach : std::numeric_limits<double>::max(),
+                  loads.size()};
+        }
       };
 
-      double
-      lowest_wave() const;
+      /// What is held, with the zones of its end fields and their groups.
+      struct End
+      {
+        HeldSection               held;
+        std::vector<EndZone>      zones;
+        std::vector<unsigned int> groups;
+      };
+
+      /// The groups of the end fields of @p held, made once; from those of the
+      /// other end where that is its mirror image.
+      const std::vector<unsigned int> &
+      zones_of(const HeldSection &held);
+
+      bool
+      has_thin_walls() const;
+      /// Up to @p highest.
+      std::vector<double>
+      wave_numbers(const double highest) const;
       /// FieldRules::near_tolerance for N of the theory.
       double
       near_tolerance() const
@@ -124,6 +163,7 @@ namespace lamella
       std::vector<Group>             groups;
       bool                           responses_are_known = false;
       std::map<std::set<unsigned int>, std::vector<unsigned int>> lists;
+      std::vector<End>                                            ends;
     };
 
     FieldsOfSection::FieldsOfSection(std::shared_ptr<const Section> section_,
@@ -138,10 +178,18 @@ namespace lamella
       , modes(warpings)
     {}
 
+
+
     unsigned int
     FieldsOfSection::group_of(const Touch &touch)
     {
-      Group group{touch.loads, touch.smooth, touch.element, {}, {}};
+      Group group{touch.loads,
+                  touch.smooth,
+                  touch.element,
+                  {},
+                  {},
+                  0.,
+                  touch.holds_section};
       if (touch.holds_section)
         {
           // It answers to no load vector: it holds the warping w, with the
@@ -161,6 +209,7 @@ namespace lamella
         {
           bool same =
             groups[g].loads.size() == group.loads.size() &&
+            groups[g].reach == 0. &&
             std::abs(groups[g].element - group.element) < alike * group.element;
           for (unsigned int k = 0; same && k < group.loads.size(); ++k)
             {
@@ -177,16 +226,94 @@ namespace lamella
 
 
 
+    const std::vector<unsigned int> &
+    FieldsOfSection::zones_of(const HeldSection &held)
+    {
+      End         end{held, {}, {}};
+      HeldSection opposite  = held;
+      opposite.goes_forward = !held.goes_forward;
+      for (const End &known : ends)
+        {
+          if (alike(known.held, held))
+            return known.groups;
+          if (alike(known.held, opposite))
+            end.zones = mirrored(known.zones, *section, held);
+        }
+      if (end.zones.empty())
+        end.zones = end_fields(
+          section, states, warping, warpings, held, rules.end_fields);
+      for (const EndZone &zone : end.zones)
+        {
+          Group group;
+          group.element = held.element;
+          group.reach   = zone.reach;
+          group.holds   = true;
+          for (unsigned int j = 0; j < zone.fields.n(); ++j)
+            group.near.push_back(column_of(zone.fields, j));
+          end.groups.push_back(groups.size());
+          groups.push_back(group);
+        }
+      ends.push_back(std::move(end));
+      return ends.back().groups;
+    }
+
+
+
+    std::vector<unsigned int>
+    FieldsOfSection::groups_of(const Touch                    &touch,
+                               const std::vector<HeldSection> &held)
+    {
+      std::vector<unsigned int> result;
+      if (rules.clamps != FieldRules::Clamps::tractions)
+        for (const HeldSection &one : held)
+          {
+            const auto &zones = zones_of(one);
+            result.insert(result.end(), zones.begin(), zones.end());
+          }
+      if (result.empty() || rules.clamps == FieldRules::Clamps::both)
+        result.push_back(group_of(touch));
+      return result;
+    }
+
+
+
     double
-    FieldsOfSection::lowest_wave() const
+    FieldsOfSection::reach_of(const unsigned int g) const
     {
       const BoundingBox<2> box = section->element().bounding_box();
-      // Thin walls fill little of the box around them.
-      constexpr double walls = 0.5;
-      const bool       thin =
-        section->area() < walls * box.side_length(0) * box.side_length(1);
-      return (thin ? rules.lowest_wave_of_walls : rules.lowest_wave) /
-             std::max(box.side_length(0), box.side_length(1));
+      const double         a = box.side_length(0), b = box.side_length(1);
+      return groups[g].reach > 0. ? groups[g].reach :
+             groups[g].holds      ? rules.reach_of_clamp * std::max(a, b) :
+                                    rules.reach * std::min(a, b);
+    }
+
+
+
+    bool
+    FieldsOfSection::has_thin_walls() const
+    {
+      // They fill little of the box around them.
+      constexpr double     walls = 0.5;
+      const BoundingBox<2> box   = section->element().bounding_box();
+      return section->area() < walls * box.side_length(0) * box.side_length(1);
+    }
+
+
+
+    std::vector<double>
+    FieldsOfSection::wave_numbers(const double highest) const
+    {
+      const BoundingBox<2> box = section->element().bounding_box();
+      const double larger = std::max(box.side_length(0), box.side_length(1)),
+                   lowest = rules.lowest_wave / larger,
+                   last   = std::max(highest, 2. * lowest);
+      if (!has_thin_walls())
+        return in_equal_ratios(lowest, last, theory.order);
+      // Down to what walls need in no larger steps.
+      const double first = rules.lowest_wave_of_walls / larger;
+      const double steps =
+        (theory.order - 1) * std::log(last / first) / std::log(last / lowest);
+      return in_equal_ratios(first, last, 1 + std::ceil(steps));
     }
 
 
@@ -197,15 +324,17 @@ namespace lamella
       if (std::exchange(responses_are_known, true))
         return;
       double shortest = groups[0].element;
+      bool   any      = false;
       for (const Group &group : groups)
-        shortest = std::min(shortest, group.element);
-      const double          lowest = lowest_wave();
+        {
+          shortest = std::min(shortest, group.element);
+          any      = any || !group.loads.empty() || !group.smooth.empty();
+        }
+      if (!any)
+        return;
       const SectionResponse response(*section);
       double                last = 0.;
-      for (const double k :
-           in_equal_ratios(lowest,
-                           std::max(rules.highest_wave / shortest, 2. * lowest),
-                           theory.order))
+      for (const double k : wave_numbers(rules.highest_wave / shortest))
         {
           // Up to the first one above what each of them can show.
           const double                       before = std::exchange(last, k);
@@ -266,20 +395,24 @@ namespace lamella
         {
           // What the others there have, and what the smallest group adds to
           // it: lists that differ little share most of their modes.
-          const unsigned int last = *std::min_element(
-            near.begin(),
-            near.end(),
-            [this](const unsigned int a, const unsigned int b) {
-              return groups[a].loads.size() < groups[b].loads.size();
-            });
+          const unsigned int last =
+            *std::min_element(near.begin(),
+                              near.end(),
+                              [this](const unsigned int a,
+                                     const unsigned int b) {
+                                return groups[a].order() < groups[b].order();
+                              });
           std::set<unsigned int> others = near;
           others.erase(last);
           list = this->list(others);
           if (responds())
-            fresh = warping.basis(groups[last].near,
-                                  warpings,
-                                  columns_of(list),
-                                  near_tolerance());
+            {
+              find_responses();
+              fresh = warping.basis(groups[last].near,
+                                    warpings,
+                                    columns_of(list),
+                                    near_tolerance());
+            }
         }
       for (unsigned int j = 0; j < fresh.n(); ++j)
         list.push_back(section->n_fields() + modes.n() + j);
@@ -335,15 +468,8 @@ namespace lamella
     lists_of(const Beam            &beam,
              const TouchedBody     &touched,
              const BodyDescription &description,
-             FieldsOfSection       &fields,
-             const FieldRules      &rules)
+             FieldsOfSection       &fields)
     {
-      const BoundingBox<2> box = beam.section().element().bounding_box();
-      const double         a = box.side_length(0), b = box.side_length(1);
-      const auto           reach = [&](const Touch &touch) {
-        return touch.holds_section ? rules.reach_of_clamp * std::max(a, b) :
-                                               rules.reach * std::min(a, b);
-      };
       std::vector<unsigned int> all(beam.section().n_fields());
       std::iota(all.begin(), all.end(), 0);
       std::vector<std::vector<unsigned int>> lists;
@@ -351,9 +477,11 @@ namespace lamella
         {
           std::set<unsigned int> near;
           for (unsigned int t = 0; t < touched.touches.size(); ++t)
-            if (const Touch &touch = touched.touches[t];
-                y > touch.begin - reach(touch) && y < touch.end + reach(touch))
-              near.insert(touched.groups[t]);
+            for (const unsigned int group : touched.groups[t])
+              if (const double reach = fields.reach_of(group);
+                  y > touched.touches[t].begin - reach &&
+                  y < touched.touches[t].end + reach)
+                near.insert(group);
           // Between two pieces a node carries what the richer one wants.
           bool whole = false, plain = !description.pieces.empty();
           for (const Theory &theory :
@@ -415,6 +543,27 @@ namespace lamella
 
 
 
+    /// Those of each of the touches of @p body, whose axis is @p axis; without
+    /// end fields, which cost a solution, unless @p wants_responses.
+    std::vector<std::vector<unsigned int>>
+    groups_of(const Axis        &axis,
+              const TouchedBody &body,
+              FieldsOfSection   &fields,
+              const bool         wants_responses)
+    {
+      std::vector<std::vector<unsigned int>> groups;
+      for (unsigned int t = 0; t < body.touches.size(); ++t)
+        if (const Touch &touch = body.touches[t];
+            touch.holds_section && wants_responses)
+          groups.push_back(
+            fields.groups_of(touch, held_sections(body.touches, t, axis)));
+        else
+          groups.push_back({fields.group_of(touch)});
+      return groups;
+    }
+
+
+
     /// Replaces the bodies @p touched of one section and theory.
     void
     replace(Bodies                             &bodies,
@@ -430,15 +579,24 @@ namespace lamella
       const auto section = beam_of(touched[0].number).fields().shared_section();
       FieldsOfSection fields(section, theory, rules);
       for (TouchedBody &body : touched)
-        for (const Touch &touch : body.touches)
-          body.groups.push_back(fields.group_of(touch));
+        {
+          // A body that is going to keep all fields wants none.
+          const Axis &axis = beam_of(body.number).axis();
+          body.groups =
+            groups_of(axis,
+                      body,
+                      fields,
+                      theory.order > 0 &&
+                        (axis.n_nodes() > rules.least_nodes ||
+                         !descriptions[body.number].pieces.empty()));
+        }
 
       std::vector<std::vector<std::vector<unsigned int>>> lists;
       for (const TouchedBody &body : touched)
         {
           const Beam            &beam        = beam_of(body.number);
           const BodyDescription &description = descriptions[body.number];
-          lists.push_back(lists_of(beam, body, description, fields, rules));
+          lists.push_back(lists_of(beam, body, description, fields));
           for (const Touch &touch : body.touches)
             if (touch.presses && theory.order == 0 &&
                 description.pieces.empty())
