@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include <lamella/adapt/node_fields.h>
+#include <lamella/adapt/fields_of_section.h>
 #include <lamella/base/text.h>
-#include <lamella/section/saint_venant.h>
-#include <lamella/section/section_response.h>
 
 #include <algorithm>
+#include <limits>
 #include <map>
 #include <numeric>
 #include <set>
@@ -24,308 +23,15 @@ namespace lamella
 
 
 
-    /// What touches a body, with the group of load vectors that each belongs
-    /// to, and where its stresses are asked for.
+    /// What touches a body, with the groups that each belongs to, and where its
+    /// stresses are asked for.
     struct TouchedBody
     {
       unsigned int                           number;
       std::vector<Touch>                     touches;
       std::vector<std::pair<double, double>> asked;
-      std::vector<unsigned int>              groups;
+      std::vector<std::vector<unsigned int>> groups;
     };
-
-
-
-    /// @p n numbers from @p first to @p last in equal ratios.
-    std::vector<double>
-    in_equal_ratios(const double first, const double last, const unsigned int n)
-    {
-      std::vector<double> numbers;
-      for (unsigned int k = 0; k < n; ++k)
-        numbers.push_back(
-          n == 1 ? std::sqrt(first * last) :
-                   first * std::pow(last / first, double(k) / (n - 1)));
-      return numbers;
-    }
-
-
-
-    /**
-     * The fields of one section, for all bodies that have it and the same
-     * theory. Load vectors come in groups, one for each thing that touches, the
-     * same for two that touch alike (the two supports of a beam in bending).
-     */
-    class FieldsOfSection
-    {
-    public:
-      FieldsOfSection(std::shared_ptr<const Section> section,
-                      const Theory                  &theory,
-                      const FieldRules              &rules);
-
-      /// The group of @p touch.
-      unsigned int
-      group_of(const Touch &touch);
-
-      /// Whether there are wave numbers to answer at.
-      bool
-      responds() const
-      {
-        return theory.order > 0 && !groups.empty();
-      }
-
-      /// How many load vectors of the group @p group a support holds; none of
-      /// one that holds the section as a whole.
-      std::size_t
-      n_held(const unsigned int group) const
-      {
-        return groups[group].is_held ? groups[group].loads.size() : 0;
-      }
-
-      /// The list of a node near the groups @p near.
-      const std::vector<unsigned int> &
-      list(const std::set<unsigned int> &near);
-
-      /// That of a node of SV: the rigid fields and the warpings.
-      std::vector<unsigned int>
-      saint_venant_list() const;
-
-      /// The modes of @p list.
-      FieldColumns
-      columns_of(const std::vector<unsigned int> &list) const;
-
-      /// When no more lists are asked for.
-      std::shared_ptr<const FieldSpace>
-      space() const
-      {
-        return std::make_shared<FieldSpace>(section, modes);
-      }
-
-    private:
-      struct Group
-      {
-        std::vector<Vector> loads, smooth;
-        double              element = 0.;
-        bool                is_held = false;
-        /// To the loads, and to the smooth ones.
-        std::vector<Vector> near, far;
-      };
-
-      double
-      lowest_wave() const;
-      /// FieldRules::near_tolerance for N of the theory.
-      double
-      near_tolerance() const
-      {
-        return rules.near_tolerance *
-               std::min(1., 36. / double(theory.order * theory.order));
-      }
-      /// The responses of all groups, at one set of wave numbers: one
-      /// factorisation each.
-      void
-      find_responses();
-
-      std::shared_ptr<const Section> section;
-      Theory                         theory;
-      FieldRules                     rules;
-      SaintVenant                    states;
-      Warping                        warping;
-      FieldColumns                   warpings;
-      FieldColumns                   modes;
-      std::vector<Group>             groups;
-      bool                           responses_are_known = false;
-      std::map<std::set<unsigned int>, std::vector<unsigned int>> lists;
-    };
-
-    FieldsOfSection::FieldsOfSection(std::shared_ptr<const Section> section_,
-                                     const Theory                  &theory,
-                                     const FieldRules              &rules)
-      : section(std::move(section_))
-      , theory(theory)
-      , rules(rules)
-      , states(*section)
-      , warping(*section)
-      , warpings(saint_venant_warpings(states, warping))
-      , modes(warpings)
-    {}
-
-    unsigned int
-    FieldsOfSection::group_of(const Touch &touch)
-    {
-      Group group{touch.loads,
-                  touch.smooth,
-                  touch.element,
-                  touch.holds && !touch.holds_section,
-                  {},
-                  {}};
-      if (touch.holds_section)
-        {
-          // It answers to no load vector: it holds the warping w, with the
-          // tractions that w has as a value and as a derivative.
-          group.loads.clear();
-          for (unsigned int j = 0; j < warpings.n(); ++j)
-            for (const unsigned int q : {0, 1})
-              {
-                Vector traction(section->n_fields());
-                section->S(1, q).vmult(traction, column_of(warpings, j));
-                group.loads.push_back(traction);
-              }
-          group.smooth.clear();
-        }
-      constexpr double alike = 1e-6;
-      for (unsigned int g = 0; g < groups.size(); ++g)
-        {
-          bool same =
-            groups[g].loads.size() == group.loads.size() &&
-            std::abs(groups[g].element - group.element) < alike * group.element;
-          for (unsigned int k = 0; same && k < group.loads.size(); ++k)
-            {
-              Vector difference = group.loads[k];
-              difference -= groups[g].loads[k];
-              same = difference.l2_norm() < alike * group.loads[k].l2_norm();
-            }
-          if (same)
-            {
-              groups[g].is_held = groups[g].is_held || group.is_held;
-              return g;
-            }
-        }
-      groups.push_back(group);
-      return groups.size() - 1;
-    }
-
-
-
-    double
-    FieldsOfSection::lowest_wave() const
-    {
-      const BoundingBox<2> box = section->element().bounding_box();
-      // Thin walls fill little of the box around them.
-      constexpr double walls = 0.5;
-      const bool       thin =
-        section->area() < walls * box.side_length(0) * box.side_length(1);
-      return (thin ? rules.lowest_wave_of_walls : rules.lowest_wave) /
-             std::max(box.side_length(0), box.side_length(1));
-    }
-
-
-
-    void
-    FieldsOfSection::find_responses()
-    {
-      if (std::exchange(responses_are_known, true))
-        return;
-      double shortest = groups[0].element;
-      for (const Group &group : groups)
-        shortest = std::min(shortest, group.element);
-      const double          lowest = lowest_wave();
-      const SectionResponse response(*section);
-      double                last = 0.;
-      for (const double k :
-           in_equal_ratios(lowest,
-                           std::max(rules.highest_wave / shortest, 2. * lowest),
-                           theory.order))
-        {
-          // Up to the first one above what each of them can show.
-          const double                       before = std::exchange(last, k);
-          std::vector<Vector>                loads;
-          std::vector<std::vector<Vector> *> wanted_by;
-          const auto want = [&](const std::vector<Vector> &some,
-                                std::vector<Vector>       &fields,
-                                const double               highest) {
-            if (before < highest)
-              for (const Vector &load : some)
-                {
-                  loads.push_back(load);
-                  wanted_by.push_back(&fields);
-                }
-          };
-          for (Group &group : groups)
-            {
-              want(group.loads, group.near, rules.highest_wave / group.element);
-              want(group.smooth,
-                   group.far,
-                   rules.highest_wave_afar / warping.height());
-            }
-          const auto fields = response.at(k, loads);
-          for (unsigned int i = 0; i < loads.size(); ++i)
-            wanted_by[i]->insert(wanted_by[i]->end(),
-                                 fields[i].begin(),
-                                 fields[i].end());
-        }
-      for (Group &group : groups)
-        for (const Vector &load : group.smooth)
-          group.far.push_back(states.response_to_constant(load));
-    }
-
-
-
-    const std::vector<unsigned int> &
-    FieldsOfSection::list(const std::set<unsigned int> &near)
-    {
-      if (const auto known = lists.find(near); known != lists.end())
-        return known->second;
-      const bool                nothing_near = near.empty();
-      FieldColumns              fresh(section->n_fields(), 0);
-      std::vector<unsigned int> list;
-      if (nothing_near)
-        {
-          list = saint_venant_list();
-          if (responds())
-            {
-              find_responses();
-              std::vector<Vector> smooth;
-              for (const Group &group : groups)
-                smooth.insert(smooth.end(), group.far.begin(), group.far.end());
-              fresh =
-                warping.basis(smooth, warpings, warpings, rules.far_tolerance);
-            }
-        }
-      else
-        {
-          // What the others there have, and what the smallest group adds to
-          // it: lists that differ little share most of their modes.
-          const unsigned int last = *std::min_element(
-            near.begin(),
-            near.end(),
-            [this](const unsigned int a, const unsigned int b) {
-              return groups[a].loads.size() < groups[b].loads.size();
-            });
-          std::set<unsigned int> others = near;
-          others.erase(last);
-          list = this->list(others);
-          if (responds())
-            fresh = warping.basis(groups[last].near,
-                                  warpings,
-                                  columns_of(list),
-                                  near_tolerance());
-        }
-      for (unsigned int j = 0; j < fresh.n(); ++j)
-        list.push_back(section->n_fields() + modes.n() + j);
-      modes              = beside(modes, fresh);
-      return lists[near] = list;
-    }
-
-
-
-    std::vector<unsigned int>
-    FieldsOfSection::saint_venant_list() const
-    {
-      std::vector<unsigned int> list(6 + warpings.n());
-      std::iota(list.begin(), list.begin() + 6, 0);
-      std::iota(list.begin() + 6, list.end(), section->n_fields());
-      return list;
-    }
-
-
-
-    FieldColumns
-    FieldsOfSection::columns_of(const std::vector<unsigned int> &list) const
-    {
-      std::vector<unsigned int> numbers;
-      for (unsigned int j = 6; j < list.size(); ++j)
-        numbers.push_back(list[j] - section->n_fields());
-      return these_of(modes, numbers);
-    }
 
 
 
@@ -440,26 +146,22 @@ namespace lamella
 
 
 
-    /// The groups of load vectors that each node of @p beam is near.
+    /// The groups that each node of @p beam is near.
     std::vector<std::set<unsigned int>>
-    near_groups(const Beam        &beam,
-                const TouchedBody &touched,
-                const FieldRules  &rules)
+    near_groups(const Beam            &beam,
+                const TouchedBody     &touched,
+                const FieldsOfSection &fields)
     {
-      const BoundingBox<2> box = beam.section().element().bounding_box();
-      const double         a = box.side_length(0), b = box.side_length(1);
-      const auto           reach = [&](const Touch &touch) {
-        return touch.holds_section ? rules.reach_of_clamp * std::max(a, b) :
-                                               rules.reach * std::min(a, b);
-      };
       std::vector<std::set<unsigned int>> result;
       for (const double y : beam.axis().nodes())
         {
           result.emplace_back();
           for (unsigned int t = 0; t < touched.touches.size(); ++t)
-            if (const Touch &touch = touched.touches[t];
-                y > touch.begin - reach(touch) && y < touch.end + reach(touch))
-              result.back().insert(touched.groups[t]);
+            for (const unsigned int group : touched.groups[t])
+              if (const double reach = fields.reach_of(group);
+                  y > touched.touches[t].begin - reach &&
+                  y < touched.touches[t].end + reach)
+                result.back().insert(group);
         }
       return result;
     }
@@ -603,6 +305,56 @@ namespace lamella
 
 
 
+    /// Those of each of the touches of @p body, whose axis is @p axis; without
+    /// end fields, which cost a solution, unless @p wants_responses.
+    std::vector<std::vector<unsigned int>>
+    groups_of(const Axis        &axis,
+              const TouchedBody &body,
+              FieldsOfSection   &fields,
+              const bool         wants_responses)
+    {
+      std::vector<std::vector<unsigned int>> groups;
+      for (unsigned int t = 0; t < body.touches.size(); ++t)
+        if (const Touch &touch = body.touches[t];
+            touch.holds_section && wants_responses)
+          groups.push_back(
+            fields.groups_of(touch, held_sections(body.touches, t, axis)));
+        else
+          groups.push_back({fields.group_of(touch)});
+      return groups;
+    }
+
+
+
+    /// The fields of each node of @p beam into @p lists; or why it had better
+    /// keep all fields of its section, and no lists.
+    std::string
+    choose_lists(const Beam                             &beam,
+                 const TouchedBody                      &body,
+                 const BodyDescription                  &description,
+                 FieldsOfSection                        &fields,
+                 const FieldRules                       &rules,
+                 std::vector<std::vector<unsigned int>> &lists)
+    {
+      auto near = near_groups(beam, body, fields);
+      even_out(near, beam.axis(), body.asked);
+      // Theories are taken at their word, and SV has nothing to choose.
+      const bool may_keep_all =
+        description.pieces.empty() && description.theory.order > 0;
+      std::string why;
+      if (may_keep_all)
+        why = nothing_to_win(near, beam, fields, rules);
+      if (why.empty())
+        lists = lists_of(beam, near, description, fields);
+      if (may_keep_all && why.empty())
+        why = nothing_won(lists, beam, rules);
+      if (!why.empty())
+        lists.clear();
+      return why;
+    }
+
+
+
     /// Replaces the bodies @p touched of one section and theory.
     void
     replace(Bodies                             &bodies,
@@ -618,36 +370,32 @@ namespace lamella
       const auto section = beam_of(touched[0].number).fields().shared_section();
       FieldsOfSection fields(section, theory, rules);
       for (TouchedBody &body : touched)
-        for (const Touch &touch : body.touches)
-          body.groups.push_back(fields.group_of(touch));
+        {
+          // A body that is going to keep all fields wants none.
+          const Axis &axis = beam_of(body.number).axis();
+          body.groups =
+            groups_of(axis,
+                      body,
+                      fields,
+                      theory.order > 0 &&
+                        (axis.n_nodes() > rules.least_nodes ||
+                         !descriptions[body.number].pieces.empty()));
+        }
 
       std::vector<std::vector<std::vector<unsigned int>>> lists;
       for (const TouchedBody &body : touched)
         {
           const Beam            &beam        = beam_of(body.number);
           const BodyDescription &description = descriptions[body.number];
-          auto                   near        = near_groups(beam, body, rules);
-          even_out(near, beam.axis(), body.asked);
-          // Theories are taken at their word, and SV has nothing to choose.
-          const bool may_keep_all =
-            description.pieces.empty() && theory.order > 0;
-          std::string why;
-          if (may_keep_all)
-            why = nothing_to_win(near, beam, fields, rules);
           lists.emplace_back();
-          if (why.empty())
-            lists.back() = lists_of(beam, near, description, fields);
-          if (may_keep_all && why.empty())
-            why = nothing_won(lists.back(), beam, rules);
+          const std::string why =
+            choose_lists(beam, body, description, fields, rules, lists.back());
           if (!why.empty())
-            {
-              notes.push_back("body " + beam.name() + ": with " +
-                              theory.name() + " " + why +
-                              "; nothing is won there, and its nodes carry "
-                              "all fields of the section (" +
-                              section->theory().name() + ")");
-              lists.back().clear();
-            }
+            notes.push_back("body " + beam.name() + ": with " + theory.name() +
+                            " " + why +
+                            "; nothing is won there, and its nodes carry all "
+                            "fields of the section (" +
+                            section->theory().name() + ")");
           for (const Touch &touch : body.touches)
             if (touch.presses && theory.order == 0 &&
                 description.pieces.empty())

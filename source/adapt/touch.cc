@@ -234,6 +234,17 @@ namespace lamella
 
 
 
+    Row
+    row_of(const Vector &f)
+    {
+      Row row;
+      for (unsigned int alpha = 0; alpha < f.size(); ++alpha)
+        row.add(alpha, f[alpha]);
+      return row;
+    }
+
+
+
     /// One touch for each part of the axis that @p loads are on.
     void
     add_touches(const std::string       &name,
@@ -264,7 +275,10 @@ namespace lamella
           // A node's section as a whole, in one direction at least.
           touch.holds_section =
             at_node && here.size() > 30 && 4 * here.size() > here[0].f.size();
-          if (!touch.holds_section)
+          if (touch.holds_section)
+            for (const SectionLoad &load : here)
+              touch.held.push_back(row_of(load.f));
+          else
             {
               touch.loads  = independent_of(here);
               touch.smooth = smooth_of(here);

@@ -155,6 +155,45 @@ namespace lamella
 
 
 
+  Warping::Freed
+  Warping::freed(const std::vector<Vector> &snapshots,
+                 const FieldColumns        &warpings) const
+  {
+    Freed result;
+    result.fields.reinit(section.n_fields(), snapshots.size());
+    for (unsigned int j = 0; j < snapshots.size(); ++j)
+      {
+        Vector field = snapshots[j];
+        remove_rigid(field);
+        std::copy(field.begin(), field.end(), &result.fields(0, j));
+      }
+    result.metrics = metric(result.fields);
+    std::vector<double> before(snapshots.size());
+    for (unsigned int j = 0; j < before.size(); ++j)
+      before[j] = product(result.fields, result.metrics, j);
+    make_free_of(warpings, metric(warpings), result.fields, result.metrics);
+    for (unsigned int j = 0; j < before.size(); ++j)
+      {
+        const double square = product(result.fields, result.metrics, j);
+        result.norms.push_back(square > nothing_new * nothing_new * before[j] ?
+                                 std::sqrt(square) :
+                                 0.);
+      }
+    return result;
+  }
+
+
+
+  std::vector<double>
+  Warping::strengths(const std::vector<Vector> &snapshots,
+                     const FieldColumns        &warpings) const
+  {
+    return snapshots.empty() ? std::vector<double>() :
+                               freed(snapshots, warpings).norms;
+  }
+
+
+
   FieldColumns
   Warping::basis(const std::vector<Vector> &snapshots,
                  const FieldColumns        &warpings,
@@ -164,36 +203,38 @@ namespace lamella
     const unsigned int n = section.n_fields();
     if (snapshots.empty())
       return FieldColumns(n, 0);
-    FieldColumns fields(n, snapshots.size());
+    Freed                     free = freed(snapshots, warpings);
+    std::vector<unsigned int> fresh;
     for (unsigned int j = 0; j < snapshots.size(); ++j)
       {
-        Vector field = snapshots[j];
-        remove_rigid(field);
-        std::copy(field.begin(), field.end(), &fields(0, j));
-      }
-    FieldColumns        metrics = metric(fields);
-    std::vector<double> before(fields.n());
-    for (unsigned int j = 0; j < fields.n(); ++j)
-      before[j] = product(fields, metrics, j);
-    make_free_of(warpings, metric(warpings), fields, metrics);
-
-    std::vector<unsigned int> fresh;
-    for (unsigned int j = 0; j < fields.n(); ++j)
-      {
-        const double square = product(fields, metrics, j);
-        if (!(square > nothing_new * nothing_new * before[j]))
+        if (!(free.norms[j] > 0.))
           continue;
         fresh.push_back(j);
-        for (FieldColumns *columns : {&fields, &metrics})
+        for (FieldColumns *columns : {&free.fields, &free.metrics})
           for (unsigned int i = 0; i < n; ++i)
-            (*columns)(i, j) /= std::sqrt(square);
+            (*columns)(i, j) /= free.norms[j];
       }
     if (fresh.empty())
       return FieldColumns(n, 0);
-    fields  = these_of(fields, fresh);
-    metrics = these_of(metrics, fresh);
+    FieldColumns fields  = these_of(free.fields, fresh),
+                 metrics = these_of(free.metrics, fresh);
     make_free_of(known, metric(known), fields, metrics);
     return orthonormal(fields, metrics, tolerance);
+  }
+
+
+
+  FieldColumns
+  Warping::weighted_basis(const std::vector<Vector> &snapshots,
+                          const FieldColumns        &warpings,
+                          const FieldColumns        &known,
+                          const double               tolerance) const
+  {
+    if (snapshots.empty())
+      return FieldColumns(section.n_fields(), 0);
+    Freed free = freed(snapshots, warpings);
+    make_free_of(known, metric(known), free.fields, free.metrics);
+    return orthonormal(free.fields, free.metrics, tolerance);
   }
 
 

@@ -58,12 +58,12 @@ namespace lamella
   /**
    * Makes the axes of `Axis elements = auto` (AxisMesh::fineness) among
    * @p bodies: graded to what touches each of them, all sizes divided by its
-   * fineness, which is 0 afterwards. Contacts are looked for on equal elements first, then again on
-   * the graded ones; where bodies do not lie upon each other the place is that
-   * of the smallest gap, which a parabola through three rows gives. Supports
-   * of ends count as clamps; two bodies whose nodes a contact pairs, along the
-   * same line, are graded alike. What acts on a whole body or along all of its
-   * sides grades nothing.
+   * fineness, which is 0 afterwards. Contacts are looked for on equal elements
+   * first, then again on the graded ones; where bodies do not lie upon each
+   * other the place is that of the smallest gap, which a parabola through three
+   * rows gives. Supports of ends count as clamps; two bodies whose nodes a
+   * contact pairs, along the same line, are graded alike. What acts on a whole
+   * body or along all of its sides grades nothing.
    *
    * Throws what conditions and contacts throw. Collective where Beam is.
    */

@@ -8,7 +8,7 @@
 #ifndef lamella_adapt_node_fields_h
 #define lamella_adapt_node_fields_h
 
-#include <lamella/adapt/touch.h>
+#include <lamella/adapt/end_fields.h>
 #include <lamella/body/parameters.h>
 #include <lamella/recover/requests.h>
 
@@ -25,7 +25,9 @@ namespace lamella
   struct FieldRules
   {
     /// The smallest wave number, over the larger extent of the section, and
-    /// that of thin walls.
+    /// that of thin walls, which deform their section over long distances: they
+    /// have as many more wave numbers as it takes to reach it in equal ratios
+    /// that are no larger than without.
     double lowest_wave = 0.25, lowest_wave_of_walls = 0.05;
     /// The largest one near what touches, over h_e, and far from it, over H.
     double highest_wave = 10., highest_wave_afar = 4.;
@@ -34,9 +36,20 @@ namespace lamella
     /// digits.
     double near_tolerance = 3e-2, far_tolerance = 1e-2;
     /// Responses reach this many H beyond the elements that are touched, and
-    /// this many times the larger extent from where a section is held as a
-    /// whole: what a clamp disturbs dies away slowly in coupled laminates.
+    /// those to tractions of a clamp this many times the larger extent.
     double reach = 2., reach_of_clamp = 1.5;
+    /// What stands in for a support that holds a section as a whole: end
+    /// fields, each up to where its zone ends (EndFieldRules); the tractions
+    /// S_10 w and S_11 w of the six warpings w as load vectors; or both. Where
+    /// there are no end fields tractions stand in.
+    enum class Clamps
+    {
+      end_fields,
+      tractions,
+      both
+    };
+    Clamps        clamps = Clamps::end_fields;
+    EndFieldRules end_fields;
     /// A body keeps all fields of its section where its nodes would carry more
     /// than this share of them on average, or where its axis has no more nodes
     /// than that: nothing would be won.
@@ -78,12 +91,11 @@ namespace lamella
    *   highest_wave / h_e in equal ratios;
    * - elsewhere the responses to the mean and the linear part of all that
    *   touches it, also to what is constant along the axis.
-   * Something that holds the section as a whole stands in with the tractions
-   * of the six warpings w, S_10 w and S_11 w. Fields are cut to what is
-   * independent. In `Theories` pieces of SV have none of these, and nodes of
-   * LE-q carry the section's fields of degree q and less
-   * (Section::field_degree()): at the end of such a piece those of the higher
-   * degree, and where it ends at SV all of them.
+   * Beside what holds the section as a whole nodes carry end fields
+   * (end_fields()). Fields are cut to what is independent. In `Theories` pieces
+   * of SV have none of these, and nodes of LE-q carry the section's fields of
+   * degree q and less (Section::field_degree()): at the end of such a piece
+   * those of the higher degree, and where it ends at SV all of them.
    *
    * The stress in an element is as poor as the poorest of its nodes, so where
    * one of @p asked lies in an element some of whose nodes are near something,

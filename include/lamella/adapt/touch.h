@@ -38,6 +38,8 @@ namespace lamella
     double element = 0.;
     /// Whether it takes hold of the section as a whole: a clamp.
     bool holds_section = false;
+    /// Its rows then, r(u) = 0 each, their DoFs the fields of the section.
+    std::vector<Row> held;
     /// Whether it is a side of a contact, and whether a support.
     bool presses = false, holds = false;
   };

@@ -66,7 +66,33 @@ namespace lamella
           const FieldColumns        &known,
           const double               tolerance) const;
 
+    /// The norms of what is left of each of @p snapshots without its rigid part
+    /// and the columns @p warpings; 0 where that is rounding.
+    std::vector<double>
+    strengths(const std::vector<Vector> &snapshots,
+              const FieldColumns        &warpings) const;
+
+    /// basis() of snapshots that bring their own weights: not scaled, and what
+    /// is below @p tolerance is cut. Freed of the columns @p warpings and then
+    /// of @p known, which hold these; the strongest combination first.
+    FieldColumns
+    weighted_basis(const std::vector<Vector> &snapshots,
+                   const FieldColumns        &warpings,
+                   const FieldColumns        &known,
+                   const double               tolerance) const;
+
   private:
+    /// Fields without their rigid parts and the warpings, a column each, their
+    /// metric() and their norms (strengths()).
+    struct Freed
+    {
+      FieldColumns        fields, metrics;
+      std::vector<double> norms;
+    };
+    Freed
+    freed(const std::vector<Vector> &snapshots,
+          const FieldColumns        &warpings) const;
+
     const Section &section;
     double         smaller_extent;
     /// S_00 + (0.1 / H)^2 S_11.
@@ -79,9 +105,9 @@ namespace lamella
 
   /**
    * Columns that span what @p fields do and are orthonormal in a product M,
-   * where @p metrics are M times the fields, of unit norm each at most: X U
-   * Lambda^(-1/2) with the eigenvectors U of the Gram matrix X^T M X whose
-   * eigenvalues are above @p tolerance^2 times the largest, or times 1.
+   * where @p metrics are M times the fields: X U Lambda^(-1/2) with the
+   * eigenvectors U of the Gram matrix X^T M X whose eigenvalues are above
+   * @p tolerance^2 times the largest, or times 1 where that is less.
    */
   FieldColumns
   orthonormal(const FieldColumns &fields,

@@ -1,0 +1,475 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <lamella/adapt/end_fields.h>
+#include <lamella/adapt/graded_axis.h>
+#include <lamella/body/beam.h>
+#include <lamella/conditions/row_reduction.h>
+#include <lamella/conditions/stabilisation.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace lamella
+{
+  using namespace dealii;
+
+  namespace
+  {
+    constexpr unsigned int n_rigid = 6;
+    // Of a length.
+    constexpr double same_place = 1e-9;
+
+
+
+    /// The smaller and the larger extent of the section.
+    std::pair<double, double>
+    extents(const Section &section)
+    {
+      const BoundingBox<2> box = section.element().bounding_box();
+      return std::minmax({box.side_length(0), box.side_length(1)});
+    }
+
+
+
+    /// A beam of @p length with all fields, its axis graded to the held end.
+    std::unique_ptr<Beam>
+    make_piece(const std::shared_ptr<const Section> &section,
+               const HeldSection                    &held,
+               const double                          length,
+               const EndFieldRules                  &rules)
+    {
+      const double H = extents(*section).first;
+      AxisMesh     axis;
+      axis.length = length;
+      axis.breaks = graded_breaks(length,
+                                  {{held.goes_forward ? 0. : length,
+                                    std::clamp(held.element,
+                                               rules.shortest_element * H,
+                                               rules.longest_element * H)}});
+      axis.elements.assign(axis.breaks.size() + 1, 1);
+      return std::make_unique<Beam>("end",
+                                    section,
+                                    std::make_shared<const Axis>(axis),
+                                    Placement());
+    }
+
+
+
+    /// The rows of @p held at the DoFs of @p piece.
+    std::vector<PrescribedRow>
+    rows_of(const HeldSection &held, const Beam &piece)
+    {
+      const unsigned int node =
+        held.goes_forward ? 0 : piece.axis().n_nodes() - 1;
+      std::vector<PrescribedRow> rows;
+      for (const Row &row : held.rows)
+        {
+          PrescribedRow at_node;
+          for (const auto &[field, weight] : row.entries())
+            at_node.row.row.add(piece.dofs().first(node) + field, weight);
+          rows.push_back(at_node);
+        }
+      return rows;
+    }
+
+
+
+    /// The tractions of the six states on the section: S_10 a + S_11 b.
+    std::vector<Vector>
+    tractions(const SaintVenant &states)
+    {
+      const Section      &section = states.of_section();
+      std::vector<Vector> result;
+      for (unsigned int k = 0; k < states.values().size(); ++k)
+        {
+          Vector load(section.n_fields());
+          section.S(1, 0).vmult(load, states.values()[k]);
+          section.S(1, 1).vmult_add(load, states.derivatives()[k]);
+          result.push_back(load);
+        }
+      return result;
+    }
+
+
+
+    /// The section forces at the held end, in the order of SaintVenant::Force,
+    /// of the section load @p load at the distance @p arm in y from it.
+    Tensor<1, 6>
+    forces_at_end(const Section &section, const Vector &load, const double arm)
+    {
+      namespace Rigid = RigidField;
+      const double h  = section.element().reference_length();
+      Tensor<1, 6> forces;
+      forces[SaintVenant::F_x] = load[Rigid::translation_x];
+      forces[SaintVenant::F_y] = load[Rigid::translation_y];
+      forces[SaintVenant::F_z] = load[Rigid::translation_z];
+      forces[SaintVenant::M_y] = h * load[Rigid::rotation_y];
+      forces[SaintVenant::M_x] =
+        arm * load[Rigid::translation_z] - h * load[Rigid::slope_z];
+      forces[SaintVenant::M_z] =
+        h * load[Rigid::slope_x] - arm * load[Rigid::translation_x];
+      return forces;
+    }
+
+
+
+    /// Eigenvalues, ascending, and eigenvectors of the symmetric @p matrix.
+    std::pair<Vector, FullMatrix<double>>
+    eigenvalues_of(const LAPACKFullMatrix<double> &matrix)
+    {
+      LAPACKFullMatrix<double>              copy = matrix;
+      std::pair<Vector, FullMatrix<double>> result;
+      const double bound = 2. * matrix.frobenius_norm() + 1e-300;
+      copy.set_property(LAPACKSupport::symmetric);
+      copy.compute_eigenvalues_symmetric(
+        -bound, bound, 0., result.first, result.second);
+      return result;
+    }
+
+
+
+    /// The rigid motions of @p piece that @p rows leave free.
+    std::vector<Vector>
+    free_motions(const Beam &piece, const std::vector<PrescribedRow> &rows)
+    {
+      constexpr double          nothing = 1e-12;
+      const std::vector<Vector> rigid   = piece.rigid_motions();
+      LAPACKFullMatrix<double>  gram(n_rigid, n_rigid);
+      for (const PrescribedRow &row : rows)
+        {
+          std::array<double, n_rigid> value;
+          for (unsigned int j = 0; j < n_rigid; ++j)
+            value[j] = row.row.row(rigid[j]) / rigid[j].linfty_norm();
+          for (unsigned int i = 0; i < n_rigid; ++i)
+            for (unsigned int j = 0; j < n_rigid; ++j)
+              gram(i, j) += value[i] * value[j];
+        }
+      const auto [values, vectors] = eigenvalues_of(gram);
+      std::vector<Vector> result;
+      for (unsigned int k = 0; k < n_rigid; ++k)
+        if (values[k] < nothing * values[n_rigid - 1])
+          {
+            Vector motion(piece.n_dofs());
+            for (unsigned int j = 0; j < n_rigid; ++j)
+              motion.add(vectors(j, k) / rigid[j].linfty_norm(), rigid[j]);
+            result.push_back(motion);
+          }
+      return result;
+    }
+
+
+
+    /// Combinations of six loads, a column each, that do no work on the free
+    /// motions: @p work is that of the loads on each of these.
+    FullMatrix<double>
+    without_work(const std::vector<Tensor<1, 6>> &work)
+    {
+      // Of squares.
+      constexpr double         nothing = 1e-10;
+      LAPACKFullMatrix<double> gram(n_rigid, n_rigid);
+      for (const Tensor<1, 6> &one : work)
+        for (unsigned int i = 0; i < n_rigid; ++i)
+          for (unsigned int j = 0; j < n_rigid; ++j)
+            gram(i, j) += one[i] * one[j] / one.norm_square();
+      const auto [values, vectors] = eigenvalues_of(gram);
+      unsigned int n               = 0;
+      while (n < n_rigid && values[n] < nothing)
+        ++n;
+      FullMatrix<double> result(n_rigid, n);
+      for (unsigned int k = 0; k < n; ++k)
+        for (unsigned int i = 0; i < n_rigid; ++i)
+          result(i, k) = vectors(i, k);
+      return result;
+    }
+
+
+
+    /// Section loads at the far end of @p piece, @p arm from the held one,
+    /// as end_fields() says.
+    std::vector<Vector>
+    end_loads(const SaintVenant         &states,
+              const Beam                &piece,
+              const unsigned int         far_node,
+              const double               arm,
+              const std::vector<Vector> &motions)
+    {
+      const Section      &section = states.of_section();
+      std::vector<Vector> loads   = tractions(states);
+      // Unit energy each, so that no digits are lost by powers of lengths.
+      for (Vector &load : loads)
+        {
+          const Tensor<1, 6> s = forces_at_end(section, load, arm);
+          load /= std::sqrt(s * (states.compliance() * s));
+        }
+      std::vector<Tensor<1, 6>> work(motions.size());
+      const DofIndex            first = piece.dofs().first(far_node);
+      for (unsigned int m = 0; m < motions.size(); ++m)
+        for (unsigned int k = 0; k < n_rigid; ++k)
+          for (unsigned int a = 0; a < loads[k].size(); ++a)
+            work[m][k] += motions[m][first + a] * loads[k][a];
+      const FullMatrix<double> parts = without_work(work);
+      const unsigned int       n     = parts.n();
+
+      std::vector<Vector> combined(n, Vector(section.n_fields()));
+      for (unsigned int k = 0; k < n; ++k)
+        for (unsigned int i = 0; i < n_rigid; ++i)
+          combined[k].add(parts(i, k), loads[i]);
+      LAPACKFullMatrix<double> energy(n, n);
+      for (unsigned int k = 0; k < n; ++k)
+        for (unsigned int l = 0; l < n; ++l)
+          energy(k, l) =
+            forces_at_end(section, combined[k], arm) *
+            (states.compliance() * forces_at_end(section, combined[l], arm));
+      std::vector<Vector> result(n, Vector(section.n_fields()));
+      if (n == 0)
+        return result;
+      const auto [values, vectors] = eigenvalues_of(energy);
+      for (unsigned int k = 0; k < n; ++k)
+        for (unsigned int l = 0; l < n; ++l)
+          result[k].add(vectors(l, k) / std::sqrt(values[k]), combined[l]);
+      return result;
+    }
+
+
+
+    /// The displacements of @p piece under the six loads.
+    std::vector<Vector>
+    solutions(const Beam                       &piece,
+              const SaintVenant                &states,
+              const HeldSection                &held,
+              const std::vector<PrescribedRow> &rows)
+    {
+      const RowReduction        reduction(piece, 0, rows, {"end"});
+      const std::vector<Vector> motions = free_motions(piece, rows);
+      std::vector<SpringTerm>   springs;
+      // No load works on them: how stiff they are does not matter.
+      if (!motions.empty())
+        for (const Spring &spring : stabilising_springs(piece, 0, rows, {1.}))
+          springs.emplace_back(spring.row, spring.stiffness);
+      const unsigned int last = piece.axis().n_nodes() - 1,
+                         far  = held.goes_forward ? last : 0;
+      const double arm = (held.goes_forward ? 1. : -1.) * piece.axis().length();
+      std::vector<Vector> u;
+      for (const Vector &load : end_loads(states, piece, far, arm, motions))
+        {
+          Vector f(piece.n_dofs());
+          for (unsigned int a = 0; a < load.size(); ++a)
+            f[piece.dofs().first(far) + a] = load[a];
+          reduction.constraints().condense(f);
+          u.push_back(f);
+        }
+      if (u.empty())
+        return u;
+      piece.make_solver(reduction.constraints(), springs)->solve_all(u);
+      for (Vector &one : u)
+        reduction.constraints().distribute(one);
+      return u;
+    }
+
+
+
+    /// What a piece tells: weighted section vectors, and how far from the held
+    /// end each is.
+    struct Snapshots
+    {
+      std::vector<Vector> vectors;
+      std::vector<double> weights, distances;
+    };
+
+
+
+    Snapshots
+    snapshots_of(const Beam                &piece,
+                 const std::vector<Vector> &u,
+                 const HeldSection         &held)
+    {
+      const Axis  &axis    = piece.axis();
+      const auto   lengths = axis.node_weights();
+      const double H       = extents(piece.section()).first;
+      Snapshots    result;
+      for (unsigned int node = 0; node < axis.n_nodes(); ++node)
+        for (const Vector &one : u)
+          {
+            const auto first = one.begin() + piece.dofs().first(node);
+            Vector     v(first, first + piece.section().n_fields());
+            result.weights.push_back(std::sqrt(lengths[node] / H));
+            v *= result.weights.back();
+            result.vectors.push_back(v);
+            result.distances.push_back(held.goes_forward ?
+                                         axis.nodes()[node] :
+                                         axis.length() - axis.nodes()[node]);
+          }
+      return result;
+    }
+  } // namespace
+
+
+
+  std::vector<HeldSection>
+  held_sections(const std::vector<Touch> &touches,
+                const unsigned int        t,
+                const Axis               &axis)
+  {
+    const double y = touches[t].begin, tolerance = same_place * axis.length();
+    HeldSection  held;
+    held.element = touches[t].element;
+    for (const Touch &touch : touches)
+      if (touch.holds_section && std::abs(touch.begin - y) < tolerance)
+        held.rows.insert(held.rows.end(), touch.held.begin(), touch.held.end());
+    std::vector<HeldSection> result;
+    for (const bool forward : {true, false})
+      if (forward ? y < axis.length() - tolerance : y > tolerance)
+        {
+          held.goes_forward = forward;
+          result.push_back(held);
+        }
+    return result;
+  }
+
+
+
+  bool
+  alike(const HeldSection &a, const HeldSection &b)
+  {
+    constexpr double rounding = 1e-6;
+    if (a.goes_forward != b.goes_forward || a.rows.size() != b.rows.size() ||
+        std::abs(a.element - b.element) > rounding * a.element)
+      return false;
+    const auto same = [](const Row &r, const Row &s) {
+      return std::equal(r.entries().begin(),
+                        r.entries().end(),
+                        s.entries().begin(),
+                        s.entries().end(),
+                        [](const Row::Entry &e, const Row::Entry &f) {
+                          return e.first == f.first &&
+                                 std::abs(e.second - f.second) < rounding;
+                        });
+    };
+    return std::equal(a.rows.begin(), a.rows.end(), b.rows.begin(), same);
+  }
+
+
+
+  namespace
+  {
+    /// The zones of @p found, as end_fields() says.
+    std::vector<EndZone>
+    zones_of(const Snapshots     &found,
+             const Warping       &warping,
+             const FieldColumns  &warpings,
+             const double         larger,
+             const EndFieldRules &rules)
+    {
+      // Over the larger extent: inner fields go on into the next zone, since a
+      // stress in an element whose nodes differ is as poor as the poorer one.
+      constexpr double    overlap = 0.5;
+      std::vector<double> norms   = warping.strengths(found.vectors, warpings);
+      for (unsigned int k = 0; k < norms.size(); ++k)
+        norms[k] /= found.weights[k];
+      const double largest = *std::max_element(norms.begin(), norms.end());
+      double       reach   = 0.;
+      for (unsigned int k = 0; k < norms.size(); ++k)
+        if (norms[k] > std::max(rules.rest * largest, rules.tolerance))
+          reach = std::max(reach, found.distances[k]);
+
+      std::vector<EndZone> zones;
+      FieldColumns         known = warpings;
+      for (unsigned int z = rules.zones.size(); z-- > 0;)
+        {
+          const double        begin = rules.zones[z] * larger;
+          std::vector<Vector> from_there;
+          for (unsigned int k = 0; k < norms.size(); ++k)
+            if (found.distances[k] >= begin && found.distances[k] <= reach)
+              from_there.push_back(found.vectors[k]);
+          EndZone zone;
+          zone.fields = warping.weighted_basis(from_there,
+                                               warpings,
+                                               known,
+                                               rules.tolerance);
+          zone.reach =
+            z + 1 < rules.zones.size() ?
+              std::min((rules.zones[z + 1] + overlap) * larger, reach) :
+              reach;
+          if (zone.fields.n() == 0)
+            continue;
+          known = beside(known, zone.fields);
+          zones.push_back(std::move(zone));
+        }
+      return zones;
+    }
+
+
+
+    /// What a mirror across the axis makes of the field @p alpha: -1 where it
+    /// is along the axis, 1 across; 0 where it is both.
+    int
+    parity(const Section &section, const unsigned int alpha)
+    {
+      const auto &terms = section.field(alpha).terms;
+      const auto  along =
+        std::count_if(terms.begin(), terms.end(), [](const auto &term) {
+          return term.component == 1;
+        });
+      return along == 0 ? 1 : (along == int(terms.size()) ? -1 : 0);
+    }
+  } // namespace
+
+
+
+  std::vector<EndZone>
+  end_fields(const std::shared_ptr<const Section> &section,
+             const SaintVenant                    &states,
+             const Warping                        &warping,
+             const FieldColumns                   &warpings,
+             const HeldSection                    &held,
+             const EndFieldRules                  &rules)
+  {
+    const double larger = extents(*section).second;
+    const auto piece = make_piece(section, held, rules.length * larger, rules);
+    if (piece->n_dofs() > rules.most_dofs)
+      return {};
+    const std::vector<Vector> u =
+      solutions(*piece, states, held, rows_of(held, *piece));
+    if (u.empty())
+      return {};
+    return zones_of(
+      snapshots_of(*piece, u, held), warping, warpings, larger, rules);
+  }
+
+
+
+  std::vector<EndZone>
+  mirrored(const std::vector<EndZone> &zones,
+           const Section              &section,
+           const HeldSection          &held)
+  {
+    constexpr double rounding = 1e-12;
+    std::vector<int> sign(section.n_fields());
+    for (unsigned int a = 0; a < sign.size(); ++a)
+      sign[a] = parity(section, a);
+    if (std::count(sign.begin(), sign.end(), 0) > 0)
+      return {};
+    for (const Row &row : held.rows)
+      for (const auto &[field, weight] : row.entries())
+        if (sign[field] != sign[row.entries()[0].first])
+          return {};
+    // A mirror image has the opposite S_01 and the same S_00 and S_11.
+    for (const auto &[p, q, opposite] :
+         {std::array<int, 3>{{0, 0, 1}}, {{1, 1, 1}}, {{0, 1, -1}}})
+      {
+        const Matrix &S       = section.S(p, q);
+        const double  nothing = rounding * S.linfty_norm();
+        for (unsigned int a = 0; a < sign.size(); ++a)
+          for (auto entry = S.begin(a); entry != S.end(a); ++entry)
+            if (sign[a] * sign[entry->column()] != opposite &&
+                std::abs(entry->value()) > nothing)
+              return {};
+      }
+    std::vector<EndZone> result = zones;
+    for (EndZone &zone : result)
+      for (unsigned int j = 0; j < zone.fields.n(); ++j)
+        for (unsigned int a = 0; a < sign.size(); ++a)
+          zone.fields(a, j) *= sign[a];
+    return result;
+  }
+} // namespace lamella

@@ -1,0 +1,309 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <lamella/adapt/fields_of_section.h>
+#include <lamella/section/section_response.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace lamella
+{
+  using namespace dealii;
+
+  namespace
+  {
+    /// @p n numbers from @p first to @p last in equal ratios.
+    std::vector<double>
+    in_equal_ratios(const double first, const double last, const unsigned int n)
+    {
+      std::vector<double> numbers;
+      for (unsigned int k = 0; k < n; ++k)
+        numbers.push_back(
+          n == 1 ? std::sqrt(first * last) :
+                   first * std::pow(last / first, double(k) / (n - 1)));
+      return numbers;
+    }
+  } // namespace
+
+
+
+  FieldsOfSection::FieldsOfSection(std::shared_ptr<const Section> section_,
+                                   const Theory                  &theory,
+                                   const FieldRules              &rules)
+    : section(std::move(section_))
+    , theory(theory)
+    , rules(rules)
+    , states(*section)
+    , warping(*section)
+    , warpings(saint_venant_warpings(states, warping))
+    , modes(warpings)
+  {}
+
+
+
+  unsigned int
+  FieldsOfSection::group_of(const Touch &touch)
+  {
+    Group group{touch.loads,
+                touch.smooth,
+                touch.element,
+                touch.holds && !touch.holds_section,
+                {},
+                {},
+                0.,
+                touch.holds_section};
+    if (touch.holds_section)
+      {
+        // It answers to no load vector: it holds the warping w, with the
+        // tractions that w has as a value and as a derivative.
+        group.loads.clear();
+        for (unsigned int j = 0; j < warpings.n(); ++j)
+          for (const unsigned int q : {0, 1})
+            {
+              Vector traction(section->n_fields());
+              section->S(1, q).vmult(traction, column_of(warpings, j));
+              group.loads.push_back(traction);
+            }
+        group.smooth.clear();
+      }
+    constexpr double alike = 1e-6;
+    for (unsigned int g = 0; g < groups.size(); ++g)
+      {
+        bool same =
+          groups[g].loads.size() == group.loads.size() &&
+          groups[g].reach == 0. &&
+          std::abs(groups[g].element - group.element) < alike * group.element;
+        for (unsigned int k = 0; same && k < group.loads.size(); ++k)
+          {
+            Vector difference = group.loads[k];
+            difference -= groups[g].loads[k];
+            same = difference.l2_norm() < alike * group.loads[k].l2_norm();
+          }
+        if (same)
+          {
+            groups[g].is_held = groups[g].is_held || group.is_held;
+            return g;
+          }
+      }
+    groups.push_back(group);
+    return groups.size() - 1;
+  }
+
+
+
+  const std::vector<unsigned int> &
+  FieldsOfSection::zones_of(const HeldSection &held)
+  {
+    End         end{held, {}, {}};
+    HeldSection opposite  = held;
+    opposite.goes_forward = !held.goes_forward;
+    for (const End &known : ends)
+      {
+        if (alike(known.held, held))
+          return known.groups;
+        if (alike(known.held, opposite))
+          end.zones = mirrored(known.zones, *section, held);
+      }
+    if (end.zones.empty())
+      end.zones =
+        end_fields(section, states, warping, warpings, held, rules.end_fields);
+    for (const EndZone &zone : end.zones)
+      {
+        Group group;
+        group.element = held.element;
+        group.reach   = zone.reach;
+        group.holds   = true;
+        for (unsigned int j = 0; j < zone.fields.n(); ++j)
+          group.near.push_back(column_of(zone.fields, j));
+        end.groups.push_back(groups.size());
+        groups.push_back(group);
+      }
+    ends.push_back(std::move(end));
+    return ends.back().groups;
+  }
+
+
+
+  std::vector<unsigned int>
+  FieldsOfSection::groups_of(const Touch                    &touch,
+                             const std::vector<HeldSection> &held)
+  {
+    std::vector<unsigned int> result;
+    if (rules.clamps != FieldRules::Clamps::tractions)
+      for (const HeldSection &one : held)
+        {
+          const auto &zones = zones_of(one);
+          result.insert(result.end(), zones.begin(), zones.end());
+        }
+    if (result.empty() || rules.clamps == FieldRules::Clamps::both)
+      result.push_back(group_of(touch));
+    return result;
+  }
+
+
+
+  double
+  FieldsOfSection::reach_of(const unsigned int g) const
+  {
+    const BoundingBox<2> box = section->element().bounding_box();
+    const double         a = box.side_length(0), b = box.side_length(1);
+    return groups[g].reach > 0. ? groups[g].reach :
+           groups[g].holds      ? rules.reach_of_clamp * std::max(a, b) :
+                                  rules.reach * std::min(a, b);
+  }
+
+
+
+  bool
+  FieldsOfSection::has_thin_walls() const
+  {
+    // They fill little of the box around them.
+    constexpr double     walls = 0.5;
+    const BoundingBox<2> box   = section->element().bounding_box();
+    return section->area() < walls * box.side_length(0) * box.side_length(1);
+  }
+
+
+
+  std::vector<double>
+  FieldsOfSection::wave_numbers(const double highest) const
+  {
+    const BoundingBox<2> box = section->element().bounding_box();
+    const double larger      = std::max(box.side_length(0), box.side_length(1)),
+                 lowest      = rules.lowest_wave / larger,
+                 last        = std::max(highest, 2. * lowest);
+    if (!has_thin_walls())
+      return in_equal_ratios(lowest, last, theory.order);
+    // Down to what walls need in no larger steps.
+    const double first = rules.lowest_wave_of_walls / larger;
+    const double steps =
+      (theory.order - 1) * std::log(last / first) / std::log(last / lowest);
+    return in_equal_ratios(first, last, 1 + std::ceil(steps));
+  }
+
+
+
+  void
+  FieldsOfSection::find_responses()
+  {
+    if (std::exchange(responses_are_known, true))
+      return;
+    double shortest = groups[0].element;
+    bool   any      = false;
+    for (const Group &group : groups)
+      {
+        shortest = std::min(shortest, group.element);
+        any      = any || !group.loads.empty() || !group.smooth.empty();
+      }
+    if (!any)
+      return;
+    const SectionResponse response(*section);
+    double                last = 0.;
+    for (const double k : wave_numbers(rules.highest_wave / shortest))
+      {
+        // Up to the first one above what each of them can show.
+        const double                       before = std::exchange(last, k);
+        std::vector<Vector>                loads;
+        std::vector<std::vector<Vector> *> wanted_by;
+        const auto want = [&](const std::vector<Vector> &some,
+                              std::vector<Vector>       &fields,
+                              const double               highest) {
+          if (before < highest)
+            for (const Vector &load : some)
+              {
+                loads.push_back(load);
+                wanted_by.push_back(&fields);
+              }
+        };
+        for (Group &group : groups)
+          {
+            want(group.loads, group.near, rules.highest_wave / group.element);
+            want(group.smooth,
+                 group.far,
+                 rules.highest_wave_afar / warping.height());
+          }
+        const auto fields = response.at(k, loads);
+        for (unsigned int i = 0; i < loads.size(); ++i)
+          wanted_by[i]->insert(wanted_by[i]->end(),
+                               fields[i].begin(),
+                               fields[i].end());
+      }
+    for (Group &group : groups)
+      for (const Vector &load : group.smooth)
+        group.far.push_back(states.response_to_constant(load));
+  }
+
+
+
+  const std::vector<unsigned int> &
+  FieldsOfSection::list(const std::set<unsigned int> &near)
+  {
+    if (const auto known = lists.find(near); known != lists.end())
+      return known->second;
+    const bool                nothing_near = near.empty();
+    FieldColumns              fresh(section->n_fields(), 0);
+    std::vector<unsigned int> list;
+    if (nothing_near)
+      {
+        list = saint_venant_list();
+        if (responds())
+          {
+            find_responses();
+            std::vector<Vector> smooth;
+            for (const Group &group : groups)
+              smooth.insert(smooth.end(), group.far.begin(), group.far.end());
+            fresh =
+              warping.basis(smooth, warpings, warpings, rules.far_tolerance);
+          }
+      }
+    else
+      {
+        // What the others there have, and what the smallest group adds to
+        // it: lists that differ little share most of their modes.
+        const unsigned int last =
+          *std::min_element(near.begin(),
+                            near.end(),
+                            [this](const unsigned int a, const unsigned int b) {
+                              return groups[a].order() < groups[b].order();
+                            });
+        std::set<unsigned int> others = near;
+        others.erase(last);
+        list = this->list(others);
+        if (responds())
+          {
+            find_responses();
+            fresh = warping.basis(groups[last].near,
+                                  warpings,
+                                  columns_of(list),
+                                  near_tolerance());
+          }
+      }
+    for (unsigned int j = 0; j < fresh.n(); ++j)
+      list.push_back(section->n_fields() + modes.n() + j);
+    modes              = beside(modes, fresh);
+    return lists[near] = list;
+  }
+
+
+
+  std::vector<unsigned int>
+  FieldsOfSection::saint_venant_list() const
+  {
+    std::vector<unsigned int> list(6 + warpings.n());
+    std::iota(list.begin(), list.begin() + 6, 0);
+    std::iota(list.begin() + 6, list.end(), section->n_fields());
+    return list;
+  }
+
+
+
+  FieldColumns
+  FieldsOfSection::columns_of(const std::vector<unsigned int> &list) const
+  {
+    std::vector<unsigned int> numbers;
+    for (unsigned int j = 6; j < list.size(); ++j)
+      numbers.push_back(list[j] - section->n_fields());
+    return these_of(modes, numbers);
+  }
+} // namespace lamella
