@@ -3,8 +3,12 @@
 #include <lamella/base/exceptions.h>
 #include <lamella/base/processes.h>
 #include <lamella/body/beam.h>
+#include <lamella/linear/block_factorisation.h>
+#include <lamella/linear/factorisation.h>
 
+#include <algorithm>
 #include <array>
+#include <iterator>
 #include <map>
 #include <numeric>
 
@@ -177,6 +181,38 @@ namespace lamella
                        space->n_dense() * double(row.size() + column.size()));
       }
     return sum;
+  }
+
+
+
+  std::unique_ptr<LinearSolver>
+  Beam::make_solver(const Constraints             &constraints,
+                    const std::vector<SpringTerm> &springs,
+                    const SolverKind               asked,
+                    const SolverMonitor           &monitor) const
+  {
+    if (asked != SolverKind::automatic || n_processes() > 1 ||
+        std::find(dense_cells.begin(), dense_cells.end(), false) !=
+          dense_cells.end())
+      return Body::make_solver(constraints, springs, asked, monitor);
+    DenseBlocks blocks;
+    for (unsigned int node = 0; node < dof_map.n_nodes(); ++node)
+      blocks.first.push_back(dof_map.first(node));
+    blocks.first.push_back(dof_map.n_dofs());
+    for (unsigned int cell = 0; cell < beam_axis->n_cells(); ++cell)
+      blocks.cliques.push_back(beam_axis->nodes_of_cell(cell));
+    try
+      {
+        return factorise_blocks(stiffness_terms(springs),
+                                blocks,
+                                constraints,
+                                "body '" + name() + "'",
+                                monitor);
+      }
+    catch (const NotPositiveDefinite &error)
+      {
+        throw_with_place(error);
+      }
   }
 
 
@@ -485,61 +521,133 @@ namespace lamella
 
 
   void
-  Beam::force_of_dense_fields(const unsigned int k,
-                              const Vector      &u,
-                              SectionForce      &force) const
+  Beam::make_products(const unsigned int cell, DenseProducts &products) const
   {
-    const double       h  = beam_section->element().reference_length();
-    const unsigned int n  = space->n_dense();
-    const AxisState state = list_state(beam_axis->integration_points()[k], u);
-    Vector          value(n), derivative(n), on_value(n), on_derivative(n);
+    std::vector<unsigned int> fields;
+    for (const unsigned int node : beam_axis->nodes_of_cell(cell))
+      {
+        const auto               &list = dof_map.fields(node);
+        std::vector<unsigned int> both;
+        std::set_union(fields.begin(),
+                       fields.end(),
+                       list.begin(),
+                       list.end(),
+                       std::back_inserter(both));
+        fields.swap(both);
+      }
+    if (fields == products.fields)
+      return;
+    const unsigned int n = fields.size();
+    products.S.reinit(2 * n, 2 * n);
+    for (const unsigned int q : {0, 1})
+      for (unsigned int b = 0; b < n; ++b)
+        for (const unsigned int p : {0, 1})
+          {
+            const double *const column =
+              &space->dense_S(p, q)(0, space->dense_number(fields[b]));
+            for (unsigned int a = 0; a < n; ++a)
+              products.S(p * n + a, q * n + b) =
+                column[space->dense_number(fields[a])];
+          }
+    products.fields = std::move(fields);
+  }
+
+
+
+  LAPACKFullMatrix<double>
+  Beam::states_of_element(const unsigned int               cell,
+                          const std::vector<unsigned int> &fields,
+                          const Vector                    &u) const
+  {
+    const auto              &points = beam_axis->integration_points();
+    const auto              &nodes  = beam_axis->nodes_of_cell(cell);
+    const unsigned int       m      = points.size() / beam_axis->n_cells();
+    const unsigned int       n      = fields.size();
+    LAPACKFullMatrix<double> states(2 * n, m);
     for (unsigned int a = 0; a < n; ++a)
       {
-        value[a]      = state.value[space->dense_field(a)];
-        derivative[a] = state.derivative[space->dense_field(a)];
+        const auto at_node = [&](const unsigned int node) {
+          const int place = dof_map.place(node, fields[a]);
+          return place < 0 ? 0. : u[dof_map.first(node) + place];
+        };
+        // As in list_state().
+        const double first = at_node(nodes[0]);
+        for (unsigned int i = 0; i < nodes.size(); ++i)
+          {
+            const double value = at_node(nodes[i]);
+            for (unsigned int k = 0; k < m; ++k)
+              {
+                const AxisPoint &point = points[m * cell + k];
+                states(a, k) += point.N[i] * value;
+                states(n + a, k) += point.dN[i] * (value - first);
+              }
+          }
       }
-    for (const auto &[translation, slope] : slopes_of_axis)
-      {
-        derivative[translation] += value[slope] / h;
-        value[slope] = 0.;
-      }
-    space->dense_S(0, 0).vmult(on_value, value);
-    space->dense_S(0, 1).vmult(on_value, derivative, /*adding=*/true);
-    space->dense_S(1, 0).vmult(on_derivative, value);
-    space->dense_S(1, 1).vmult(on_derivative, derivative, /*adding=*/true);
-    force.energy = 0.5 * (value * on_value + derivative * on_derivative);
-    for (const auto &[translation, slope] : slopes_of_axis)
-      on_value[slope] = on_derivative[translation] / h;
+    return states;
+  }
+
+
+
+  void
+  Beam::forces_of_dense_element(const unsigned int cell,
+                                const Vector      &u,
+                                DenseProducts     &products,
+                                const UseOfForce  &use) const
+  {
+    make_products(cell, products);
+    const auto        &fields = products.fields;
+    const unsigned int n      = fields.size();
+    const double       h      = beam_section->element().reference_length();
+    // The rigid fields are the first of every dense list.
+    LAPACKFullMatrix<double> states = states_of_element(cell, fields, u),
+                             works(states);
+    for (unsigned int k = 0; k < states.n(); ++k)
+      for (const auto &[translation, slope] : slopes_of_axis)
+        {
+          states(n + translation, k) += states(slope, k) / h;
+          states(slope, k) = 0.;
+        }
+    products.S.mmult(works, states);
+
+    SectionForce force;
     for (Vector &work : force.work)
       work.reinit(space->n_fields());
-    for (unsigned int a = 0; a < n; ++a)
+    for (unsigned int k = 0; k < states.n(); ++k)
       {
-        force.work[0][space->dense_field(a)] = on_value[a];
-        force.work[2][space->dense_field(a)] = on_derivative[a];
+        force.energy = 0.;
+        for (unsigned int a = 0; a < 2 * n; ++a)
+          force.energy += 0.5 * states(a, k) * works(a, k);
+        for (const auto &[translation, slope] : slopes_of_axis)
+          works(slope, k) = works(n + translation, k) / h;
+        for (unsigned int a = 0; a < n; ++a)
+          {
+            force.work[0][fields[a]] = works(a, k);
+            force.work[2][fields[a]] = works(n + a, k);
+          }
+        use(cell * states.n() + k, force);
       }
   }
 
 
 
   void
-  Beam::for_each_section_force(
-    const Vector                                                        &u,
-    const std::function<void(const unsigned int, const SectionForce &)> &use)
-    const
+  Beam::for_each_section_force(const Vector &u, const UseOfForce &use) const
   {
-    const bool   by_moments = beam_section->spans_the_section();
-    SectionForce force;
-    const auto [begin, end] = own_points();
-    for (unsigned int k = begin; k < end; ++k)
-      {
-        if (by_moments)
-          force_by_moments(k, u, force);
-        else if (dense_cells[beam_axis->integration_points()[k].cell])
-          force_of_dense_fields(k, u, force);
-        else
-          continue;
-        use(k, force);
-      }
+    const bool    by_moments = beam_section->spans_the_section();
+    SectionForce  force;
+    DenseProducts products;
+    const auto [begin, end] = beam_axis->own_cells();
+    const unsigned int n_points =
+      beam_axis->integration_points().size() / beam_axis->n_cells();
+    for (unsigned int cell = begin; cell < end; ++cell)
+      if (by_moments)
+        for (unsigned int k = cell * n_points; k < (cell + 1) * n_points; ++k)
+          {
+            force_by_moments(k, u, force);
+            use(k, force);
+          }
+      else if (dense_cells[cell])
+        forces_of_dense_element(cell, u, products, use);
   }
 
 

@@ -136,11 +136,18 @@ namespace lamella
       }
     catch (const NotPositiveDefinite &error)
       {
-        throw NumericsError(std::string(error.what()) +
-                            " It shows first near " +
-                            to_text(dof_position(error.dof)) +
-                            ": look for elements that are very short or thin "
-                            "beside their neighbours there.");
+        throw_with_place(error);
       }
+  }
+
+
+
+  void
+  Body::throw_with_place(const NotPositiveDefinite &error) const
+  {
+    throw NumericsError(std::string(error.what()) + " It shows first near " +
+                        to_text(dof_position(error.dof)) +
+                        ": look for elements that are very short or thin "
+                        "beside their neighbours there.");
   }
 } // namespace lamella

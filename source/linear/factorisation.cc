@@ -266,52 +266,10 @@ namespace lamella
 
 
 
-    /// Half solved rows and the factor that they came from.
-    class CholmodRows : public SolvedRows
-    {
-    public:
-      explicit CholmodRows(const CholmodFactorisation &factorisation)
-        : factorisation(factorisation)
-        , half_solved(factorisation.supernodes())
-      {}
-
-      void
-      append(const std::vector<Row> &rows) override
-      {
-        half_solved.append(rows);
-      }
-
-      unsigned int
-      size() const override
-      {
-        return half_solved.size();
-      }
-
-      std::vector<double>
-      products(const unsigned int first) const override
-      {
-        return half_solved.products(first);
-      }
-
-      Vector
-      displacement(const std::vector<double> &lambda) const override
-      {
-        Vector x = half_solved.combination(lambda);
-        factorisation.backward(x);
-        return x;
-      }
-
-    private:
-      const CholmodFactorisation &factorisation;
-      HalfSolvedRows              half_solved;
-    };
-
-
-
     std::unique_ptr<SolvedRows>
     CholmodFactorisation::solved_rows() const
     {
-      return std::make_unique<CholmodRows>(*this);
+      return half_solved(supernodes(), [this](Vector &x) { backward(x); });
     }
   } // namespace
 

@@ -205,4 +205,59 @@ namespace lamella
           }
     return y;
   }
+
+
+
+  namespace
+  {
+    /// Half solved rows and the other half of a solution.
+    class RowsOfFactor : public SolvedRows
+    {
+    public:
+      RowsOfFactor(const SupernodalFactor       &factor,
+                   std::function<void(Vector &)> backward)
+        : rows(factor)
+        , backward(std::move(backward))
+      {}
+
+      void
+      append(const std::vector<Row> &some) override
+      {
+        rows.append(some);
+      }
+
+      unsigned int
+      size() const override
+      {
+        return rows.size();
+      }
+
+      std::vector<double>
+      products(const unsigned int first) const override
+      {
+        return rows.products(first);
+      }
+
+      Vector
+      displacement(const std::vector<double> &lambda) const override
+      {
+        Vector x = rows.combination(lambda);
+        backward(x);
+        return x;
+      }
+
+    private:
+      HalfSolvedRows                rows;
+      std::function<void(Vector &)> backward;
+    };
+  } // namespace
+
+
+
+  std::unique_ptr<SolvedRows>
+  half_solved(const SupernodalFactor       &factor,
+              std::function<void(Vector &)> backward)
+  {
+    return std::make_unique<RowsOfFactor>(factor, std::move(backward));
+  }
 } // namespace lamella

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <lamella/linear/columns.h>
 #include <lamella/section/field_space.h>
 
 #include <algorithm>
@@ -56,20 +57,13 @@ namespace lamella
   LAPACKFullMatrix<double>
   FieldSpace::times_dense(const Matrix &S) const
   {
-    const unsigned int       n = base->n_fields();
-    LAPACKFullMatrix<double> result(n, n_dense());
-    Vector                   column(n), product(n);
+    LAPACKFullMatrix<double> fields(base->n_fields(), n_dense());
     for (unsigned int b = 0; b < n_dense(); ++b)
-      {
-        column = 0.;
-        if (b < n_rigid)
-          column[b] = 1.;
-        else
-          std::copy_n(mode(b - n_rigid), n, column.begin());
-        S.vmult(product, column);
-        std::copy_n(product.begin(), n, &result(0, b));
-      }
-    return result;
+      if (b < n_rigid)
+        fields(b, b) = 1.;
+      else
+        std::copy_n(mode(b - n_rigid), base->n_fields(), &fields(0, b));
+    return times_columns(S, fields);
   }
 
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <lamella/linear/columns.h>
 #include <lamella/section/warping.h>
 
 #include <algorithm>
@@ -91,14 +92,9 @@ namespace lamella
   FieldColumns
   Warping::metric(const FieldColumns &fields) const
   {
-    FieldColumns result(fields.m(), fields.n());
-    Vector       product(fields.m());
-    for (unsigned int j = 0; j < fields.n(); ++j)
-      {
-        product = metric(column_of(fields, j));
-        std::copy(product.begin(), product.end(), &result(0, j));
-      }
-    return result;
+    if (fields.n() == 0)
+      return fields;
+    return times_columns(metric_matrix, fields);
   }
 
 

@@ -36,9 +36,10 @@ namespace lamella
       "Linear solver",
       "auto",
       selection<SolverKind>(),
-      "auto: cholmod on one process, mumps on several, cg for large solids; "
-      "cholmod, mumps: factorise; cg: conjugate gradients with algebraic "
-      "multigrid, for solids, with little memory.");
+      "auto: on one process cholmod, or dense blocks for beams of SV and "
+      "SV-N, mumps on several, cg for large solids; cholmod, mumps: factorise; "
+      "cg: conjugate gradients with algebraic multigrid, for solids, with "
+      "little memory.");
     prm.declare_entry("Memory limit",
                       "auto",
                       Anything(),

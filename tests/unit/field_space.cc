@@ -8,6 +8,7 @@
 #include "fixtures.h"
 
 #include <lamella/adapt/node_fields.h>
+#include <lamella/base/exceptions.h>
 #include <lamella/base/independent_rows.h>
 #include <lamella/section/saint_venant.h>
 #include <lamella/section/section_response.h>
@@ -218,6 +219,62 @@ BOOST_AUTO_TEST_CASE(lists_of_modes_are_a_projection)
     }
 }
 
+
+
+BOOST_AUTO_TEST_CASE(dense_lists_that_differ)
+{
+  // Nothing but dense lists, two of them within most elements: forces and
+  // energy are still those of all fields, and what a factorisation by blocks
+  // solves is in equilibrium, strain first.
+  const auto section = coupled_section();
+  const auto space   = random_space(section, 5);
+  const auto axis    = make_axis(1.3, 4, 3);
+  const auto dense = dense_list(*space), fewer = dense_list(*space, 3);
+  Lists      lists;
+  for (unsigned int node = 0; node < axis->n_nodes(); ++node)
+    lists.push_back(node % 5 < 3 ? dense : fewer);
+  const Beam   full("full", section, axis, Placement());
+  const Beam   beam("beam", space, axis, Placement(), lists, "modes");
+  const Vector u      = random_vector(beam.n_dofs(), 3);
+  const Vector u_full = in_all_fields(beam, u, full);
+  Vector       forces(beam.n_dofs()), all_forces(full.n_dofs());
+  beam.add_internal_forces(u, forces);
+  full.add_internal_forces(u_full, all_forces);
+  check_same(forces, in_lists(beam, all_forces, full), 1e-12);
+  BOOST_TEST(
+    std::abs(beam.deformation(u).energy / full.deformation(u_full).energy -
+             1.) < 1e-12);
+
+  Constraints clamp;
+  for (unsigned int k = 0; k < lists[0].size(); ++k)
+    clamp.add_line(beam.dofs().first(0) + k);
+  clamp.close();
+  Vector load = random_vector(beam.n_dofs(), 5);
+  clamp.set_zero(load);
+  for (const SolverKind asked : {SolverKind::automatic, SolverKind::cholmod})
+    {
+      const auto solver = beam.make_solver(clamp, {}, asked);
+      BOOST_TEST((solver->statistics().kind ==
+                  (asked == SolverKind::cholmod ? asked : SolverKind::blocks)));
+      Vector solution = load;
+      solver->solve(solution);
+      clamp.set_zero(solution);
+      Vector answer(beam.n_dofs());
+      beam.add_internal_forces(solution, answer);
+      clamp.set_zero(answer);
+      check_same(answer, load, 1e-9);
+    }
+  // A spring that pushes: the place is said.
+  Row end;
+  end.add(beam.dofs().first(axis->n_nodes() - 1), 1.);
+  BOOST_CHECK_EXCEPTION(
+    beam.make_solver(clamp, {{end, -1e9}}),
+    NumericsError,
+    [](const NumericsError &error) {
+      return std::string(error.what()).find("It shows first near") !=
+             std::string::npos;
+    });
+}
 
 
 namespace

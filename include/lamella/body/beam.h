@@ -136,12 +136,20 @@ namespace lamella
      * A section whose fields span_the_section() does so by its moments, nine
      * dense products of n_fields x n_fields a point of the axis, whatever the
      * number of its cells. On elements whose nodes carry dense lists and
-     * nothing else the products of FieldSpace do the same. All others go
+     * nothing else the products of FieldSpace do the same, those of the fields
+     * that the element has, all points of it at once. All others go
      * through the section's integration points with the few fields that live
      * at each.
      */
     void
     add_internal_forces(const Vector &u, Vector &f) const override;
+    /// `automatic` on one process is a factorisation by dense blocks, one for
+    /// each node of the axis, if all of its elements are dense.
+    std::unique_ptr<LinearSolver>
+    make_solver(const Constraints             &constraints,
+                const std::vector<SpringTerm> &springs = {},
+                const SolverKind               asked   = SolverKind::automatic,
+                const SolverMonitor           &monitor = {}) const override;
     /// The energy likewise. Rotations are looked at in the section's
     /// integration points, of which there are few where moments do the rest.
     Deformation
@@ -330,20 +338,43 @@ namespace lamella
     force_by_moments(const unsigned int k,
                      const Vector      &u,
                      SectionForce      &force) const;
-    /// The same on an element that is_dense(), in the fields of the space and
-    /// from their S_pq; all work is done on values and derivatives.
+    using UseOfForce =
+      std::function<void(const unsigned int, const SectionForce &)>;
+
+    /// The fields that nodes of a dense element carry, ascending, and their
+    /// products, [S_00, S_01; S_10, S_11] between them.
+    struct DenseProducts
+    {
+      std::vector<unsigned int>        fields;
+      dealii::LAPACKFullMatrix<double> S;
+    };
+
+    /// Makes @p products those of the element @p cell; nothing to be done if
+    /// its fields are those of the one before.
     void
-    force_of_dense_fields(const unsigned int k,
-                          const Vector      &u,
-                          SectionForce      &force) const;
+    make_products(const unsigned int cell, DenseProducts &products) const;
+
+    /// Values in the first columns and derivatives in the last, a column for
+    /// each point of the element @p cell, in the fields @p fields: list_state()
+    /// of them.
+    dealii::LAPACKFullMatrix<double>
+    states_of_element(const unsigned int               cell,
+                      const std::vector<unsigned int> &fields,
+                      const Vector                    &u) const;
+
+    /// Calls @p use with the section force at each point of the element
+    /// @p cell, which is_dense(), from S_pq of its fields; all work is done on
+    /// values and derivatives. @p products are those of any element.
+    void
+    forces_of_dense_element(const unsigned int cell,
+                            const Vector      &u,
+                            DenseProducts     &products,
+                            const UseOfForce  &use) const;
 
     /// Calls @p use with the section force at each of own_points() that one of
     /// these two answers for.
     void
-    for_each_section_force(
-      const Vector                                                        &u,
-      const std::function<void(const unsigned int, const SectionForce &)> &use)
-      const;
+    for_each_section_force(const Vector &u, const UseOfForce &use) const;
 
     /// Whether the axis element @p cell is dense: its nodes carry dense lists
     /// (FieldSpace), and transverse shear strains are as the displacements give

@@ -29,6 +29,8 @@
 
 namespace lamella
 {
+  class NotPositiveDefinite;
+
   /// What rows and samples can speak of: the three fields of linear elasticity,
   /// u, epsilon = D u (Eq. 5) and sigma = C (epsilon - epsilon_0) (Eq. 6 with
   /// the law's initial strain epsilon_0).
@@ -517,7 +519,8 @@ namespace lamella
      * What @p asked means for this body and this number of processes, never
      * `automatic`: that one is `cg` for nodal bodies of more than 300000 DoFs,
      * whose factor would take tens of gigabytes, else CHOLMOD on one process
-     * and MUMPS on several. Throws InputError where it is not offered:
+     * and MUMPS on several. (A beam of dense lists has a way of its own on one
+     * process: Beam::make_solver().) Throws InputError where it is not offered:
      * `cholmod` on several processes, `cg` for a body that is not nodal.
      */
     SolverKind
@@ -570,6 +573,11 @@ namespace lamella
     for_each_stiffness_block(
       const bool                                         with_values,
       const std::function<void(const StiffnessBlock &)> &use) const = 0;
+
+    /// Throws @p error again, as a NumericsError that says as well where in the
+    /// scene its DoF is.
+    [[noreturn]] void
+    throw_with_place(const NotPositiveDefinite &error) const;
 
   private:
     std::string body_name;

@@ -3,9 +3,11 @@
 #ifndef lamella_linear_half_solved_rows_h
 #define lamella_linear_half_solved_rows_h
 
-#include <lamella/base/row.h>
+#include <lamella/linear/linear_solver.h>
 
 #include <cstdint>
+#include <functional>
+#include <memory>
 #include <vector>
 
 namespace lamella
@@ -122,6 +124,13 @@ namespace lamella
     /// Columns of Y so far.
     unsigned int n_columns = 0;
   };
+
+  /// Rows half solved by @p factor as a solver hands them out. @p backward does
+  /// the other half to what combination() returns, x = P^T L^-T x. Refers to
+  /// what both refer to.
+  std::unique_ptr<SolvedRows>
+  half_solved(const SupernodalFactor       &factor,
+              std::function<void(Vector &)> backward);
 } // namespace lamella
 
 #endif

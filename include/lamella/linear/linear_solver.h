@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 // The room `linear`: matrices and their solvers. It owns the assembled
-// stiffness, the factorisations of CHOLMOD and MUMPS, conjugate gradients, and
-// the products B K^-1 B^T of rows that contact asks for, half solved. All of
-// them are asked through LinearSolver. It takes blocks and rows as they come
-// and never knows what a beam, a support or a contact is.
+// stiffness, the factorisations of CHOLMOD and MUMPS and one by dense blocks,
+// conjugate gradients, and the products B K^-1 B^T of rows that contact asks
+// for, half solved. All of them are asked through LinearSolver. It takes blocks
+// and rows as they come and never knows what a beam, a support or a contact is.
 
 #ifndef lamella_linear_linear_solver_h
 #define lamella_linear_linear_solver_h
@@ -27,7 +27,9 @@ namespace lamella
     automatic, ///< what suits the body and the number of processes
     cholmod,   ///< Cholesky factorisation on one process
     mumps,     ///< Cholesky factorisation shared by all processes
-    cg         ///< conjugate gradients with algebraic multigrid
+    cg,        ///< conjugate gradients with algebraic multigrid
+    blocks     ///< Cholesky factorisation by dense blocks (factorise_blocks());
+               ///< never asked for, what `automatic` is for bodies with them
   };
 
   template <>
@@ -57,7 +59,8 @@ namespace lamella
   using FactorMonitor = std::function<void(const FactorSize &)>;
 
   /// Is told how far the making of a solver is. Each may be empty. Both are
-  /// called once, in the order in which they stand.
+  /// called once, in the order in which they stand; `blocks` is assembled in
+  /// the places of its factor and tells the size of that first.
   struct SolverMonitor
   {
     /// The matrix is assembled; called on all processes.

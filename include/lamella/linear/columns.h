@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef lamella_linear_columns_h
+#define lamella_linear_columns_h
+
+#include <lamella/base/linear_algebra.h>
+
+#include <deal.II/lac/lapack_full_matrix.h>
+
+namespace lamella
+{
+  /// A X for a sparse matrix A and many columns X: some of them at a time, side
+  /// by side in memory, so that an entry of A is read once for all of these.
+  /// Sums in the order of A's entries, as a product with one vector does.
+  dealii::LAPACKFullMatrix<double>
+  times_columns(const Matrix &A, const dealii::LAPACKFullMatrix<double> &X);
+} // namespace lamella
+
+#endif
