@@ -70,7 +70,6 @@ def cantilever(section, length):
 
 
 TIP = ["tip: uz", "third: syy", "inside: syz"]
-AUTO = ["Body beam/Kinematics/Axis breaks=", "Body beam/Kinematics/Axis elements=auto"]
 
 
 def cantilevers():
@@ -83,7 +82,8 @@ def cantilevers():
                 theories += ["solid-1"]
             yield (f"{name}, L/h = {slenderness}", cantilever(section, slenderness),
                    TIP, theories,
-                   ["Theory=LE-4", "Body beam/Kinematics/Axis elements=auto 2"])
+                   ["Theory=LE-4" if slenderness <= 20 else "Theory=LE-3",
+                    "Body beam/Kinematics/Axis elements=auto 2"])
 
 
 def shipped():
