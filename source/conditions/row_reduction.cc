@@ -397,4 +397,26 @@ namespace lamella
       }
     return forces;
   }
+
+
+
+  Vector
+  RowReduction::influence(
+    const std::function<double(const unsigned int)> &weight) const
+  {
+    Vector result(particular_solution.size());
+    for (const Group &group : groups)
+      {
+        Vector weights(group.rows.size()), moved(group.rows.size());
+        for (unsigned int k = 0; k < weights.size(); ++k)
+          weights[k] = weight(group.rows[k]);
+        if (weights.all_zero())
+          continue;
+        group.transposed->Tvmult(moved, weights);
+        for (unsigned int k = 0; k < moved.size(); ++k)
+          result[group.pivots[k]] = moved[k];
+      }
+    kinematic.distribute(result);
+    return result;
+  }
 } // namespace lamella

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <lamella/body/beam.h>
 #include <lamella/estimate/enrichment.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace lamella
 {
@@ -54,36 +56,46 @@ namespace lamella
 
 
     void
-    enrich_fields(BodyDescription &body)
+    enrich_fields(BodyDescription &body, const BodySize &size)
     {
+      const bool layers_are_cheap =
+        size.nodes > 0 && body.pieces.empty() &&
+        dofs_of_layers(size, 2) <= cheap_dofs;
       // Pieces of plain SV beside LE say by hand where responses are wanted.
       for (Theory *theory : theories_of(body))
-        if (is_poorer_than_sv(*theory))
+        if (is_poorer_than_sv(*theory) ||
+            (theory->kind == Kind::SV && theory->order < least_waves))
           {
+            const bool         is_sv = theory->kind == Kind::SV;
             const unsigned int order = theory->section_order;
             *theory                  = Theory();
-            theory->kind             = Kind::SV;
-            theory->order            = many_waves;
-            theory->section_order    = order;
+            theory->kind  = layers_are_cheap ? Kind::LE : Kind::SV;
+            theory->order = layers_are_cheap ? 2 :
+                            is_sv            ? least_waves :
+                                               many_waves;
+            theory->section_order = order;
             // B2 and B3 with assumed shear strains are for theories that lock.
             body.axis.degree        = 3;
             body.axis.assumed_shear = false;
           }
         else if (theory->kind == Kind::SV)
-          theory->order = theory->order < least_waves ?
-                            least_waves :
-                            std::min(theory->order + more_waves, most_waves);
+          theory->order = std::min(theory->order + more_waves, most_waves);
     }
 
 
 
-    /// Makes SV-10 of the LE-N that would have @p dofs DoFs, if these are more
-    /// than @p most: the same fields of the section, those that the scene
-    /// wants.
+    /// Makes SV-10 of the LE-N of @p size that would have @p times as many
+    /// DoFs, if these are more than @p most: the same fields of the section,
+    /// those that the scene wants, where these are fewer.
     void
-    keep_small(BodyDescription &body, const double dofs, const double most)
+    keep_small(BodyDescription &body,
+               const BodySize  &size,
+               const double     times,
+               const double     most)
     {
-      if (body.theory.kind != Kind::LE || !body.pieces.empty() || dofs <= most)
+      if (body.theory.kind != Kind::LE || !body.pieces.empty() ||
+          times * size.dofs <= most ||
+          size.fields <= 2. * fields_of_responses)
         return;
       body.theory.kind          = Kind::SV;
       body.theory.section_order = body.theory.order;
@@ -93,7 +105,9 @@ namespace lamella
 
 
     void
-    enrich_section(BodyDescription &body, const double dofs, const double most)
+    enrich_section(BodyDescription &body,
+                   const BodySize  &size,
+                   const double     most)
     {
       if (is_solid(body))
         {
@@ -104,7 +118,7 @@ namespace lamella
           return;
         }
       const double growth = (body.theory.order + 1.) / body.theory.order;
-      keep_small(body, dofs * growth * growth, most);
+      keep_small(body, size, growth * growth, most);
       for (Theory *theory : theories_of(body))
         {
           if (theory->kind == Kind::LE)
@@ -114,6 +128,34 @@ namespace lamella
         }
     }
   } // namespace
+
+
+
+  std::vector<BodySize>
+  sizes_of(const Simulation &model)
+  {
+    std::vector<BodySize> sizes;
+    for (const auto &body : model.solved_structure().bodies())
+      {
+        sizes.push_back({static_cast<unsigned int>(body->n_dofs()), 0, 0, 0});
+        if (const auto *const beam = dynamic_cast<const Beam *>(body.get()))
+          {
+            sizes.back().nodes  = beam->axis().n_nodes();
+            sizes.back().fields = beam->section().n_fields();
+            sizes.back().cells  = beam->section().n_cells();
+          }
+      }
+    return sizes;
+  }
+
+
+
+  double
+  dofs_of_layers(const BodySize &size, const unsigned int degree)
+  {
+    const double side = degree * std::sqrt(size.cells) + 1.;
+    return 3. * size.nodes * side * side;
+  }
 
 
 
@@ -148,10 +190,10 @@ namespace lamella
 
 
   Scene
-  enriched(const Scene                     &scene,
-           const Source                     source,
-           const std::vector<unsigned int> &dofs,
-           const double                     most_dofs)
+  enriched(const Scene                 &scene,
+           const Source                 source,
+           const std::vector<BodySize> &sizes,
+           const double                 most_dofs)
   {
     Scene result = scene;
     for (unsigned int b = 0; b < result.bodies.size(); ++b)
@@ -159,18 +201,93 @@ namespace lamella
         BodyDescription &body = result.bodies[b];
         if (source == Source::axis && !is_solid(body))
           {
-            keep_small(body, 2. * dofs[b], most_dofs);
+            keep_small(body, sizes[b], 2., most_dofs);
             halve_elements(body.axis);
           }
         else if (source == Source::fields && !is_solid(body))
-          enrich_fields(body);
+          enrich_fields(body, sizes[b]);
         else if (source == Source::section)
-          enrich_section(body, dofs[b], most_dofs);
+          enrich_section(body, sizes[b], most_dofs);
       }
     if (source == Source::contact)
       for (ContactPair &contact : result.contacts)
         contact.enforcement = Enforcement::exact;
     return result;
+  }
+
+
+
+  Scene
+  bisected(Scene scene, const std::vector<ElementError> &marked)
+  {
+    for (unsigned int b = 0; b < scene.bodies.size(); ++b)
+      {
+        AxisMesh           &axis = scene.bodies[b].axis;
+        std::vector<double> breaks;
+        double              begin = 0.;
+        for (const double length : element_lengths(axis))
+          {
+            const double near = 1e-6 * length;
+            for (const ElementError &element : marked)
+              if (element.body == b && std::abs(element.begin - begin) < near)
+                breaks.push_back(begin + 0.5 * length);
+            begin += length;
+            breaks.push_back(begin);
+          }
+        // The last is the end of the axis.
+        breaks.pop_back();
+        axis.breaks = breaks;
+        axis.elements.assign(breaks.size() + 1, 1);
+      }
+    return scene;
+  }
+
+
+
+  std::optional<std::vector<ElementError>>
+  marked_elements(const Scene                   &scene,
+                  const std::vector<GoalResult> &goals,
+                  const double                   left,
+                  const double                   share)
+  {
+    for (const ContactPair &contact : scene.contacts)
+      if (contact.discretisation == Discretisation::node_to_node)
+        return std::nullopt;
+    std::vector<ElementError> marked;
+    const auto is_marked = [&marked](const ElementError &element) {
+      return std::any_of(
+        marked.begin(), marked.end(), [&element](const ElementError &other) {
+          return other.body == element.body && other.begin == element.begin;
+        });
+    };
+    for (const GoalResult &goal : goals)
+      {
+        if (goal.met())
+          continue;
+        if (!goal.local)
+          return std::nullopt;
+        std::vector<ElementError> elements = goal.local->elements;
+        std::sort(elements.begin(),
+                  elements.end(),
+                  [](const ElementError &a, const ElementError &b) {
+                    return std::abs(a.error) * b.dofs >
+                           std::abs(b.error) * a.dofs;
+                  });
+        double sum = 0.;
+        for (const ElementError &element : elements)
+          sum += std::abs(element.error);
+        const double most =
+          std::min((1. - share) * sum, left * *goal.tolerance * goal.scale);
+        for (const ElementError &element : elements)
+          {
+            if (sum <= most)
+              break;
+            sum -= std::abs(element.error);
+            if (!is_marked(element))
+              marked.push_back(element);
+          }
+      }
+    return marked;
   }
 
 

@@ -2,8 +2,9 @@
 
 #include <lamella/base/exceptions.h>
 #include <lamella/base/text.h>
-#include <lamella/estimate/error_bar.h>
 #include <lamella/estimate/estimation.h>
+#include <lamella/estimate/local_errors.h>
+#include <lamella/estimate/operations.h>
 
 #include <algorithm>
 #include <cmath>
@@ -13,9 +14,12 @@ namespace lamella
 {
   namespace
   {
-    // The DoFs of a run that is so small that bars are left to who asks for
-    // them.
-    constexpr double large_run = 60000.;
+    /// Bars that nobody asks for may take this share of what the run took.
+    constexpr double most_of_run = 0.5;
+
+    /// The shares of a tolerance that a source of error has to have for
+    /// mattering.
+    constexpr double least_that_matters = 0.1;
 
     /// Values below this share of the largest of their kind have that for a
     /// scale.
@@ -69,11 +73,21 @@ namespace lamella
 
   Estimation::Estimation(const Simulation &run,
                          std::ostream     &out,
-                         ModelCache       &cache)
+                         ModelCache       &cache,
+                         const Effort      effort)
     : run(run)
     , out(out)
     , cache(cache)
+    , effort(effort)
   {}
+
+
+
+  void
+  Estimation::comes_after(const ResultNumbers &numbers)
+  {
+    poorer = numbers;
+  }
 
 
 
@@ -85,7 +99,7 @@ namespace lamella
       return false;
     return goals.bars == ErrorBars::always ||
            (goals.bars == ErrorBars::automatic &&
-            run.results().n_dofs() > large_run);
+            operations_of_bars(run) <= most_of_run * operations(run));
   }
 
 
@@ -107,32 +121,190 @@ namespace lamella
   Model
   Estimation::first_model() const
   {
-    Model model{for_estimates(run.solved_scene()),
-                ResultNumbers(run.results()),
-                {}};
-    for (const BodyFacts &body : run.results().bodies)
-      model.dofs.push_back(body.dofs);
-    return model;
+    return {for_estimates(run.solved_scene()),
+            ResultNumbers(run.results()),
+            sizes_of(run)};
   }
 
 
 
   Model
-  Estimation::solved(const Scene &scene, const std::string &what)
+  Estimation::solved(const Scene                                   &scene,
+                     const std::string                             &what,
+                     const std::function<void(const Simulation &)> &look)
   {
-    if (const Model *known = cache.find(scene))
+    if (const Model *known = cache.find(scene); known != nullptr && !look)
       return *known;
     std::ostream nowhere(nullptr);
     out << "  " << what << ": " << std::flush;
     Simulation     simulation(scene, nowhere);
     const Results &results = simulation.solve();
-    Model          model{simulation.solved_scene(), ResultNumbers(results), {}};
-    for (const BodyFacts &body : results.bodies)
-      model.dofs.push_back(body.dofs);
+    const Model    model{simulation.solved_scene(),
+                      ResultNumbers(results),
+                      sizes_of(simulation)};
     out << results.n_dofs() << " DoFs, "
         << to_text(results.seconds.at("total"), 2) << " s" << std::endl;
     cache.keep(model);
+    if (look)
+      look(simulation);
     return model;
+  }
+
+
+
+  void
+  Estimation::localise(const Simulation &finer)
+  {
+    if (!Localisation::is_possible(run, finer))
+      return;
+    const ResultNumbers numbers(finer.results());
+    const Localisation  localisation(run, finer);
+    for (const NamedQuantity &quantity : quantities())
+      local.push_back(
+        localisation.errors(quantity,
+                            numbers.value(quantity) -
+                              models.front().numbers.value(quantity)));
+  }
+
+
+
+  double
+  Estimation::share_of(const Step &step, const NamedQuantity &quantity) const
+  {
+    return models[step.to].numbers.value(quantity) -
+           models[step.from].numbers.value(quantity);
+  }
+
+
+
+  double
+  Estimation::weight_of(const Step &step) const
+  {
+    double       weight = 0.;
+    unsigned int number = 0;
+    for (const NamedQuantity &quantity : quantities())
+      {
+        const GoalResult bare = goal_without_bar(quantity, number++);
+        weight                = std::max(weight,
+                          std::abs(share_of(step, quantity)) /
+                            (*bare.tolerance * bare.scale));
+      }
+    return weight;
+  }
+
+
+
+  Refinements
+  Estimation::first_refinement(const NamedQuantity &quantity) const
+  {
+    Refinements values;
+    values.run    = models[0].numbers.value(quantity);
+    values.richer = values.run;
+    for (const Step &step : steps)
+      {
+        values.richer += share_of(step, quantity);
+        values.shares += std::abs(share_of(step, quantity));
+      }
+    const double largest = models[0].numbers.largest_of_kind(quantity);
+    const State &state   = run.results().last().state;
+    values.scale         = scale_of(quantity);
+    values.rounding      = largest * (state.contact_corrections.empty() ?
+                                        state.free_corrections.back() :
+                                        state.contact_corrections.back());
+    return values;
+  }
+
+
+
+  ErrorBar
+  Estimation::bar_of_poorer(const NamedQuantity &quantity) const
+  {
+    Refinements values = first_refinement(quantity);
+    values.richest     = values.richer;
+    values.richer      = values.run;
+    values.run         = poorer->value(quantity);
+    return error_bar(values);
+  }
+
+
+
+  bool
+  Estimation::agrees_with_poorer() const
+  {
+    if (!poorer)
+      return false;
+    const auto all = quantities();
+    return std::all_of(all.begin(), all.end(), [this](const auto &quantity) {
+      return bar_of_poorer(quantity).trusted;
+    });
+  }
+
+
+
+  bool
+  Estimation::is_far_off() const
+  {
+    unsigned int number = 0;
+    for (const NamedQuantity &quantity : quantities())
+      {
+        const GoalResult  bare   = goal_without_bar(quantity, number++);
+        const Refinements values = first_refinement(quantity);
+        if (std::max(2. * std::abs(values.richer - values.run),
+                     0.5 * values.shares) > *bare.tolerance * bare.scale)
+          return true;
+      }
+    return false;
+  }
+
+
+
+  std::vector<Source>
+  Estimation::sources_that_matter() const
+  {
+    std::vector<Source> all;
+    for (const Source source : {Source::axis, Source::fields, Source::section})
+      if (has_source(models[base].scene, source))
+        all.push_back(source);
+    if (run.solved_scene().goals.tolerances.empty())
+      return all;
+    double largest = 0.;
+    for (const Step &step : steps)
+      if (step.source != Source::contact)
+        largest = std::max(largest, weight_of(step));
+    std::vector<Source> some;
+    for (const Step &step : steps)
+      if (has_source(models[base].scene, step.source) &&
+          step.source != Source::contact &&
+          weight_of(step) >= std::min(least_that_matters, largest))
+        some.push_back(step.source);
+    return some.empty() ? all : some;
+  }
+
+
+
+  void
+  Estimation::add_step(const Source source)
+  {
+    const Scene scene =
+      enriched(models[base].scene, source, models[base].sizes);
+    const std::string what = std::string("richer in ") + name_of(source);
+    const auto        look = [this](const Simulation &finer) {
+      localise(finer);
+    };
+    const bool is_first = source == Source::axis && base == 0;
+    const bool is_known = cache.find(scene) != nullptr;
+    models.push_back(is_first && !is_known ? solved(scene, what, look) :
+                                             solved(scene, what));
+    const Step step{source,
+                    base,
+                    static_cast<unsigned int>(models.size() - 1)};
+    steps.push_back(step);
+    const bool matters = run.solved_scene().goals.tolerances.empty() ||
+                         weight_of(step) >= least_that_matters;
+    if (is_first && is_known && matters)
+      solved(scene, what + " (again, for where)", look);
+    if (matters)
+      base = step.to;
   }
 
 
@@ -144,20 +316,56 @@ namespace lamella
     cache.keep(models.front());
     for (const Source source :
          {Source::axis, Source::fields, Source::section, Source::contact})
-      if (has_source(models.back().scene, source))
-        {
-          const Model &last = models.back();
-          models.push_back(
-            solved(enriched(last.scene, source, last.dofs, most_dofs_of_layers),
-                   std::string("richer in ") + name_of(source)));
-          sources.push_back(source);
-        }
-    Scene                     scene = models.back().scene;
-    std::vector<unsigned int> dofs  = models.back().dofs;
-    for (const Source source : {Source::axis, Source::fields, Source::section})
-      if (has_source(scene, source))
-        scene = enriched(scene, source, dofs, most_dofs_of_layers);
-    models.push_back(solved(scene, "richer in all of it once more"));
+      if (has_source(models[base].scene, source))
+        add_step(source);
+    if (effort == Effort::as_needed && (is_far_off() || agrees_with_poorer()))
+      return;
+    const std::vector<Source> some = sources_that_matter();
+    before_richest                 = base;
+    // What does not matter is not in the chain, and M_r is a second refinement.
+    for (const Step &step : steps)
+      if (some.size() == 1 && some.front() == step.source)
+        before_richest = step.to;
+    Scene       scene = models[before_richest].scene;
+    std::string what;
+    for (const Source source : some)
+      {
+        scene = enriched(scene, source, models[before_richest].sizes);
+        what += std::string(what.empty() ? "" : ", ") + name_of(source);
+      }
+    models.push_back(solved(scene, "once more in " + what));
+    has_richest = true;
+  }
+
+
+
+  double
+  Estimation::scale_of(const NamedQuantity &quantity) const
+  {
+    const double value   = std::abs(models[0].numbers.value(quantity)),
+                 largest = models[0].numbers.largest_of_kind(quantity);
+    return value > near_zero * largest ? value : largest;
+  }
+
+
+
+  GoalResult
+  Estimation::goal_without_bar(const NamedQuantity &quantity,
+                               const unsigned int   number) const
+  {
+    const GoalParameters &goals = run.solved_scene().goals;
+    GoalResult            result;
+    result.name          = quantity.label();
+    result.value         = models[0].numbers.value(quantity);
+    result.scale         = scale_of(quantity);
+    if (!goals.tolerances.empty())
+      result.tolerance = goals.tolerances.size() == 1 ?
+                           goals.tolerances[0] :
+                           goals.tolerances.at(number);
+    result.kinematics =
+      0.5 * std::pow(run.results().last().checks.max_rotation, 2) *
+      result.scale;
+    return result;
   }
 
 
@@ -166,46 +374,37 @@ namespace lamella
   Estimation::goal(const NamedQuantity &quantity,
                    const unsigned int   number) const
   {
-    const auto value = [&](const unsigned int model) {
-      return models[model].numbers.value(quantity);
-    };
-    const GoalParameters &goals = run.solved_scene().goals;
-    const Results        &found = run.results();
-    GoalResult            result;
-    result.name          = quantity.label();
-    result.value         = value(0);
-    const double largest = models[0].numbers.largest_of_kind(quantity);
-    result.scale         = std::abs(result.value) > near_zero * largest ?
-                             std::abs(result.value) :
-                             largest;
-    if (!goals.tolerances.empty())
-      result.tolerance = goals.tolerances.size() == 1 ?
-                           goals.tolerances[0] :
-                           goals.tolerances.at(number);
-    result.kinematics =
-      0.5 * std::pow(found.last().checks.max_rotation, 2) * result.scale;
+    GoalResult result = goal_without_bar(quantity, number);
+    if (!local.empty())
+      result.local = local.at(number);
     if (!failure.empty())
       {
         result.why = failure;
         return result;
       }
 
-    Refinements values;
-    for (unsigned int k = 0; k < sources.size(); ++k)
+    Refinements values = first_refinement(quantity);
+    for (const Step &step : steps)
+      result.shares.emplace_back(name_of(step.source),
+                                 share_of(step, quantity));
+    if (has_richest)
+      values.richest = values.richer + models.back().numbers.value(quantity) -
+                       models[before_richest].numbers.value(quantity);
+    else
+      values.richest = values.richer;
+    ErrorBar bar = error_bar(values);
+    if (!has_richest)
       {
-        result.shares.emplace_back(name_of(sources[k]),
-                                   value(k + 1) - value(k));
-        values.shares += std::abs(result.shares.back().second);
+        bar.trusted = false;
+        bar.why     = "one refinement shows that the model is not good enough "
+                      "for the tolerances; no second one was made";
+        if (poorer)
+          {
+            const ErrorBar other = bar_of_poorer(quantity);
+            bar.trusted          = other.trusted;
+            bar.why              = other.why;
+          }
       }
-    values.run         = result.value;
-    values.richer      = value(sources.size());
-    values.richest     = value(sources.size() + 1);
-    values.scale       = result.scale;
-    const State &state = found.last().state;
-    values.rounding    = largest * (state.contact_corrections.empty() ?
-                                      state.free_corrections.back() :
-                                      state.contact_corrections.back());
-    const ErrorBar bar = error_bar(values);
     result.estimate    = bar.estimate;
     result.bar         = bar.bar;
     result.trusted     = bar.trusted;

@@ -4,13 +4,13 @@
 #include <lamella/base/output_file.h>
 #include <lamella/base/processes.h>
 #include <lamella/base/text.h>
+#include <lamella/estimate/start.h>
 #include <lamella/estimate/tolerance_run.h>
 #include <lamella/report/fields_table.h>
 #include <lamella/report/goals_table.h>
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <ostream>
 
 namespace lamella
@@ -26,22 +26,31 @@ namespace lamella
 
 
 
+  bool
+  all_met(const std::vector<GoalResult> &goals)
+  {
+    return std::all_of(goals.begin(), goals.end(), [](const GoalResult &goal) {
+      return goal.met();
+    });
+  }
+
+
+
   double
   worst_ratio(const std::vector<GoalResult> &goals)
   {
     double worst = 0.;
     for (const GoalResult &goal : goals)
-      worst =
-        std::max(worst,
-                 goal.trusted ? goal.bar / (*goal.tolerance * goal.scale) :
-                                std::numeric_limits<double>::infinity());
+      worst = std::max(worst,
+                       (goal.trusted ? goal.bar : 2. * std::abs(goal.estimate)) /
+                         (*goal.tolerance * goal.scale));
     return worst;
   }
 
 
 
   ToleranceRun::ToleranceRun(const Scene &scene, std::ostream &out)
-    : scene(scene)
+    : scene(start_of(scene))
     , out(out)
   {}
 
@@ -52,6 +61,8 @@ namespace lamella
   {
     std::ostream nowhere(nullptr);
     auto         next = std::make_unique<Simulation>(scene, nowhere);
+    if (passes.empty() && begin_lower(scene, *next))
+      next = std::make_unique<Simulation>(scene, nowhere);
     const double most = scene.goals.budget_dofs;
     if (most > 0 && next->results().n_dofs() > most)
       throw NumericsError("the next model has " +
@@ -64,7 +75,10 @@ namespace lamella
     Pass pass;
     pass.number  = passes.size() + 1;
     pass.dofs    = next->results().n_dofs();
-    pass.goals   = Estimation(*next, out, cache).goals();
+    Estimation estimation(*next, out, cache, Estimation::Effort::as_needed);
+    if (simulation != nullptr)
+      estimation.comes_after(ResultNumbers(simulation->results()));
+    pass.goals   = estimation.goals();
     pass.seconds = wall.wall_time();
     for (const BodyFacts &body : next->results().bodies)
       pass.theories +=
@@ -95,23 +109,54 @@ namespace lamella
 
 
 
+  bool
+  ToleranceRun::is_late() const
+  {
+    return scene.goals.budget_seconds > 0. &&
+           wall.wall_time() > scene.goals.budget_seconds;
+  }
+
+
+
   std::string
   ToleranceRun::reason_to_stop() const
   {
-    const double worst = worst_ratio(passes.back().goals);
-    if (worst <= 1.)
+    if (all_met(passes.back().goals))
       return "all goals are within their tolerances";
+    const double worst = worst_ratio(passes.back().goals);
     if (passes.size() > 2 &&
         worst > least_progress * worst_ratio(passes[passes.size() - 3].goals))
       return "the worst goal has got no better in two passes";
     if (passes.size() == most_passes)
       return std::to_string(most_passes) + " passes are the most";
-    if (const double most = scene.goals.budget_seconds;
-        most > 0. && wall.wall_time() > most)
-      return "the budget of " + to_text(most) + " s is spent";
+    if (is_late())
+      return "the budget of " + to_text(scene.goals.budget_seconds) +
+             " s is spent";
     if (wanted().empty())
       return "nothing is left to be enriched";
     return "";
+  }
+
+
+
+  Scene
+  ToleranceRun::next_scene() const
+  {
+    // What elements may do to a goal when they stay as they are, over its
+    // tolerance, and what those that are bisected do at least of all.
+    constexpr double most_left = 0.1, least_done = 0.65;
+
+    Scene        next = simulation->solved_scene();
+    const Model &model = *cache.find(next);
+    for (const Source source : wanted())
+      {
+        const auto marked = marked_elements(
+          next, passes.back().goals, most_left, least_done);
+        next = source == Source::axis && marked ?
+                 bisected(next, *marked) :
+                 enriched(next, source, model.sizes);
+      }
+    return next;
   }
 
 
@@ -155,6 +200,18 @@ namespace lamella
 
 
   void
+  ToleranceRun::end_with_bars(const std::string &directory)
+  {
+    passes.back().goals =
+      Estimation(*simulation, out, cache, Estimation::Effort::full).goals();
+    simulation->write(directory, passes.back().goals);
+    if (is_speaker())
+      write_file(directory + "/passes.csv", table());
+  }
+
+
+
+  void
   ToleranceRun::run(const std::string &directory)
   {
     std::string reason;
@@ -178,15 +235,13 @@ namespace lamella
         reason = reason_to_stop();
         if (!reason.empty())
           break;
-        const Model *model = cache.find(simulation->solved_scene());
-        Scene        next  = simulation->solved_scene();
-        for (const Source source : wanted())
-          next = enriched(next, source, model->dofs, most_dofs_of_layers);
-        scene = next;
+        scene = next_scene();
       }
+    if (!all_met(passes.back().goals) && !is_late())
+      end_with_bars(directory);
     simulation->print_results(directory, out);
-    const double worst = worst_ratio(passes.back().goals);
-    out << (worst <= 1. ? "\nDone in " : "\nNot all goals are met after ")
+    out << (all_met(passes.back().goals) ? "\nDone in " :
+                                           "\nNot all goals are met after ")
         << passes.size() << (passes.size() == 1 ? " pass: " : " passes: ")
         << reason << "." << std::endl;
   }

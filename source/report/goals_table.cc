@@ -101,6 +101,26 @@ namespace lamella
 
 
 
+  std::string
+  indicators_csv(const Results &results)
+  {
+    std::string text = "goal,body,begin,end,error\n";
+    for (const GoalResult &goal : results.goals)
+      if (goal.local)
+        {
+          const std::string name = '"' + goal.name + "\",";
+          for (const ElementError &element : goal.local->elements)
+            text += name + results.bodies[element.body].name + "," +
+                    csv(element.begin) + "," + csv(element.end) + "," +
+                    csv(element.error) + "\n";
+          text += name + "(contact),,," + csv(goal.local->contact) + "\n";
+          text += name + "(remainder),,," + csv(goal.local->remainder) + "\n";
+        }
+    return text;
+  }
+
+
+
   void
   print_goals(std::ostream &out, const std::vector<GoalResult> &goals)
   {

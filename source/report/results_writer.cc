@@ -153,7 +153,10 @@ namespace lamella
       return;
     write_file(place.path() + "/summary.json", summary_text(results));
     if (!results.goals.empty())
-      write_file(place.path() + "/goals.csv", goals_csv(results.goals));
+      {
+        write_file(place.path() + "/goals.csv", goals_csv(results.goals));
+        write_file(place.path() + "/indicators.csv", indicators_csv(results));
+      }
     if (results.converged)
       {
         // Nothing to go on with: a word that says so.

@@ -392,21 +392,51 @@ namespace lamella
 
   namespace
   {
-    /// What a run to a tolerance begins with where @p text does not say: the
-    /// section's own fields, with responses where contacts press, and axes that
-    /// grade themselves.
-    void
+    /// Whether @p text says `auto` of the Theory @p path. Throws InputError if it
+    /// says so without a Tolerance.
+    bool
+    wants_any_theory(const SceneText  &text,
+                     const std::string &path,
+                     const bool         has_tolerance)
+    {
+      if (trimmed(text.says(path).value_or("")) != "auto")
+        return false;
+      if (!has_tolerance)
+        throw InputError(path,
+                         "auto",
+                         "only a run to a tolerance chooses its theory",
+                         "Name a theory, or give a Tolerance in subsection "
+                         "Goals.");
+      return true;
+    }
+
+
+
+    /// What a run to a tolerance begins with where @p text does not say, or says
+    /// `auto`: the section's own fields, with responses where contacts press,
+    /// and axes that grade themselves. Whether that is so of the scene's Theory.
+    bool
     assume_start(SceneText &text, const NameLists &names)
     {
-      if (trimmed(text.says("Goals/Tolerance").value_or("")).empty())
-        return;
-      text.assume("Theory", names.at("Contacts").empty() ? "SV" : "SV-6");
+      const bool has_tolerance =
+        !trimmed(text.says("Goals/Tolerance").value_or("")).empty();
+      const bool any = wants_any_theory(text, "Theory", has_tolerance);
+      const bool is_assumed = any || !text.says("Theory");
+      const std::string start = names.at("Contacts").empty() ? "SV" : "SV-6";
+      if (any)
+        text.replace("Theory", start);
       for (const std::string &body : names.at("Bodies"))
         {
           const std::string kinematics = "Body " + body + "/Kinematics/";
-          if (!text.says(kinematics + "Axis breaks"))
+          if (wants_any_theory(text, kinematics + "Theory", has_tolerance))
+            text.replace(kinematics + "Theory", start);
+          if (has_tolerance && !text.says(kinematics + "Axis breaks"))
             text.assume(kinematics + "Axis elements", "auto");
         }
+      if (!has_tolerance)
+        return false;
+      text.assume("Theory", start);
+      return is_assumed;
     }
   } // namespace
 
@@ -431,14 +461,15 @@ namespace lamella
       {
         NameLists names;
         std::tie(text, names) = listed(given);
-        assume_start(text, names);
+        const bool       theory_is_assumed = assume_start(text, names);
         ParameterHandler prm;
         declare_all(prm, names);
         text.check_declared(prm);
         text.fill(prm);
 
-        Scene scene    = resolve(prm, names, text);
-        scene.resolved = SceneText::printed(prm);
+        Scene scene                   = resolve(prm, names, text);
+        scene.goals.theory_is_assumed = theory_is_assumed;
+        scene.resolved                = SceneText::printed(prm);
         return scene;
       }
     catch (const InputError &error)

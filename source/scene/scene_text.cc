@@ -300,6 +300,14 @@ namespace lamella
 
 
   void
+  SceneText::replace(const std::string &path, const std::string &value)
+  {
+    put({path, value, 0});
+  }
+
+
+
+  void
   SceneText::fill(dealii::ParameterHandler &prm,
                   const bool                top_level_only) const
   {

@@ -104,12 +104,17 @@ namespace
 
 
 
+  /// A body of 1,000 DoFs on 100 nodes, whose section has 100 cells.
+  const std::vector<BodySize> large{BodySize{1000, 100, 1000, 100}},
+    small{BodySize{1000, 10, 300, 10}};
+
   std::string
-  enriched_theory(const std::string &theory,
-                  const Source       source,
-                  const double       most_dofs = 1e9)
+  enriched_theory(const std::string           &theory,
+                  const Source                 source,
+                  const double                 most_dofs = 1e9,
+                  const std::vector<BodySize> &sizes     = large)
   {
-    return enriched(scene_of(theory), source, {1000}, most_dofs)
+    return enriched(scene_of(theory), source, sizes, most_dofs)
       .bodies[0]
       .theory.name();
   }
@@ -124,13 +129,20 @@ BOOST_AUTO_TEST_CASE(richer_models)
   BOOST_TEST(enriched_theory("LE-2", Source::section) == "LE-3 (L16)");
   BOOST_TEST(enriched_theory("LE-2", Source::section, 2000.) ==
              "SV-10 (of LE-3)");
+  // Where layers are few, making responses would cost more, and there would be
+  // more of them than the section has fields.
+  BOOST_TEST(enriched_theory("TE-4", Source::fields, 1e9, small) ==
+             "LE-2 (L9)");
+  BOOST_TEST(enriched_theory("SV", Source::fields, 1e9, small) == "LE-2 (L9)");
+  BOOST_TEST(enriched_theory("LE-2", Source::section, 2000., small) ==
+             "LE-3 (L16)");
   BOOST_TEST(enriched_theory("solid-1", Source::section) == "solid-2");
   BOOST_TEST(enriched_theory("LE-2", Source::axis) == "LE-2 (L9)");
 
-  const Scene finer = enriched(scene_of("SV-6"), Source::axis, {1000}, 1e9);
+  const Scene finer = enriched(scene_of("SV-6"), Source::axis, large);
   BOOST_TEST(finer.bodies[0].axis.elements[0] == 6);
   BOOST_TEST(finer.bodies[0].axis.elements[1] == 8);
-  const Scene higher = enriched(scene_of("SV-6"), Source::section, {1}, 1e9);
+  const Scene higher = enriched(scene_of("SV-6"), Source::section, large);
   BOOST_TEST(higher.bodies[0].theory.section_order == 4);
 
   BOOST_TEST(!has_source(scene_of("LE-2"), Source::fields));

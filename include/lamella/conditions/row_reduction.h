@@ -7,6 +7,7 @@
 
 #include <deal.II/lac/sparse_direct.h>
 
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -81,6 +82,17 @@ namespace lamella
      */
     std::vector<std::pair<unsigned int, double>>
     multipliers(const Vector &residual) const;
+
+    /**
+     * The transpose of multipliers(): a displacement w with
+     *   sum_k weight(k) mu_k = w . residual,
+     * k the number of the row in those given to the constructor. It is the
+     * displacement, zero in all DoFs that no row eliminates, that the
+     * independent rows measure as their weights: what a support that moves like
+     * this does work on.
+     */
+    Vector
+    influence(const std::function<double(const unsigned int)> &weight) const;
 
   private:
     /// The independent rows of a group and the DoFs that they eliminate. Groups

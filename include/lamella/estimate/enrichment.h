@@ -4,7 +4,12 @@
 #define lamella_estimate_enrichment_h
 
 #include <lamella/base/names.h>
+#include <lamella/run/simulation.h>
 #include <lamella/scene/scene.h>
+#include <lamella/solve/results.h>
+
+#include <optional>
+#include <vector>
 
 namespace lamella
 {
@@ -30,29 +35,73 @@ namespace lamella
   /// section's own fields stand in.
   constexpr double most_dofs_of_layers = 60000.;
 
+  /// Fields that a node of SV-10 near something carries; a section wants more
+  /// than twice as many for these to be fewer.
+  constexpr double fields_of_responses = 200.;
+
+  /// The DoFs that LE-2 may have for being cheaper than the making of responses.
+  constexpr double cheap_dofs = 20000.;
+
+  /// How large a body is, as far as its models are chosen by it.
+  struct BodySize
+  {
+    unsigned int dofs = 0;
+    /// Of its axis, and fields and cells of its section; 0 of solids.
+    unsigned int nodes = 0, fields = 0, cells = 0;
+  };
+
+  /// Those of the bodies of @p model.
+  std::vector<BodySize>
+  sizes_of(const Simulation &model);
+
+  /// About how many DoFs LE-@p degree has with the nodes and cells of @p size:
+  /// three for each point of a square grid.
+  double
+  dofs_of_layers(const BodySize &size, const unsigned int degree);
+
   /**
    * @p scene with less of one source of error, in all bodies:
    *   axis      elements along beams halved;
-   *   fields    EBBT, TBT and TE-N become SV-10, SV-N up to SV-5 SV-6, and
-   *             others get four wave numbers more; LE-N has all fields of its
-   *             section already;
+   *   fields    EBBT, TBT and TE-N become SV-10, SV to SV-5 SV-6, or all of
+   *             these LE-2 where that has at most cheap_dofs; SV-N gets four
+   *             wave numbers more; LE-N has all fields of its section already;
    *   section   LE-N becomes LE-(N+1); the section order of SV-N grows by one;
    *             solid-1 becomes solid-2, whose hexahedra are divided in eight;
    *   contact   penalties become exact.
-   * LE-N becomes SV-10 with the same functions where the body, which has
-   * @p dofs DoFs now, would have more than @p most_dofs. Nothing changes where
-   * there is no such source: see has_source(). The axes of @p scene have to be
-   * made (grade_axes()).
+   * LE-N becomes SV-10 with the same functions where the body, of the size
+   * @p sizes now, would have more than @p most_dofs, and the fields of responses
+   * are fewer than those of the section. Nothing changes where there is no such
+   * source: see has_source(). The axes of @p scene have to be made
+   * (grade_axes()).
    */
   Scene
-  enriched(const Scene                     &scene,
-           const Source                     source,
-           const std::vector<unsigned int> &dofs,
-           const double                     most_dofs);
+  enriched(const Scene                 &scene,
+           const Source                 source,
+           const std::vector<BodySize> &sizes,
+           const double                 most_dofs = most_dofs_of_layers);
 
   /// Whether enriched() would change anything.
   bool
   has_source(const Scene &scene, const Source source);
+
+  /// @p scene with the elements @p marked of its beams bisected. Their axes have
+  /// to be made; bodies whose nodes a contact pairs (node to node) want all of
+  /// their elements marked or none.
+  Scene
+  bisected(Scene scene, const std::vector<ElementError> &marked);
+
+  /**
+   * Which elements to bisect for @p goals that are not met: of each, the worst
+   * one first, those with the largest |error| per DoF until what all others do
+   * is below @p left of the tolerance, and no less than @p share of the sum.
+   * None if a goal that is not met has no LocalErrors, or a contact pairs
+   * nodes: then all elements are to be halved.
+   */
+  std::optional<std::vector<ElementError>>
+  marked_elements(const Scene                   &scene,
+                  const std::vector<GoalResult> &goals,
+                  const double                   left,
+                  const double                   share);
 
   /// The scene as an estimate needs it: its last load step only, and nothing
   /// asked for but probes.

@@ -9,23 +9,26 @@
 #define lamella_estimate_estimation_h
 
 #include <lamella/estimate/enrichment.h>
+#include <lamella/estimate/error_bar.h>
 #include <lamella/recover/named_quantity.h>
 #include <lamella/run/simulation.h>
 
+#include <functional>
 #include <iosfwd>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace lamella
 {
-  /// A model that was solved: its scene, its numbers, and what the bodies have
-  /// of DoFs.
+  /// A model that was solved: its scene, its numbers, and how large its bodies
+  /// are.
   struct Model
   {
-    Scene                     scene;
-    ResultNumbers             numbers;
-    std::vector<unsigned int> dofs;
+    Scene                 scene;
+    ResultNumbers         numbers;
+    std::vector<BodySize> sizes;
   };
 
   /// Models of one scene that were solved, by what they differ in (theories,
@@ -46,24 +49,49 @@ namespace lamella
   /**
    * The errors of a run's goals, from richer models of the same scene:
    *   M_0          the run
-   *   M_1 .. M_k   one source of error less each: axis, fields, section,
-   *                contact, whichever the scene has
+   *   M_1 .. M_k   one source of error less each than a model before it: axis,
+   *                fields, section, contact, whichever the scene has
    *   M_r          axis, fields and section enriched once more.
-   * The share of a source is the change of the goal from the model before it,
-   * J(M_i) - J(M_(i-1)), so the shares sum to J(M_k) - J(M_0); the bar is that
-   * of error_bar() with J(M_k) and J(M_r). Each model is solved whole, with
-   * contact rows of its own mesh and its own active set: what a frozen active
-   * set cannot see, that it is wrong, this sees, and quantities need not be
-   * linear in the displacements.
+   * The share of a source is the change of the goal from the model that M_i was
+   * made of, J(M_i) - J(M_j), and with the estimate of the first refinement,
+   * J_1 = J(M_0) + sum of shares, the bar is that of error_bar() with J_1 and
+   * J_1 + J(M_r) - J(M_j). Each is made of the last one before it, so the shares
+   * sum to J(M_k) - J(M_0); but in a run to a tolerance of the last one whose
+   * share is a tenth of a tolerance or more for some goal, and M_r has less of
+   * the sources with such shares only, or of the one with the largest: what does
+   * not matter costs little.
+   *
+   * Each model is solved whole, with contact rows of its own mesh and its own
+   * active set: what a frozen active set cannot see, that it is wrong, this
+   * sees, and quantities need not be linear in the displacements. Of quantities
+   * that have a derivative the share of the axis is told element by element
+   * (Localisation).
    *
    * Collective.
    */
   class Estimation
   {
   public:
+    /// What M_r is made for.
+    enum class Effort
+    {
+      full,     ///< all goals
+      as_needed ///< goals whose bar may be within their tolerance, where there
+                ///< is no poorer model that does instead
+    };
+
     /// @p run, whose last step is solved, @p out and @p cache are referred to.
     /// @p out is told of each model, a line each.
-    Estimation(const Simulation &run, std::ostream &out, ModelCache &cache);
+    Estimation(const Simulation &run,
+               std::ostream     &out,
+               ModelCache       &cache,
+               const Effort      effort = Effort::full);
+
+    /// Hands in the numbers of a poorer model than the run, that of an earlier
+    /// pass: with Effort::as_needed it, the run and M_k are two successive
+    /// refinements of each goal, and where these agree M_r is not made.
+    void
+    comes_after(const ResultNumbers &poorer);
 
     /// The goals of the scene with their bars. Where a richer model cannot be
     /// solved, the goals say why there is no bar. Empty without goals, or where
@@ -75,13 +103,58 @@ namespace lamella
     /// The run as the first model.
     Model
     first_model() const;
-    /// Solves @p scene and tells @p what it is.
+    /// One more model, with less of one source than another.
+    struct Step
+    {
+      Source       source;
+      unsigned int from = 0, to = 0;
+    };
+
+    /// Solves @p scene and tells @p what it is, unless it is known. What solved
+    /// it is handed to @p look before it goes; then it is solved in any case.
     Model
-    solved(const Scene &scene, const std::string &what);
-    /// M_1 .. M_k with the source that each has less of.
+    solved(const Scene &scene,
+           const std::string &what,
+           const std::function<void(const Simulation &)> &look = {});
+    /// M_1 .. M_k, and M_r.
     void
     climb();
-    /// What the models say of @p quantity.
+    void
+    add_step(const Source source);
+    /// The sources that M_r has less of than the last model that matters.
+    std::vector<Source>
+    sources_that_matter() const;
+    /// The largest share of @p step in a goal, over its tolerance.
+    double
+    weight_of(const Step &step) const;
+    /// Of the goal @p quantity what the first refinement changes by @p step.
+    double
+    share_of(const Step &step, const NamedQuantity &quantity) const;
+    /// Whether the first refinement tells that a goal's bar will be larger than
+    /// its tolerance.
+    bool
+    is_far_off() const;
+    /// What the first refinement makes of @p quantity.
+    Refinements
+    first_refinement(const NamedQuantity &quantity) const;
+    /// The bar of the poorer model that comes_after() knows.
+    ErrorBar
+    bar_of_poorer(const NamedQuantity &quantity) const;
+    /// Whether two refinements of all goals agree without M_r.
+    bool
+    agrees_with_poorer() const;
+    /// LocalErrors of all quantities, from the model with shorter elements.
+    void
+    localise(const Simulation &finer);
+    /// |value| of @p quantity, or the largest of its kind where that is near
+    /// zero.
+    double
+    scale_of(const NamedQuantity &quantity) const;
+    /// Name, value, scale and tolerance of @p quantity, the goal @p number.
+    GoalResult
+    goal_without_bar(const NamedQuantity &quantity,
+                     const unsigned int   number) const;
+    /// What the models say of it.
     GoalResult
     goal(const NamedQuantity &quantity, const unsigned int number) const;
     /// The quantities of the scene, those of whole probes among them.
@@ -94,8 +167,18 @@ namespace lamella
     const Simulation   &run;
     std::ostream       &out;
     ModelCache         &cache;
-    std::vector<Model>  models;
-    std::vector<Source> sources;
+    Effort              effort;
+    /// The run first, and M_r last if it was made.
+    std::vector<Model> models;
+    std::vector<Step>  steps;
+    /// The model that the next one is made of, and whether M_r was made.
+    unsigned int base         = 0;
+    bool         has_richest = false;
+    /// The one that M_r is made of.
+    unsigned int before_richest = 0;
+    std::optional<ResultNumbers> poorer;
+    /// Of each of quantities(); empty where they are not known.
+    std::vector<std::optional<LocalErrors>> local;
     /// Why there is no richer model; empty if there is.
     std::string failure;
   };

@@ -20,13 +20,13 @@ namespace lamella
    *   2. writes its results, so that an interrupted run leaves those of its
    *      last whole pass,
    *   3. ends the run if all goals are met, or enriches the model in each
-   * source of error with more than a quarter of what a goal may be off by. The
-   * first model is the scene as it is said (SV, SV-6 with contacts, and graded
+   * source of error with more than a quarter of what a goal may be off by, along
+   * the axis in the elements that matter (marked_elements()). The first model is the scene as it is said (SV, SV-6 with contacts, and graded
    * axes where it does not say).
    *
    * It also ends when the next model would exceed a budget, cannot be solved,
    * or when the worst goal has got no better in two passes; the result is then
-   * that of the last pass, and a note says why.
+   * that of the last pass with its bars, and a note says why.
    */
   class ToleranceRun
   {
@@ -55,6 +55,16 @@ namespace lamella
     /// The sources that the goals want less of.
     std::vector<Source>
     wanted() const;
+    /// The present scene with less of these: along the axis the elements that
+    /// matter are bisected (marked_elements()).
+    Scene
+    next_scene() const;
+    /// Whether the budget of seconds is spent.
+    bool
+    is_late() const;
+    /// Makes the bars of the last pass with both refinements, and writes them.
+    void
+    end_with_bars(const std::string &directory);
     /// Why no further pass is made; empty if one is.
     std::string
     reason_to_stop() const;
@@ -72,8 +82,12 @@ namespace lamella
     dealii::Timer               wall;
   };
 
-  /// The largest of bar over tolerance, 1 or less if all of @p goals are met;
-  /// infinite where there is no bar.
+  /// Whether all of @p goals have bars within their tolerances.
+  bool
+  all_met(const std::vector<GoalResult> &goals);
+
+  /// The largest of bar over tolerance; where there is no bar twice the
+  /// estimate stands for it.
   double
   worst_ratio(const std::vector<GoalResult> &goals);
 } // namespace lamella

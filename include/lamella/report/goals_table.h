@@ -18,6 +18,13 @@ namespace lamella
   std::string
   goals_csv(const std::vector<GoalResult> &goals);
 
+  /// The file indicators.csv: what each element along a beam does to the share
+  /// of the axis in a goal's error, a line each (goal, body, begin and end along
+  /// its axis, error), then what contact and a remainder do (LocalErrors). The
+  /// errors of a goal sum to its share `axis`.
+  std::string
+  indicators_csv(const Results &results);
+
   /// Prints the goals with their bars and, where a share of the error is large,
   /// what it comes from and what mends it. Nothing without any.
   void

@@ -113,6 +113,30 @@ namespace lamella
       return scene;
     }
 
+    /// What is solved, for who looks into the error of it: the structure, the
+    /// gap rows of its contacts, and what solves it, which is there once
+    /// solve() was called.
+    const Structure &
+    solved_structure() const
+    {
+      return *structure;
+    }
+    const std::vector<ContactInterface> &
+    interfaces() const
+    {
+      return contacts;
+    }
+    const GapRows &
+    rows() const
+    {
+      return gap_rows;
+    }
+    ContactSolver &
+    contact_solver() const
+    {
+      return *solver;
+    }
+
     /// Prints plies, laminate stiffnesses, sections as beams, bodies, contacts
     /// and notes, without solving: what --validate is for.
     void

@@ -47,6 +47,9 @@ namespace lamella
     /// What a run to a tolerance may take; 0: what it wants.
     unsigned int budget_dofs    = 0;
     double       budget_seconds = 0.;
+    /// Whether the scene says nothing of its Theory, so that a run to a
+    /// tolerance may begin with what suits it.
+    bool theory_is_assumed = false;
 
     /// Declares them in `subsection Goals`, which must be entered.
     static void

@@ -106,6 +106,10 @@ namespace lamella
     void
     assume(const std::string &path, const std::string &value);
 
+    /// Says that the entry @p path is @p value, whatever the text says of it.
+    void
+    replace(const std::string &path, const std::string &value);
+
     /// Whether the text, or an override, has the subsection @p path.
     bool
     has_subsection(const std::string &path) const;

@@ -174,6 +174,32 @@ namespace lamella
     double initial_gap_min = 0., initial_gap_max = 0.;
   };
 
+  /// What an element along a beam does to the error of a goal.
+  struct ElementError
+  {
+    /// Its number in the scene, and the element from the start of its axis
+    /// [length].
+    unsigned int body  = 0;
+    double       begin = 0., end = 0.;
+    /// In the unit of the goal, signed.
+    double error = 0.;
+    /// Of the nodes of the element, those that it shares among them.
+    unsigned int dofs = 0;
+  };
+
+  /// The change of a goal from one model to a finer one, by where it comes
+  /// from: elements, contact and remainder sum to it.
+  struct LocalErrors
+  {
+    std::vector<ElementError> elements;
+    /// What the gap rows of the finer model find between the surfaces of the
+    /// coarser one, and its forces that they do not have.
+    double contact = 0.;
+    /// What neither says: zero to rounding where all displacements of the
+    /// coarser model are among those of the finer one, under one law.
+    double remainder = 0.;
+  };
+
   /// A number that a run was made for, and what is held of its error. In the
   /// unit of the quantity.
   struct GoalResult
@@ -193,6 +219,8 @@ namespace lamella
     std::optional<double> tolerance;
     /// What the estimate is the sum of, by the source of the error.
     std::vector<std::pair<std::string, double>> shares;
+    /// The share of the axis, by elements; none where that is not known.
+    std::optional<LocalErrors> local;
     /// What no refinement shows: the part of the scale that a theory of small
     /// rotations misses, half the square of the largest.
     double kinematics = 0.;

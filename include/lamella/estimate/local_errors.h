@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef lamella_estimate_local_errors_h
+#define lamella_estimate_local_errors_h
+
+#include <lamella/recover/named_quantity.h>
+#include <lamella/run/simulation.h>
+
+#include <optional>
+#include <vector>
+
+namespace lamella
+{
+  /**
+   * Tells where the error of a goal comes from, by dual weighted residuals.
+   * With u_H of the coarser model on the finer one's nodes, K, the gap rows B
+   * and the forces lambda of the finer one, and the dual solution z, nu of the
+   * goal J,
+   *   K z - B^T nu = J'_u,   B z + a nu = -J'_lambda   (active rows),
+   * the difference of the two models is, to rounding,
+   *   J(u_h) - J(u_H) = r . z - nu . s,
+   *   r = t f + B^T l - f_int(u_H),   s = -(g(u_H) + a l),
+   * whichever forces l stand in the rows; they are lambda, scaled to the
+   * resultants of the coarser model. Of z its interpolant I z in the coarser
+   * model is taken off, to which r is orthogonal but for contact, so that what
+   * is left is local: the error of an element is the sum of r_k (z - I z)_k
+   * over its nodes k, half of it where two elements share one.
+   *
+   * Both models have the same bodies; beams of the same section, whose axes
+   * differ, and solids that are the same. Both are solved and referred to.
+   * (Becker and Rannacher, Acta Numerica 10 (2001), sec. 3; deal.II's step-14.)
+   */
+  class Localisation
+  {
+  public:
+    /// Whether bodies are what they have to be.
+    static bool
+    is_possible(const Simulation &coarse, const Simulation &fine);
+
+    /// Collective, as is errors().
+    Localisation(const Simulation &coarse, const Simulation &fine);
+
+    /// Of the goal @p goal, whose values differ by @p change between the two.
+    /// None for what has no derivative (a mean, a width, a jump). Where
+    /// stresses are recovered the derivative is that of the elements' own. One
+    /// solution with the factor that is there.
+    std::optional<LocalErrors>
+    errors(const NamedQuantity &goal, const double change) const;
+
+  private:
+    /// J'_u, and J'_lambda of the active rows.
+    struct Derivative
+    {
+      BlockVector u;
+      Vector      force;
+    };
+
+    std::optional<Derivative>
+    derivative(const NamedQuantity &goal) const;
+    Derivative
+    zero() const;
+    /// Of a column of a probe.
+    std::optional<Derivative>
+    at_probe(const NamedQuantity &goal) const;
+    /// Of a component of what a support does: w (f_int - t f - B^T lambda)
+    /// with the displacement w that is 1 where the support holds.
+    std::optional<Derivative>
+    of_support(const NamedQuantity &goal) const;
+    std::optional<Derivative>
+    of_contact(const NamedQuantity &goal) const;
+
+    /// z and nu, refined once against what the strains say.
+    Derivative
+    dual(const Derivative &derivative) const;
+
+    /// Displacements of one model on the nodes of the other.
+    BlockVector
+    on_fine(const BlockVector &u) const;
+    BlockVector
+    on_coarse(const BlockVector &u) const;
+
+    /// Adds the errors of the elements of @p body, of the products @p share of
+    /// its DoFs.
+    void
+    add_elements(const unsigned int body,
+                 const Vector      &share,
+                 LocalErrors       &result) const;
+
+    const Simulation         &coarse, &fine;
+    double                    factor;
+    std::vector<unsigned int> active;
+    BlockVector               residual;
+    /// s of the active rows.
+    Vector mismatch;
+  };
+} // namespace lamella
+
+#endif

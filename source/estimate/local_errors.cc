@@ -1,0 +1,336 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <lamella/body/beam_transfer.h>
+#include <lamella/estimate/local_errors.h>
+
+#include <algorithm>
+
+namespace lamella
+{
+  using Of = NamedQuantity::Of;
+
+  namespace
+  {
+    const Beam *
+    beam(const Simulation &simulation, const unsigned int body)
+    {
+      return dynamic_cast<const Beam *>(
+        simulation.solved_structure().bodies()[body].get());
+    }
+
+
+
+    unsigned int
+    n_bodies(const Simulation &simulation)
+    {
+      return simulation.solved_structure().bodies().size();
+    }
+
+
+
+    /// @p u of one model on the nodes of another; bodies that are no beams are
+    /// the same in both.
+    BlockVector
+    moved(const Simulation &from, const BlockVector &u, const Simulation &to)
+    {
+      BlockVector result = to.solved_structure().zero();
+      for (unsigned int b = 0; b < n_bodies(from); ++b)
+        if (const Beam *const source = beam(from, b))
+          result.block(b) = transferred(*source, u.block(b), *beam(to, b));
+        else
+          result.block(b) = u.block(b);
+      return result;
+    }
+
+
+
+    /// Of the resultant of @p forces, the rows of one contact.
+    double
+    sum_of(const dealii::ArrayView<const double> &forces)
+    {
+      double sum = 0.;
+      for (const double force : forces)
+        sum += force;
+      return sum;
+    }
+
+
+
+    /// What a column of probes.csv is the component @p component of; none for
+    /// others than displacements, strains and stresses.
+    struct Component
+    {
+      Quantity     quantity;
+      Frame        frame;
+      unsigned int component;
+    };
+
+    std::optional<Component>
+    component_of(const std::string &column)
+    {
+      const auto        &names = field_names();
+      const unsigned int n =
+        std::find(names.begin(), names.end(), column) - names.begin();
+      constexpr unsigned int strains = 3, stresses = 9, of_ply = 15, end = 21;
+      if (n < strains)
+        return Component{Quantity::displacement, Frame::scene, n};
+      if (n < stresses)
+        return Component{Quantity::strain, Frame::scene, n - strains};
+      if (n < of_ply)
+        return Component{Quantity::stress, Frame::scene, n - stresses};
+      if (n < end)
+        return Component{Quantity::stress, Frame::ply, n - of_ply};
+      return std::nullopt;
+    }
+  } // namespace
+
+
+
+  bool
+  Localisation::is_possible(const Simulation &coarse, const Simulation &fine)
+  {
+    for (unsigned int b = 0; b < n_bodies(coarse); ++b)
+      {
+        const Beam *const one = beam(coarse, b), *const other = beam(fine, b);
+        if (one != nullptr && other != nullptr ?
+              one->section().n_fields() != other->section().n_fields() :
+              coarse.solved_structure().bodies()[b]->n_dofs() !=
+                fine.solved_structure().bodies()[b]->n_dofs())
+          return false;
+      }
+    return true;
+  }
+
+
+
+  Localisation::Localisation(const Simulation &coarse, const Simulation &fine)
+    : coarse(coarse)
+    , fine(fine)
+    , factor(fine.results().last().load_factor)
+    , active(fine.results().last().state.active)
+  {
+    const State       &state = fine.results().last().state;
+    const State       &rough = coarse.results().last().state;
+    const BlockVector  u     = on_fine(rough.u);
+    const GapRows     &rows  = fine.rows();
+    std::vector<double> forces(rows.size(), 0.);
+    if (!state.force.empty() && !rough.force.empty())
+      for (const unsigned int r : active)
+        {
+          const unsigned int c = rows.in_contact(r).first;
+          forces[r]            = state.force[r] *
+                      sum_of(coarse.rows().of_contact(c, rough.force)) /
+                      sum_of(rows.of_contact(c, state.force));
+        }
+    residual = fine.solved_structure().residual(u, factor, state.rest);
+    mismatch.reinit(active.size());
+    for (unsigned int k = 0; k < active.size(); ++k)
+      {
+        const unsigned int r = active[k];
+        rows[r].add_to(residual, forces[r]);
+        mismatch[k] =
+          -(rows[r].gap(u, factor) + law_softness(rows[r]) * forces[r]);
+      }
+  }
+
+
+
+  BlockVector
+  Localisation::on_fine(const BlockVector &u) const
+  {
+    return moved(coarse, u, fine);
+  }
+
+
+
+  BlockVector
+  Localisation::on_coarse(const BlockVector &u) const
+  {
+    return moved(fine, u, coarse);
+  }
+
+
+
+  Localisation::Derivative
+  Localisation::zero() const
+  {
+    return {fine.solved_structure().zero(), Vector(active.size())};
+  }
+
+
+
+  std::optional<Localisation::Derivative>
+  Localisation::derivative(const NamedQuantity &goal) const
+  {
+    switch (goal.of)
+      {
+        case Of::probe:
+          return at_probe(goal);
+        case Of::support:
+          return of_support(goal);
+        case Of::contact:
+          return of_contact(goal);
+        default:
+          return std::nullopt;
+      }
+  }
+
+
+
+  std::optional<Localisation::Derivative>
+  Localisation::at_probe(const NamedQuantity &goal) const
+  {
+    const auto         component = component_of(goal.column);
+    const auto        &probes    = fine.solved_scene().probes;
+    const Probe       &probe     = *std::find_if(
+      probes.begin(), probes.end(), [&goal](const Probe &candidate) {
+        return candidate.name == goal.name;
+      });
+    if (!component)
+      return std::nullopt;
+    const Body &body = *fine.solved_structure().bodies()[probe.body];
+    const auto  sides  = body.locate({probe.position});
+    Derivative  result = zero();
+    for (const Location &location : sides.front())
+      if (goal.ply == 0 || location.ply + 1 == goal.ply)
+        {
+          body.rows({location}, component->quantity, component->frame)
+            .front()[component->component]
+            .add_to(result.u.block(probe.body), 1.);
+          return result;
+        }
+    return std::nullopt;
+  }
+
+
+
+  std::optional<Localisation::Derivative>
+  Localisation::of_support(const NamedQuantity &goal) const
+  {
+    // Moments refer to points: left to those who can do without a derivative.
+    if (goal.column[0] != 'f')
+      return std::nullopt;
+    const Structure   &structure = coarse.solved_structure();
+    const auto        &supports  = fine.results().supports;
+    const unsigned int support =
+      std::find(supports.begin(), supports.end(), goal.name) -
+      supports.begin();
+    BlockVector w = structure.zero();
+    for (unsigned int b = 0; b < w.n_blocks(); ++b)
+      w.block(b) =
+        structure.reduction(b).influence([&](const unsigned int row) {
+          const PrescribedRow &p = structure.prescribed()[row];
+          return p.support == support ? p.direction[goal.column[1] - 'x'] : 0.;
+        });
+    w                 = on_fine(w);
+    Derivative result = zero();
+    // K w, with the springs.
+    result.u.add(-1., fine.solved_structure().residual(w, 0.));
+    for (unsigned int k = 0; k < active.size(); ++k)
+      result.force[k] = -fine.rows()[active[k]].opening(w);
+    return result;
+  }
+
+
+
+  std::optional<Localisation::Derivative>
+  Localisation::of_contact(const NamedQuantity &goal) const
+  {
+    if (goal.column.size() != 2 || goal.column[0] != 'f')
+      return std::nullopt;
+    Derivative result = zero();
+    for (unsigned int k = 0; k < active.size(); ++k)
+      {
+        const auto [c, row] = fine.rows().in_contact(active[k]);
+        const ContactInterface &contact = fine.interfaces()[c];
+        if (contact.name == goal.name)
+          result.force[k] =
+            contact.points[row].normal[goal.column[1] - 'x'];
+      }
+    return result;
+  }
+
+
+
+  Localisation::Derivative
+  Localisation::dual(const Derivative &derivative) const
+  {
+    Derivative  result = zero(), correction = zero();
+    BlockVector left   = derivative.u;
+    Vector      right  = derivative.force;
+    right *= -1.;
+    for (unsigned int round = 0; round < 2; ++round)
+      {
+        fine.contact_solver().solve_linear(
+          active, left, right, correction.u, correction.force);
+        result.u += correction.u;
+        result.force += correction.force;
+        left = derivative.u;
+        left += fine.solved_structure().residual(result.u, 0.);
+        for (unsigned int k = 0; k < active.size(); ++k)
+          {
+            const GapRow &row = fine.rows()[active[k]];
+            row.add_to(left, result.force[k]);
+            right[k] = -derivative.force[k] - row.opening(result.u) -
+                       law_softness(row) * result.force[k];
+          }
+      }
+    return result;
+  }
+
+
+
+  void
+  Localisation::add_elements(const unsigned int body,
+                             const Vector      &share,
+                             LocalErrors       &result) const
+  {
+    const Axis  &axis  = beam(coarse, body)->axis();
+    const Beam  &finer = *beam(fine, body);
+    const double near  = 1e-10 * axis.length();
+    const auto   first = result.elements.size();
+    for (unsigned int cell = 0; cell < axis.n_cells(); ++cell)
+      {
+        unsigned int dofs = 0;
+        for (const unsigned int node : axis.nodes_of_cell(cell))
+          dofs += beam(coarse, body)->dofs().fields(node).size();
+        result.elements.push_back(
+          {body, axis.cell_begin(cell), axis.cell_end(cell), 0., dofs});
+      }
+    for (unsigned int node = 0; node < finer.axis().n_nodes(); ++node)
+      {
+        double error = 0.;
+        for (unsigned int k = 0; k < finer.dofs().fields(node).size(); ++k)
+          error += share[finer.dofs().first(node) + k];
+        const auto cells = axis.locate(finer.axis().nodes()[node], near);
+        for (const auto &cell : cells)
+          result.elements[first + cell.first].error += error / cells.size();
+      }
+  }
+
+
+
+  std::optional<LocalErrors>
+  Localisation::errors(const NamedQuantity &goal, const double change) const
+  {
+    const auto functional = derivative(goal);
+    if (!functional)
+      return std::nullopt;
+    const Derivative z     = dual(*functional);
+    BlockVector      local = z.u;
+    local -= on_fine(on_coarse(z.u));
+    LocalErrors result;
+    double      sum = 0.;
+    for (unsigned int b = 0; b < n_bodies(fine); ++b)
+      if (beam(fine, b) != nullptr)
+        {
+          Vector share = residual.block(b);
+          share.scale(local.block(b));
+          add_elements(b, share, result);
+          sum += residual.block(b) * local.block(b);
+        }
+    result.contact   = residual * z.u - sum - z.force * mismatch;
+    result.remainder = change - sum - result.contact;
+    return result;
+  }
+} // namespace lamella

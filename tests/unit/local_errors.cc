@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+// Where errors of goals come from: the shares of elements, contact and
+// remainder against the change of the goal itself.
+
+#include <lamella/estimate/enrichment.h>
+#include <lamella/estimate/local_errors.h>
+
+#include <boost/test/unit_test.hpp>
+
+#include <cmath>
+#include <numeric>
+#include <ostream>
+
+using namespace lamella;
+
+namespace
+{
+  /// A scene and the same with all elements along the axis halved, both solved.
+  struct TwoModels
+  {
+    TwoModels(const std::string &file, std::vector<std::string> overrides)
+      : scene(read_scene(
+          SceneText::read(LAMELLA_SOURCE_DIR + file, std::move(overrides))))
+      , nowhere(nullptr)
+      , coarse(scene, nowhere)
+      , fine(enriched(coarse.solved_scene(),
+                      Source::axis,
+                      sizes_of(coarse)),
+             nowhere)
+    {
+      coarse.solve();
+      fine.solve();
+      BOOST_REQUIRE(Localisation::is_possible(coarse, fine));
+    }
+
+    double
+    change(const NamedQuantity &goal) const
+    {
+      return ResultNumbers(fine.results()).value(goal) -
+             ResultNumbers(coarse.results()).value(goal);
+    }
+
+    Scene        scene;
+    std::ostream nowhere;
+    Simulation   coarse, fine;
+  };
+
+
+
+  double
+  sum_of(const LocalErrors &errors)
+  {
+    return std::accumulate(
+      errors.elements.begin(),
+      errors.elements.end(),
+      0.,
+      [](const double sum, const ElementError &element) {
+        return sum + element.error;
+      });
+  }
+
+
+
+  const NamedQuantity probe_uz{NamedQuantity::Of::probe, "middle", 0, "uz"},
+    probe_syz{NamedQuantity::Of::probe, "one", 0, "syz"},
+    probe_s22{NamedQuantity::Of::probe, "two", 0, "s22"},
+    reaction{NamedQuantity::Of::support, "clamps", 0, "fz"};
+} // namespace
+
+BOOST_AUTO_TEST_SUITE(local_errors)
+
+BOOST_AUTO_TEST_CASE(elements_sum_to_the_change_where_spaces_are_nested)
+{
+  // Nothing is left over and nothing is contact's: the residual is orthogonal
+  // to the coarser space.
+  for (const char *const theory : {"LE-2", "TE-3", "SV", "TBT"})
+    {
+      const TwoModels    models("/tests/scenes/clamped_laminate.prm",
+                             {std::string("Theory=") + theory,
+                              "Body beam/Kinematics/Axis elements=3, 2",
+                              "Body beam/Kinematics/Axis breaks=9",
+                              "Load patch/Pressure=1 + x + 0.1 * y"});
+      const Localisation localisation(models.coarse, models.fine);
+      for (const NamedQuantity &goal : {probe_uz, probe_syz, probe_s22})
+        {
+          const double change = models.change(goal);
+          const auto   errors = localisation.errors(goal, change);
+          BOOST_REQUIRE(errors.has_value());
+          BOOST_TEST(errors->elements.size() == 5u);
+          const double value =
+            std::abs(ResultNumbers(models.fine.results()).value(goal));
+          BOOST_TEST_CONTEXT(theory << " " << goal.label())
+          {
+            BOOST_TEST(std::abs(sum_of(*errors) - change) < 1e-10 * value);
+            BOOST_TEST(std::abs(errors->remainder) < 1e-10 * value);
+            BOOST_TEST(std::abs(errors->contact) < 1e-10 * value);
+          }
+        }
+    }
+}
+
+
+
+BOOST_AUTO_TEST_CASE(reactions_have_a_dual)
+{
+  // Of two clamps what one of them carries depends on the mesh.
+  const TwoModels    models("/tests/scenes/clamped_laminate.prm",
+                         {"Theory=LE-2",
+                          "Supports=clamps, other",
+                          "Support other/On=beam: end",
+                          "Support clamps/On=beam: start",
+                          "Body beam/Kinematics/Axis elements=2, 1",
+                          "Body beam/Kinematics/Axis breaks=13",
+                          "Load patch/Pressure=if(y < 13, 1 + x, 0)"});
+  const Localisation localisation(models.coarse, models.fine);
+  const double       change = models.change(reaction);
+  const auto         errors = localisation.errors(reaction, change);
+  BOOST_REQUIRE(errors.has_value());
+  BOOST_TEST(std::abs(change) > 1e-4);
+  BOOST_TEST(std::abs(sum_of(*errors) - change) < 1e-9);
+}
+
+
+
+BOOST_AUTO_TEST_CASE(contact_is_told_apart)
+{
+  // The rows of the finer model are others than those of the coarser one: what
+  // they find is contact's, and nothing is left over.
+  for (const char *const enforcement : {"exact", "penalty"})
+    {
+      const TwoModels models(
+        "/prm/sandwich.prm",
+        {"Theory=LE-1",
+         "Section sandwich/Cells per ply=1",
+         "Section sandwich/Cells across=2",
+         "Body beam/Kinematics/Axis elements=3, 1, 2, 1, 3",
+         std::string("Contact indentation/Enforcement=") + enforcement});
+      const Localisation localisation(models.coarse, models.fine);
+      for (const NamedQuantity &goal :
+           {NamedQuantity{NamedQuantity::Of::contact, "indentation", 0, "fz"},
+            NamedQuantity{NamedQuantity::Of::support, "clamps", 0, "fz"},
+            NamedQuantity{NamedQuantity::Of::probe, "quarter", 0, "uy"},
+            NamedQuantity{NamedQuantity::Of::probe, "core", 0, "syz"}})
+        {
+          const double change = models.change(goal);
+          const auto   errors = localisation.errors(goal, change);
+          BOOST_REQUIRE(errors.has_value());
+          BOOST_TEST_CONTEXT(enforcement << " " << goal.label())
+          {
+            BOOST_TEST(std::abs(sum_of(*errors) + errors->contact - change) <
+                       1e-7 * std::abs(change));
+          }
+        }
+    }
+}
+
+
+
+BOOST_AUTO_TEST_CASE(elements_that_matter_are_marked)
+{
+  Scene           scene;
+  BodyDescription body;
+  body.axis.length   = 4.;
+  body.axis.elements = {2, 1};
+  body.axis.breaks   = {2.};
+  scene.bodies       = {body};
+  GoalResult goal;
+  goal.value = goal.scale = 1.;
+  goal.tolerance          = 1e-2;
+  goal.bar                = 2e-2;
+  goal.trusted            = true;
+  goal.local = LocalErrors{
+    {{0, 0., 1., 8e-3, 10}, {0, 1., 2., -1e-3, 10}, {0, 2., 4., 1e-3, 40}}};
+  // Eight of ten are done by the first.
+  const auto marked = marked_elements(scene, {goal}, 0.5, 0.65);
+  BOOST_REQUIRE(marked.has_value());
+  BOOST_TEST(marked->size() == 1u);
+  // More have to go where a tenth of the tolerance may be left.
+  const auto more = marked_elements(scene, {goal}, 0.15, 0.65);
+  BOOST_TEST(more->size() == 2u);
+  const AxisMesh axis = bisected(scene, *more).bodies[0].axis;
+  BOOST_TEST(axis.breaks == std::vector<double>({0.5, 1., 1.5, 2.}),
+             boost::test_tools::per_element());
+  BOOST_TEST(axis.elements.size() == 5u);
+
+  goal.bar = 5e-3;
+  BOOST_TEST(marked_elements(scene, {goal}, 0.1, 0.65)->empty());
+  goal.bar   = 1.;
+  goal.local = {};
+  BOOST_TEST(!marked_elements(scene, {goal}, 0.1, 0.65).has_value());
+}
+
+BOOST_AUTO_TEST_SUITE_END()
