@@ -115,11 +115,12 @@ def label_of(goal):
 
 
 def goals_with_bars(results):
-    """Each goal's value from its corrected one on, with the bar, over the scale."""
+    """Each goal's value from its corrected one on, with the bar, over the scale; none
+    where richer models had no result."""
     table = results.goals
     rows = [dict(zip(table.columns, row)) for row in zip(*table.columns.values())]
     rows = [row for row in rows if row["scale"] > 0.]
-    if not rows:
+    if not any(row["trusted"] == 1. or row["estimate"] for row in rows):
         return
     figure, axes = new_figure(results, "goals and their error bars", height=0.5)
     figure.set_figheight(1.3 + ROW * len(rows))
@@ -178,7 +179,7 @@ def draw_goal(axis, y, row, reach):
     elif row["trusted"] == 1.:
         axis.errorbar(x, y, xerr=row["bar"] * factor, fmt="o", color=COLOURS[0],
                       capsize=5, markersize=5.5)
-    else:
+    elif row["estimate"]:
         axis.plot(x, y, "o", color="0.5", fillstyle="none", markersize=5.5)
 
 
