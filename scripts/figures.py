@@ -10,10 +10,12 @@ meet one through both, a section cut a contour, several load steps a
 force-displacement curve, and each section its mesh. A contact with more than a few
 active pairs gives its pressure, over a patch also as a map, and over the width of a
 long patch beside the Hertz ellipse where the materials in scene.prm are isotropic;
-cuts through the patch give contours around it.
+cuts through the patch give contours around it. Nodes that carry different lists of
+fields give a strip along each body, goals their error bars, and a run to a tolerance
+its passes.
 
 figures_data.py reads, figures_style.py holds what all figures share, and
-figures_lines.py, figures_sections.py and figures_contact.py draw.
+figures_lines.py, figures_sections.py, figures_contact.py and figures_goals.py draw.
 """
 
 import sys
@@ -22,13 +24,15 @@ from pathlib import Path
 
 from figures_contact import around_the_contact, contact_pressure
 from figures_data import Results
+from figures_goals import fields_of_nodes, goals_with_bars, passes_of_a_tolerance
 from figures_lines import (across_the_width, along_the_axis, load_history,
                            through_the_thickness)
 from figures_sections import section_cuts, section_meshes
 from figures_style import plt
 
 FIGURES = (along_the_axis, through_the_thickness, across_the_width, section_cuts,
-           load_history, contact_pressure, around_the_contact, section_meshes)
+           load_history, contact_pressure, around_the_contact, section_meshes,
+           fields_of_nodes, goals_with_bars, passes_of_a_tolerance)
 
 
 def main():
@@ -48,7 +52,7 @@ def main():
             figure.savefig(pictures / f"{name}{suffix}.png")
             plt.close(figure)
     if not taken:
-        print(f"{folder} holds nothing to draw (no lines, cuts or load steps).")
+        print(f"{folder} holds nothing to draw (no lines, cuts, load steps or goals).")
 
 
 if __name__ == "__main__":

@@ -98,8 +98,10 @@ class Results:
                      for name, table in self.tables(folder.glob("cuts/*.csv")).items()}
         self.contacts = self.tables(folder.glob("contact_*.csv"), "contact_")
         self.sections = self.tables(folder.glob("sections/*.csv"))
-        history = folder / "history.csv"
-        self.history = Table.read(history) if history.exists() else Table((), ())
+        self.history, self.fields, self.goals, self.passes = (
+            Table.read(path) if path.exists() else Table((), ())
+            for path in (folder / f"{name}.csv"
+                         for name in ("history", "fields", "goals", "passes")))
         scene = folder / "scene.prm"
         self.scene = read_scene(scene.read_text()) if scene.exists() else {}
         self.remove_rounding()

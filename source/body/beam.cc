@@ -241,11 +241,9 @@ namespace lamella
   Point<3>
   Beam::dof_position(const DofIndex dof) const
   {
-    unsigned int node = 0;
-    while (node + 1 < dof_map.n_nodes() && dof_map.first(node + 1) <= dof)
-      ++node;
+    const double   y = beam_axis->nodes()[dof_map.node_of(dof)];
     const Point<2> c = beam_section->element().centre();
-    return placement.to_scene({c[0], beam_axis->nodes()[node], c[1]});
+    return placement.to_scene({c[0], y, c[1]});
   }
 
 

@@ -25,7 +25,8 @@ namespace lamella
     is_result(const std::string &name)
     {
       static const std::regex form(
-        R"re((summary\.json|restart|scene\.prm|(probes|history|goals|indicators|passes)\.csv|contact_.*\.(csv|pvd|vtu))re"
+        R"re((summary\.json|restart|scene\.prm|contact_.*\.(csv|pvd|vtu))re"
+        R"re(|(probes|history|fields|goals|indicators|passes)\.csv)re"
         R"re(|solution(_.*)?\.(pvd|vtu|pvtu)|(lines|cuts|sections)/.*\.csv)re"
         R"re(|sections/.*\.json)re"
         R"re(|pictures/.*\.png)(\.new)?)re");

@@ -4,6 +4,7 @@
 #include <lamella/base/output_file.h>
 #include <lamella/base/processes.h>
 #include <lamella/base/version.h>
+#include <lamella/report/fields_of_nodes.h>
 #include <lamella/report/goals_table.h>
 #include <lamella/report/results_writer.h>
 #include <lamella/report/section_stiffness.h>
@@ -62,6 +63,8 @@ namespace lamella
     if (results.steps.size() == 1)
       {
         write_file(place.path() + "/scene.prm", scenery.resolved);
+        write_file(place.path() + "/fields.csv",
+                   fields_of_nodes(scenery.structure.bodies()));
         for (const auto &[name, section] : scenery.sections)
           {
             write_section(place.path(), name, *section);

@@ -46,10 +46,10 @@ def run(*arguments):
 
 
 def tables(folder):
-    """The tables that have rows."""
+    """The tables that have rows, of load steps."""
     found = {str(path.relative_to(folder)): list(csv.DictReader(path.open()))
              for path in sorted(folder.rglob("*.csv")) if "sections" not in path.parts}
-    return {name: rows for name, rows in found.items() if rows}
+    return {name: rows for name, rows in found.items() if rows and "step" in rows[0]}
 
 
 def whole_steps(folder):

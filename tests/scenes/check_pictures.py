@@ -513,12 +513,93 @@ def check_levels(figures, folder):
               f"levels {part[0]:g} to {part[-1]:g} for {low} to {high}")
 
 
+# ---- fields, goals, passes
+
+
+def check_fields_of_nodes(figures, folder):
+    columns = "body,node,s,x,y,z,fields".split(",")
+    lists = [200] * 4 + [12] * 8 + [90] * 4
+
+    def nodes(body, fields):
+        return [{"body": body, "node": k + 1, "s": k, "y": k + 100., "fields": n}
+                for k, n in enumerate(fields)]
+
+    run = Run(folder)
+    run.write("fields.csv", columns, nodes("beam", lists) + nodes("plate", [12] * 31))
+    (name, figure), = figures.goals.fields_of_nodes(figures.data.Results(folder))
+    check(name == "fields" and len(figure.axes) == 3, "a strip a body, and a colour bar")
+    texts = [[text.get_text() for text in axis.texts] for axis in figure.axes[:2]]
+    check(texts == [["200", "12", "90"], ["12"]], f"the numbers on the strips: {texts}")
+    check("1,256 DoFs, 16 nodes" in figure.axes[0].get_title(loc="left"),
+          figure.axes[0].get_title(loc="left"))
+    limits = [axis.get_xlim() for axis in figure.axes[:2]]
+    check(limits[0] == limits[1] and abs(limits[0][0] - 99.7) < 1e-9,
+          "bodies along one direction stand above each other")
+    run.write("fields.csv", columns, nodes("beam", [12] * 5))
+    results = figures.data.Results(folder)
+    check(not list(figures.goals.fields_of_nodes(results)), "one length is no picture")
+
+
+GOAL = "goal,value,estimate,corrected,bar,trusted,tolerance,met,scale,why".split(",")
+
+
+def goal(name, value, estimate, bar, tolerance="", scale=None):
+    """A line of goals.csv."""
+    return dict(zip(GOAL, (name, value, estimate, value + estimate, bar, int(bar != ""),
+                           tolerance, "", scale or abs(value), "")))
+
+
+def check_goals(figures, folder):
+    run = Run(folder)
+    run.write("goals.csv", GOAL, [
+        goal("press: fz", -755., 1.51, 7.55, 7.55), goal("tip: uz", 2e-3, -1e-5, 3e-5, 2e-5),
+        goal("core: syz", 0.2, 0.06, "", 0.002), goal("clamp: mx", 0., 1., 2., "", 100.)])
+    (_, figure), = figures.goals.goals_with_bars(figures.data.Results(folder))
+    axis, = figure.axes
+    labels = [label.get_text() for label in axis.get_yticklabels()]
+    check(labels == ["press: $F_z$", "tip: $u_z$", "core: $\\sigma_{yz}$",
+                     "clamp: $M_x$"], f"goals by name: {labels}")
+    texts = [text.get_text() for text in axis.texts]
+    check(texts[0] == "-755 N\n± 1 %" and texts[1] == "2 µm\n± 1.5 %"
+          and texts[3:5] == ["-30 %", "0.2 MPa\nno bar yet"], f"in words: {texts}")
+    bars = [segments.get_segments()[0] for segments in axis.collections]
+    found = [(bar[0][0], bar[1][0]) for bar in bars]
+    wanted = [(-0.2 - 1., -0.2 + 1.), (0.5 - 1.5, 0.5 + 1.5), (-1. - 2., -1. + 2.)]
+    check(all(abs(a - b) < 1e-9 for pair in zip(found, wanted) for a, b in zip(*pair)),
+          f"bars around the values, from the corrected ones on: {found}")
+
+
+def check_passes(figures, folder):
+    columns = "pass,dofs,seconds,goal,value,estimate,bar,trusted,met".split(",")
+    run = Run(folder)
+    run.write("goals.csv", GOAL, [goal("tip: uz", 2., 0.01, 0.02, 0.02),
+                                  goal("core: syz", 4., 0.01, 0.02, 0.04)])
+    run.write("passes.csv", columns, [
+        dict(zip(columns, (k + 1, 10**(k + 2), 0.5 * 3**k, name, 2., size * 10.**-k,
+                           2. * size * 10.**-k if k or name == "tip: uz" else "",
+                           int(k > 0 or name == "tip: uz"), 0)))
+        for k in range(3) for name, size in (("tip: uz", 1.), ("core: syz", 4.))])
+    (_, figure), = figures.goals.passes_of_a_tolerance(figures.data.Results(folder))
+    for axis, label in zip(figure.axes, ("freedom", "seconds")):
+        check(label in axis.get_xlabel() and axis.get_yscale() == "log", label)
+        names = axis.get_legend_handles_labels()[1]
+        check(sorted(names) == ["core: $\\sigma_{yz}$", "tip: $u_z$", "tolerance"],
+              f"with the legend {names}")
+    lines = {round(line.get_ydata()[0], 9) for line in figure.axes[0].lines
+             if line.get_linestyle() == "--"}
+    check(lines == {1.}, f"the tolerance of both goals is 1 %: {lines}")
+    dots = [line for line in figure.axes[0].lines
+            if line.get_fillstyle() == "none"]
+    check(len(dots) == 1 and abs(dots[0].get_ydata()[0] - 100.) < 1e-9,
+          "what has no bar is an open dot at its estimate")
+
+
 class Figures:
     """The parts of scripts/figures.py, which import each other by name."""
 
     def __init__(self, path):
         sys.path.insert(0, str(path.parent))
-        for part in ("data", "style", "lines", "sections", "contact"):
+        for part in ("data", "style", "lines", "sections", "contact", "goals"):
             setattr(self, part, importlib.import_module(f"figures_{part}"))
         self.FIGURES = importlib.import_module(path.stem).FIGURES
 
@@ -534,7 +615,8 @@ def main():
         sys.exit(77)
     figures, folder = Figures(Path(sys.argv[1])), Path(sys.argv[2])
     for part in (check_hertz, check_noise_of_contact, check_plies,
-                 check_titles_and_ticks, check_components, check_levels, check_shapes):
+                 check_titles_and_ticks, check_components, check_levels, check_shapes,
+                 check_fields_of_nodes, check_goals, check_passes):
         part(figures, folder)
         figures.style.plt.close("all")
 

@@ -7,7 +7,10 @@
 
 #include <boost/test/unit_test.hpp>
 
+#include <filesystem>
+#include <fstream>
 #include <ostream>
+#include <sstream>
 
 using namespace lamella;
 
@@ -83,6 +86,49 @@ BOOST_AUTO_TEST_CASE(names_that_are_not_there)
   BOOST_CHECK_THROW(results.probe("tip", 2), InputError);
   BOOST_CHECK_THROW(results.support("tip"), InputError);
   BOOST_CHECK_THROW(results.contact("clamp"), InputError);
+}
+
+
+
+BOOST_AUTO_TEST_CASE(fields_of_nodes_add_up)
+{
+  // Of a beam along x, whose pieces are LE-2 and SV: 13 nodes on 4 B4, the
+  // fields of a 2 x 2 section in LE-3 (its space) to the one side, 12 on the
+  // other.
+  std::ostream nowhere(nullptr);
+  const Scene  scene =
+    read_scene(SceneText::read(file,
+                               {"Body beam/Axis=1, 0, 0",
+                                "Body beam/Kinematics/Theories=LE-3, SV",
+                                "Body beam/Kinematics/Theory breaks=5",
+                                "Probes="}));
+  Simulation     simulation(scene, nowhere);
+  const Results &results = simulation.solve();
+  const auto     folder =
+    std::filesystem::temp_directory_path() / "lamella_fields_of_nodes";
+  simulation.write(folder.string(), {});
+  std::ifstream table(folder / "fields.csv");
+  std::string   line;
+  std::getline(table, line);
+  BOOST_TEST(line == "body,node,s,x,y,z,fields");
+  unsigned int nodes = 0, fields = 0;
+  while (std::getline(table, line))
+    {
+      std::istringstream cells(line);
+      std::string        body, cell;
+      std::getline(cells, body, ',');
+      std::vector<double> numbers;
+      while (std::getline(cells, cell, ','))
+        numbers.push_back(std::stod(cell));
+      BOOST_TEST(body == "beam");
+      BOOST_TEST(numbers[0] == ++nodes);
+      BOOST_TEST(std::abs(numbers[2] - numbers[1]) < 1e-12);
+      BOOST_TEST(numbers[5] == (numbers[1] < 5. + 1e-9 ? 147. : 12.));
+      fields += numbers[5];
+    }
+  BOOST_TEST(nodes == 13u);
+  BOOST_TEST(fields == results.n_dofs());
+  std::filesystem::remove_all(folder);
 }
 
 

@@ -64,9 +64,9 @@ namespace lamella
     resume();
 
     /// Writes the last load step of @p results, which must have its rows. With
-    /// the first one come scene.prm, the sections and the tables' headers, and
-    /// what an earlier run left goes. Throws InputError if that fails; the
-    /// steps before are whole.
+    /// the first one come scene.prm, the sections, the fields of the nodes and
+    /// the tables' headers, and what an earlier run left goes. Throws
+    /// InputError if that fails; the steps before are whole.
     void
     write_step(const Results &results);
 
