@@ -11,6 +11,7 @@ from measure_aims import (aims, compact, flexure, growth_length, growth_plies, h
                           paper, three_plies, walls)
 from measure_bars import bars
 from measure_fields import fields
+from measure_rates import rates
 from measure_solids import calculix, hanging, million, solids
 from measure_tools import POINT, ROOT, Run, axis, drawing, table
 
@@ -326,7 +327,8 @@ def main():
                                       theories, stability, solids, hanging, calculix,
                                       parallel, million, fields, aims, hairs, walls,
                                       compact, flexure, three_plies, paper,
-                                      growth_plies, growth_length, bars)}
+                                      growth_plies, growth_length, bars,
+                                      rates)}
     unknown = [name for name in sys.argv[1:] if name not in tables]
     if unknown:
         sys.exit(f"no table {unknown[0]}; there are: {', '.join(tables)}")

@@ -37,7 +37,9 @@ class BarRun:
                 self.failure = done.stderr.strip()
                 return
             self.summary = json.loads((Path(folder) / "out/summary.json").read_text())
-            self.probes = read(Path(folder) / "out/probes.csv")
+            self.tables = {path.name: read(path)
+                           for path in (Path(folder) / "out").glob("*.csv")}
+            self.probes = self.tables["probes.csv"]
 
     def value(self, quantity):
         name, column = quantity.split(": ")

@@ -76,7 +76,7 @@ namespace lamella
       }
 
     private:
-      std::vector<unsigned int>      list;
+      std::vector<unsigned int> list;
       /// Of unit norm, and the norms they had.
       std::vector<Vector>            columns;
       std::vector<double>            sizes;

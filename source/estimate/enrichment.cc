@@ -58,9 +58,8 @@ namespace lamella
     void
     enrich_fields(BodyDescription &body, const BodySize &size)
     {
-      const bool layers_are_cheap =
-        size.nodes > 0 && body.pieces.empty() &&
-        dofs_of_layers(size, 2) <= cheap_dofs;
+      const bool layers_are_cheap = size.nodes > 0 && body.pieces.empty() &&
+                                    dofs_of_layers(size, 2) <= cheap_dofs;
       // Pieces of plain SV beside LE say by hand where responses are wanted.
       for (Theory *theory : theories_of(body))
         if (is_poorer_than_sv(*theory) ||
@@ -69,11 +68,11 @@ namespace lamella
             const bool         is_sv = theory->kind == Kind::SV;
             const unsigned int order = theory->section_order;
             *theory                  = Theory();
-            theory->kind  = layers_are_cheap ? Kind::LE : Kind::SV;
-            theory->order = layers_are_cheap ? 2 :
-                            is_sv            ? least_waves :
-                                               many_waves;
-            theory->section_order = order;
+            theory->kind             = layers_are_cheap ? Kind::LE : Kind::SV;
+            theory->order            = layers_are_cheap ? 2 :
+                                       is_sv            ? least_waves :
+                                                          many_waves;
+            theory->section_order    = order;
             // B2 and B3 with assumed shear strains are for theories that lock.
             body.axis.degree        = 3;
             body.axis.assumed_shear = false;
@@ -94,8 +93,7 @@ namespace lamella
                const double     most)
     {
       if (body.theory.kind != Kind::LE || !body.pieces.empty() ||
-          times * size.dofs <= most ||
-          size.fields <= 2. * fields_of_responses)
+          times * size.dofs <= most || size.fields <= 2. * fields_of_responses)
         return;
       body.theory.kind          = Kind::SV;
       body.theory.section_order = body.theory.order;
@@ -255,10 +253,12 @@ namespace lamella
         return std::nullopt;
     std::vector<ElementError> marked;
     const auto is_marked = [&marked](const ElementError &element) {
-      return std::any_of(
-        marked.begin(), marked.end(), [&element](const ElementError &other) {
-          return other.body == element.body && other.begin == element.begin;
-        });
+      return std::any_of(marked.begin(),
+                         marked.end(),
+                         [&element](const ElementError &other) {
+                           return other.body == element.body &&
+                                  other.begin == element.begin;
+                         });
     };
     for (const GoalResult &goal : goals)
       {

@@ -288,16 +288,12 @@ namespace lamella
     const Scene scene =
       enriched(models[base].scene, source, models[base].sizes);
     const std::string what = std::string("richer in ") + name_of(source);
-    const auto        look = [this](const Simulation &finer) {
-      localise(finer);
-    };
+    const auto look     = [this](const Simulation &finer) { localise(finer); };
     const bool is_first = source == Source::axis && base == 0;
     const bool is_known = cache.find(scene) != nullptr;
     models.push_back(is_first && !is_known ? solved(scene, what, look) :
                                              solved(scene, what));
-    const Step step{source,
-                    base,
-                    static_cast<unsigned int>(models.size() - 1)};
+    const Step step{source, base, static_cast<unsigned int>(models.size() - 1)};
     steps.push_back(step);
     const bool matters = run.solved_scene().goals.tolerances.empty() ||
                          weight_of(step) >= least_that_matters;
@@ -355,16 +351,16 @@ namespace lamella
   {
     const GoalParameters &goals = run.solved_scene().goals;
     GoalResult            result;
-    result.name          = quantity.label();
-    result.value         = models[0].numbers.value(quantity);
-    result.scale         = scale_of(quantity);
+    result.name  = quantity.label();
+    result.value = models[0].numbers.value(quantity);
+    result.scale = scale_of(quantity);
     if (!goals.tolerances.empty())
       result.tolerance = goals.tolerances.size() == 1 ?
                            goals.tolerances[0] :
                            goals.tolerances.at(number);
-    result.kinematics =
-      0.5 * std::pow(run.results().last().checks.max_rotation, 2) *
-      result.scale;
+    result.kinematics = 0.5 *
+                        std::pow(run.results().last().checks.max_rotation, 2) *
+                        result.scale;
     return result;
   }
 
@@ -405,10 +401,10 @@ namespace lamella
             bar.why              = other.why;
           }
       }
-    result.estimate    = bar.estimate;
-    result.bar         = bar.bar;
-    result.trusted     = bar.trusted;
-    result.why         = bar.why;
+    result.estimate = bar.estimate;
+    result.bar      = bar.bar;
+    result.trusted  = bar.trusted;
+    result.why      = bar.why;
     return result;
   }
 

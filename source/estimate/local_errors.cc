@@ -109,10 +109,10 @@ namespace lamella
     , factor(fine.results().last().load_factor)
     , active(fine.results().last().state.active)
   {
-    const State       &state = fine.results().last().state;
-    const State       &rough = coarse.results().last().state;
-    const BlockVector  u     = on_fine(rough.u);
-    const GapRows     &rows  = fine.rows();
+    const State        &state = fine.results().last().state;
+    const State        &rough = coarse.results().last().state;
+    const BlockVector   u     = on_fine(rough.u);
+    const GapRows      &rows  = fine.rows();
     std::vector<double> forces(rows.size(), 0.);
     if (!state.force.empty() && !rough.force.empty())
       for (const unsigned int r : active)
@@ -180,15 +180,16 @@ namespace lamella
   std::optional<Localisation::Derivative>
   Localisation::at_probe(const NamedQuantity &goal) const
   {
-    const auto         component = component_of(goal.column);
-    const auto        &probes    = fine.solved_scene().probes;
-    const Probe       &probe     = *std::find_if(
-      probes.begin(), probes.end(), [&goal](const Probe &candidate) {
-        return candidate.name == goal.name;
-      });
+    const auto   component = component_of(goal.column);
+    const auto  &probes    = fine.solved_scene().probes;
+    const Probe &probe     = *std::find_if(probes.begin(),
+                                       probes.end(),
+                                       [&goal](const Probe &candidate) {
+                                         return candidate.name == goal.name;
+                                       });
     if (!component)
       return std::nullopt;
-    const Body &body = *fine.solved_structure().bodies()[probe.body];
+    const Body &body   = *fine.solved_structure().bodies()[probe.body];
     const auto  sides  = body.locate({probe.position});
     Derivative  result = zero();
     for (const Location &location : sides.front())
@@ -213,8 +214,7 @@ namespace lamella
     const Structure   &structure = coarse.solved_structure();
     const auto        &supports  = fine.results().supports;
     const unsigned int support =
-      std::find(supports.begin(), supports.end(), goal.name) -
-      supports.begin();
+      std::find(supports.begin(), supports.end(), goal.name) - supports.begin();
     BlockVector w = structure.zero();
     for (unsigned int b = 0; b < w.n_blocks(); ++b)
       w.block(b) =
@@ -241,11 +241,10 @@ namespace lamella
     Derivative result = zero();
     for (unsigned int k = 0; k < active.size(); ++k)
       {
-        const auto [c, row] = fine.rows().in_contact(active[k]);
+        const auto [c, row]             = fine.rows().in_contact(active[k]);
         const ContactInterface &contact = fine.interfaces()[c];
         if (contact.name == goal.name)
-          result.force[k] =
-            contact.points[row].normal[goal.column[1] - 'x'];
+          result.force[k] = contact.points[row].normal[goal.column[1] - 'x'];
       }
     return result;
   }
@@ -256,8 +255,8 @@ namespace lamella
   Localisation::dual(const Derivative &derivative) const
   {
     Derivative  result = zero(), correction = zero();
-    BlockVector left   = derivative.u;
-    Vector      right  = derivative.force;
+    BlockVector left  = derivative.u;
+    Vector      right = derivative.force;
     right *= -1.;
     for (unsigned int round = 0; round < 2; ++round)
       {

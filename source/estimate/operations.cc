@@ -24,13 +24,13 @@ namespace lamella
   operations_of_bars(const Simulation &run)
   {
     constexpr double axes = 8., of_block = 5.;
-    const double     m    = fields_of_responses;
-    double           sum  = 0.;
+    const double     m   = fields_of_responses;
+    double           sum = 0.;
     for (unsigned int b = 0; b < run.solved_scene().bodies.size(); ++b)
       {
-        const BodyDescription &body  = run.solved_scene().bodies[b];
-        const auto *const      shape = dynamic_cast<const Beam *>(
-          run.solved_structure().bodies()[b].get());
+        const BodyDescription &body = run.solved_scene().bodies[b];
+        const auto *const      shape =
+          dynamic_cast<const Beam *>(run.solved_structure().bodies()[b].get());
         if (shape == nullptr || body.theory.kind != Theory::Kind::LE ||
             !body.pieces.empty() ||
             2. * shape->n_dofs() <= most_dofs_of_layers ||

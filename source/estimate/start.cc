@@ -77,13 +77,12 @@ namespace lamella
           plain.bodies[b].theory.kind  = Theory::Kind::TE;
           plain.bodies[b].theory.order = 1;
         }
-    std::ostream     nowhere(nullptr);
-    const Simulation model(plain, nowhere);
+    std::ostream                nowhere(nullptr);
+    const Simulation            model(plain, nowhere);
     const std::vector<BodySize> sizes = sizes_of(model);
     for (unsigned int b = 0; b < scene.bodies.size(); ++b)
-      if (is_assumed(scene, b) &&
-          (dofs_of_layers(sizes[b], 2) <= cheap_dofs ||
-           touched_share(model, b) > long_contact))
+      if (is_assumed(scene, b) && (dofs_of_layers(sizes[b], 2) <= cheap_dofs ||
+                                   touched_share(model, b) > long_contact))
         make_lower(scene.bodies[b]);
     return scene;
   }
@@ -98,8 +97,7 @@ namespace lamella
       if (is_assumed(scene, b))
         {
           const Beam &body = *beam(model, b);
-          if (body.n_dofs() <
-              body.axis().n_nodes() * body.section().n_fields())
+          if (body.n_dofs() < body.axis().n_nodes() * body.section().n_fields())
             continue;
           make_lower(scene.bodies[b]);
           any = true;

@@ -41,9 +41,10 @@ namespace lamella
   {
     double worst = 0.;
     for (const GoalResult &goal : goals)
-      worst = std::max(worst,
-                       (goal.trusted ? goal.bar : 2. * std::abs(goal.estimate)) /
-                         (*goal.tolerance * goal.scale));
+      worst =
+        std::max(worst,
+                 (goal.trusted ? goal.bar : 2. * std::abs(goal.estimate)) /
+                   (*goal.tolerance * goal.scale));
     return worst;
   }
 
@@ -73,8 +74,8 @@ namespace lamella
         << " DoFs" << std::endl;
     next->solve();
     Pass pass;
-    pass.number  = passes.size() + 1;
-    pass.dofs    = next->results().n_dofs();
+    pass.number = passes.size() + 1;
+    pass.dofs   = next->results().n_dofs();
     Estimation estimation(*next, out, cache, Estimation::Effort::as_needed);
     if (simulation != nullptr)
       estimation.comes_after(ResultNumbers(simulation->results()));
@@ -146,12 +147,12 @@ namespace lamella
     // tolerance, and what those that are bisected do at least of all.
     constexpr double most_left = 0.1, least_done = 0.65;
 
-    Scene        next = simulation->solved_scene();
+    Scene        next  = simulation->solved_scene();
     const Model &model = *cache.find(next);
     for (const Source source : wanted())
       {
-        const auto marked = marked_elements(
-          next, passes.back().goals, most_left, least_done);
+        const auto marked =
+          marked_elements(next, passes.back().goals, most_left, least_done);
         next = source == Source::axis && marked ?
                  bisected(next, *marked) :
                  enriched(next, source, model.sizes);

@@ -392,10 +392,10 @@ namespace lamella
 
   namespace
   {
-    /// Whether @p text says `auto` of the Theory @p path. Throws InputError if it
-    /// says so without a Tolerance.
+    /// Whether @p text says `auto` of the Theory @p path. Throws InputError if
+    /// it says so without a Tolerance.
     bool
-    wants_any_theory(const SceneText  &text,
+    wants_any_theory(const SceneText   &text,
                      const std::string &path,
                      const bool         has_tolerance)
     {
@@ -412,16 +412,17 @@ namespace lamella
 
 
 
-    /// What a run to a tolerance begins with where @p text does not say, or says
-    /// `auto`: the section's own fields, with responses where contacts press,
-    /// and axes that grade themselves. Whether that is so of the scene's Theory.
+    /// What a run to a tolerance begins with where @p text does not say, or
+    /// says `auto`: the section's own fields, with responses where contacts
+    /// press, and axes that grade themselves. Whether that is so of the scene's
+    /// Theory.
     bool
     assume_start(SceneText &text, const NameLists &names)
     {
       const bool has_tolerance =
         !trimmed(text.says("Goals/Tolerance").value_or("")).empty();
-      const bool any = wants_any_theory(text, "Theory", has_tolerance);
-      const bool is_assumed = any || !text.says("Theory");
+      const bool        any = wants_any_theory(text, "Theory", has_tolerance);
+      const bool        is_assumed = any || !text.says("Theory");
       const std::string start = names.at("Contacts").empty() ? "SV" : "SV-6";
       if (any)
         text.replace("Theory", start);
@@ -460,7 +461,7 @@ namespace lamella
     try
       {
         NameLists names;
-        std::tie(text, names) = listed(given);
+        std::tie(text, names)              = listed(given);
         const bool       theory_is_assumed = assume_start(text, names);
         ParameterHandler prm;
         declare_all(prm, names);

@@ -24,9 +24,7 @@ namespace
           SceneText::read(LAMELLA_SOURCE_DIR + file, std::move(overrides))))
       , nowhere(nullptr)
       , coarse(scene, nowhere)
-      , fine(enriched(coarse.solved_scene(),
-                      Source::axis,
-                      sizes_of(coarse)),
+      , fine(enriched(coarse.solved_scene(), Source::axis, sizes_of(coarse)),
              nowhere)
     {
       coarse.solve();
@@ -51,21 +49,20 @@ namespace
   double
   sum_of(const LocalErrors &errors)
   {
-    return std::accumulate(
-      errors.elements.begin(),
-      errors.elements.end(),
-      0.,
-      [](const double sum, const ElementError &element) {
-        return sum + element.error;
-      });
+    return std::accumulate(errors.elements.begin(),
+                           errors.elements.end(),
+                           0.,
+                           [](const double sum, const ElementError &element) {
+                             return sum + element.error;
+                           });
   }
 
 
 
-  const NamedQuantity probe_uz{NamedQuantity::Of::probe, "middle", 0, "uz"},
-    probe_syz{NamedQuantity::Of::probe, "one", 0, "syz"},
-    probe_s22{NamedQuantity::Of::probe, "two", 0, "s22"},
-    reaction{NamedQuantity::Of::support, "clamps", 0, "fz"};
+XNamedQuantity::Of::probe, "middle", "uz"),
+    probe_syz = quantity_of(NamedQuantity::Of::probe, "one", "syz"),
+    probe_s22 = quantity_of(NamedQuantity::Of::probe, "two", "s22"),
+    reaction = quantity_of(NamedQuantity::Of::support, "clamps", "fz");
 } // namespace
 
 BOOST_AUTO_TEST_SUITE(local_errors)
@@ -78,9 +75,9 @@ BOOST_AUTO_TEST_CASE(elements_sum_to_the_change_where_spaces_are_nested)
     {
       const TwoModels    models("/tests/scenes/clamped_laminate.prm",
                              {std::string("Theory=") + theory,
-                              "Body beam/Kinematics/Axis elements=3, 2",
-                              "Body beam/Kinematics/Axis breaks=9",
-                              "Load patch/Pressure=1 + x + 0.1 * y"});
+                                 "Body beam/Kinematics/Axis elements=3, 2",
+                                 "Body beam/Kinematics/Axis breaks=9",
+                                 "Load patch/Pressure=1 + x + 0.1 * y"});
       const Localisation localisation(models.coarse, models.fine);
       for (const NamedQuantity &goal : {probe_uz, probe_syz, probe_s22})
         {
@@ -107,12 +104,12 @@ BOOST_AUTO_TEST_CASE(reactions_have_a_dual)
   // Of two clamps what one of them carries depends on the mesh.
   const TwoModels    models("/tests/scenes/clamped_laminate.prm",
                          {"Theory=LE-2",
-                          "Supports=clamps, other",
-                          "Support other/On=beam: end",
-                          "Support clamps/On=beam: start",
-                          "Body beam/Kinematics/Axis elements=2, 1",
-                          "Body beam/Kinematics/Axis breaks=13",
-                          "Load patch/Pressure=if(y < 13, 1 + x, 0)"});
+                             "Supports=clamps, other",
+                             "Support other/On=beam: end",
+                             "Support clamps/On=beam: start",
+                             "Body beam/Kinematics/Axis elements=2, 1",
+                             "Body beam/Kinematics/Axis breaks=13",
+                             "Load patch/Pressure=if(y < 13, 1 + x, 0)"});
   const Localisation localisation(models.coarse, models.fine);
   const double       change = models.change(reaction);
   const auto         errors = localisation.errors(reaction, change);
@@ -138,10 +135,10 @@ BOOST_AUTO_TEST_CASE(contact_is_told_apart)
          std::string("Contact indentation/Enforcement=") + enforcement});
       const Localisation localisation(models.coarse, models.fine);
       for (const NamedQuantity &goal :
-           {NamedQuantity{NamedQuantity::Of::contact, "indentation", 0, "fz"},
-            NamedQuantity{NamedQuantity::Of::support, "clamps", 0, "fz"},
-            NamedQuantity{NamedQuantity::Of::probe, "quarter", 0, "uy"},
-            NamedQuantity{NamedQuantity::Of::probe, "core", 0, "syz"}})
+           {quantity_of(NamedQuantity::Of::contact, "indentation", "fz"),
+            quantity_of(NamedQuantity::Of::support, "clamps", "fz"),
+            quantity_of(NamedQuantity::Of::probe, "quarter", "uy"),
+            quantity_of(NamedQuantity::Of::probe, "core", "syz")})
         {
           const double change = models.change(goal);
           const auto   errors = localisation.errors(goal, change);
@@ -170,7 +167,7 @@ BOOST_AUTO_TEST_CASE(elements_that_matter_are_marked)
   goal.tolerance          = 1e-2;
   goal.bar                = 2e-2;
   goal.trusted            = true;
-  goal.local = LocalErrors{
+  goal.local              = LocalErrors{
     {{0, 0., 1., 8e-3, 10}, {0, 1., 2., -1e-3, 10}, {0, 2., 4., 1e-3, 40}}};
   // Eight of ten are done by the first.
   const auto marked = marked_elements(scene, {goal}, 0.5, 0.65);

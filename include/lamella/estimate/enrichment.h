@@ -39,7 +39,8 @@ namespace lamella
   /// than twice as many for these to be fewer.
   constexpr double fields_of_responses = 200.;
 
-  /// The DoFs that LE-2 may have for being cheaper than the making of responses.
+  /// The DoFs that LE-2 may have for being cheaper than the making of
+  /// responses.
   constexpr double cheap_dofs = 20000.;
 
   /// How large a body is, as far as its models are chosen by it.
@@ -69,9 +70,9 @@ namespace lamella
    *             solid-1 becomes solid-2, whose hexahedra are divided in eight;
    *   contact   penalties become exact.
    * LE-N becomes SV-10 with the same functions where the body, of the size
-   * @p sizes now, would have more than @p most_dofs, and the fields of responses
-   * are fewer than those of the section. Nothing changes where there is no such
-   * source: see has_source(). The axes of @p scene have to be made
+   * @p sizes now, would have more than @p most_dofs, and the fields of
+   * responses are fewer than those of the section. Nothing changes where there
+   * is no such source: see has_source(). The axes of @p scene have to be made
    * (grade_axes()).
    */
   Scene
@@ -84,9 +85,9 @@ namespace lamella
   bool
   has_source(const Scene &scene, const Source source);
 
-  /// @p scene with the elements @p marked of its beams bisected. Their axes have
-  /// to be made; bodies whose nodes a contact pairs (node to node) want all of
-  /// their elements marked or none.
+  /// @p scene with the elements @p marked of its beams bisected. Their axes
+  /// have to be made; bodies whose nodes a contact pairs (node to node) want
+  /// all of their elements marked or none.
   Scene
   bisected(Scene scene, const std::vector<ElementError> &marked);
 

@@ -55,11 +55,11 @@ namespace lamella
    * The share of a source is the change of the goal from the model that M_i was
    * made of, J(M_i) - J(M_j), and with the estimate of the first refinement,
    * J_1 = J(M_0) + sum of shares, the bar is that of error_bar() with J_1 and
-   * J_1 + J(M_r) - J(M_j). Each is made of the last one before it, so the shares
-   * sum to J(M_k) - J(M_0); but in a run to a tolerance of the last one whose
-   * share is a tenth of a tolerance or more for some goal, and M_r has less of
-   * the sources with such shares only, or of the one with the largest: what does
-   * not matter costs little.
+   * J_1 + J(M_r) - J(M_j). Each is made of the last one before it, so the
+   * shares sum to J(M_k) - J(M_0); but in a run to a tolerance of the last one
+   * whose share is a tenth of a tolerance or more for some goal, and M_r has
+   * less of the sources with such shares only, or of the one with the largest:
+   * what does not matter costs little.
    *
    * Each model is solved whole, with contact rows of its own mesh and its own
    * active set: what a frozen active set cannot see, that it is wrong, this
@@ -113,8 +113,8 @@ namespace lamella
     /// Solves @p scene and tells @p what it is, unless it is known. What solved
     /// it is handed to @p look before it goes; then it is solved in any case.
     Model
-    solved(const Scene &scene,
-           const std::string &what,
+    solved(const Scene                                   &scene,
+           const std::string                             &what,
            const std::function<void(const Simulation &)> &look = {});
     /// M_1 .. M_k, and M_r.
     void
@@ -164,18 +164,18 @@ namespace lamella
     bool
     wanted() const;
 
-    const Simulation   &run;
-    std::ostream       &out;
-    ModelCache         &cache;
-    Effort              effort;
+    const Simulation &run;
+    std::ostream     &out;
+    ModelCache       &cache;
+    Effort            effort;
     /// The run first, and M_r last if it was made.
     std::vector<Model> models;
     std::vector<Step>  steps;
     /// The model that the next one is made of, and whether M_r was made.
-    unsigned int base         = 0;
+    unsigned int base        = 0;
     bool         has_richest = false;
     /// The one that M_r is made of.
-    unsigned int before_richest = 0;
+    unsigned int                 before_richest = 0;
     std::optional<ResultNumbers> poorer;
     /// Of each of quantities(); empty where they are not known.
     std::vector<std::optional<LocalErrors>> local;

@@ -18,9 +18,9 @@ namespace lamella
    * What its richer models (Estimation) would take, as far as it can be counted
    * before they are built: 5 m^3 for each node of an axis, m =
    * fields_of_responses, and eight axes' worth of nodes (two models on halved
-   * elements, one on quarters) where SV-10 stands in for LE-N. Infinite where it
-   * does not for some body: a richer model of the same kind always costs more
-   * than the run.
+   * elements, one on quarters) where SV-10 stands in for LE-N. Infinite where
+   * it does not for some body: a richer model of the same kind always costs
+   * more than the run.
    */
   double
   operations_of_bars(const Simulation &run);

@@ -20,9 +20,10 @@ namespace lamella
    *   2. writes its results, so that an interrupted run leaves those of its
    *      last whole pass,
    *   3. ends the run if all goals are met, or enriches the model in each
-   * source of error with more than a quarter of what a goal may be off by, along
-   * the axis in the elements that matter (marked_elements()). The first model is the scene as it is said (SV, SV-6 with contacts, and graded
-   * axes where it does not say).
+   * source of error with more than a quarter of what a goal may be off by,
+   * along the axis in the elements that matter (marked_elements()). The first
+   * model is the scene as it is said (SV, SV-6 with contacts, and graded axes
+   * where it does not say).
    *
    * It also ends when the next model would exceed a budget, cannot be solved,
    * or when the worst goal has got no better in two passes; the result is then

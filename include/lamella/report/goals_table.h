@@ -19,9 +19,9 @@ namespace lamella
   goals_csv(const std::vector<GoalResult> &goals);
 
   /// The file indicators.csv: what each element along a beam does to the share
-  /// of the axis in a goal's error, a line each (goal, body, begin and end along
-  /// its axis, error), then what contact and a remainder do (LocalErrors). The
-  /// errors of a goal sum to its share `axis`.
+  /// of the axis in a goal's error, a line each (goal, body, begin and end
+  /// along its axis, error), then what contact and a remainder do
+  /// (LocalErrors). The errors of a goal sum to its share `axis`.
   std::string
   indicators_csv(const Results &results);
 
