@@ -73,6 +73,7 @@ namespace lamella
     out << "Pass " << passes.size() + 1 << ": " << next->results().n_dofs()
         << " DoFs" << std::endl;
     next->solve();
+    check_loads(*next);
     Pass pass;
     pass.number = passes.size() + 1;
     pass.dofs   = next->results().n_dofs();
@@ -86,6 +87,47 @@ namespace lamella
         (pass.theories.empty() ? "" : "; ") + body.name + " " + body.theory;
     passes.push_back(pass);
     simulation = std::move(next);
+  }
+
+
+
+  void
+  ToleranceRun::check_loads(const Simulation &next) const
+  {
+    constexpr double agreement = 1e-7;
+    if (simulation == nullptr)
+      return;
+    const auto &loads  = next.results().loads,
+               &before = simulation->results().loads;
+    // Couples have no force: what all loads do together is the measure.
+    double size = 0.;
+    for (const LoadResultant &load : before)
+      size += load.force.norm() + load.moment.norm() / next.results().size;
+    for (unsigned int k = 0; k < loads.size(); ++k)
+      if ((loads[k].force - before[k].force).norm() > agreement * size)
+        throw NumericsError(
+          "load " + loads[k].name + " is " + to_text(loads[k].force) +
+          " on the next model and was " + to_text(before[k].force) +
+          ": it varies too fast for its integration. Give it as pieces, a load "
+          "each");
+  }
+
+
+
+  double
+  ToleranceRun::largest_change() const
+  {
+    double worst = 0.;
+    if (passes.size() > 1)
+      for (unsigned int g = 0; g < passes.back().goals.size(); ++g)
+        {
+          const GoalResult &now    = passes.back().goals[g],
+                           &before = passes[passes.size() - 2].goals[g];
+          worst = std::max(worst,
+                           std::abs(now.value - before.value) /
+                             (*now.tolerance * now.scale));
+        }
+    return worst;
   }
 
 
@@ -113,8 +155,10 @@ namespace lamella
   bool
   ToleranceRun::is_late() const
   {
+    // All processes have to agree.
     return scene.goals.budget_seconds > 0. &&
-           wall.wall_time() > scene.goals.budget_seconds;
+           dealii::Utilities::MPI::max(wall.wall_time(), communicator()) >
+             scene.goals.budget_seconds;
   }
 
 
@@ -178,6 +222,9 @@ namespace lamella
           out << ", no bar yet";
         out << "\n";
       }
+    if (passes.size() > 1)
+      out << "  since the last pass goals have changed by at most "
+          << to_text(largest_change(), 2) << " of their tolerances\n";
     out << std::flush;
   }
 
