@@ -2,6 +2,7 @@
 
 #include <lamella/adapt/fields_of_section.h>
 #include <lamella/base/text.h>
+#include <lamella/recover/box_points.h>
 
 #include <algorithm>
 #include <limits>
@@ -435,19 +436,22 @@ namespace lamella
                 const std::vector<Cut>   &cuts)
   {
     std::vector<StressPlace> places;
-    const auto               add =
-      [&](const unsigned int body, const Point<3> &from, const Point<3> &to) {
-        if (const auto *beam = dynamic_cast<const Beam *>(bodies[body].get()))
-          {
-            const double a = beam->place().to_body(from)[1],
-                         b = beam->place().to_body(to)[1];
-            places.push_back({body, std::min(a, b), std::max(a, b)});
-          }
-      };
+    const auto               add = [&](const unsigned int           body,
+                         const std::vector<Point<3>> &corners) {
+      const auto *beam = dynamic_cast<const Beam *>(bodies[body].get());
+      if (beam == nullptr)
+        return;
+      std::vector<double> along;
+      for (const Point<3> &corner : corners)
+        along.push_back(beam->place().to_body(corner)[1]);
+      const auto [least, greatest] =
+        std::minmax_element(along.begin(), along.end());
+      places.push_back({body, *least, *greatest});
+    };
     for (const Probe &probe : probes)
-      add(probe.body, probe.position, probe.position);
+      add(probe.body, box_corners(probe.position, probe.box));
     for (const Line &line : lines)
-      add(line.body, line.from, line.to);
+      add(line.body, {line.from, line.to});
     for (const Cut &cut : cuts)
       places.push_back({cut.body, cut.position, cut.position});
     return places;

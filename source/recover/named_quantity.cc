@@ -17,7 +17,12 @@ namespace lamella
   std::string
   NamedQuantity::label() const
   {
-    return name + (ply == 0 ? "" : "/" + std::to_string(ply)) + ": " + column;
+    std::string text =
+      name + (ply == 0 ? "" : "/" + std::to_string(ply)) + ": " + column;
+    if (strip)
+      text += std::string(" in ") + "xyz"[strip->axis] + " " +
+              to_text(strip->from, 12) + " " + to_text(strip->to, 12);
+    return text;
   }
 
 
@@ -47,6 +52,61 @@ namespace lamella
 
 
 
+    /// What contacts have beside components.
+    const std::vector<std::string> &
+    of_what_presses()
+    {
+      static const std::vector<std::string> names{
+        "pressure", "width", "width x", "width y", "width z"};
+      return names;
+    }
+
+
+
+    /// x, y or z as a number.
+    std::optional<unsigned int>
+    axis_of(const std::string &word)
+    {
+      for (unsigned int d = 0; d < 3; ++d)
+        if (word == std::string(1, "xyz"[d]))
+          return d;
+      return std::nullopt;
+    }
+
+
+
+    /// The column that @p words begin with, and the strip that they end with;
+    /// @p of_contact is whether there may be one.
+    std::pair<std::string, std::optional<ContactStrip>>
+    parse_strip(const Entry       &text,
+                const std::string &words,
+                const bool         of_contact)
+    {
+      std::vector<std::string> parts;
+      for (const std::string &word : split(words, ' '))
+        if (!word.empty())
+          parts.push_back(word);
+      const auto        in     = std::find(parts.begin(), parts.end(), "in");
+      const std::string column = joined({parts.begin(), in}, " ");
+      if (in == parts.end())
+        return {column, std::nullopt};
+      if (!of_contact)
+        text.refuse("only contacts have strips",
+                    "Leave out what follows " + column + ".");
+      const auto axis = parts.end() - in == 4 ? axis_of(in[1]) : std::nullopt;
+      if (!axis)
+        text.refuse("a strip is written in AXIS FROM TO, as in roller: fz in "
+                    "y 40 60");
+      const ContactStrip strip{*axis, text.number(in[2]), text.number(in[3])};
+      if (!(strip.from < strip.to))
+        text.refuse("a strip must begin below its end",
+                    "Exchange " + in[2] + " and " + in[3] +
+                      ", or give it a width.");
+      return {column, strip};
+    }
+
+
+
     std::vector<std::string>
     all_names(const QuantityNames &names)
     {
@@ -61,12 +121,12 @@ namespace lamella
 
 
 
-    /// A component of a resultant, if a support or a contact is called
-    /// @p name; @p text is what the scene says of the quantity.
+    /// What a support or a contact gives, if one is called @p name; @p words
+    /// are its column and strip, @p text is all that the scene says of it.
     NamedQuantity
     find_resultant(const Entry         &text,
                    const std::string   &name,
-                   const std::string   &column,
+                   const std::string   &words,
                    const QuantityNames &names)
     {
       const bool of_support = names.supports.count(name) > 0,
@@ -77,18 +137,26 @@ namespace lamella
       NamedQuantity quantity;
       if (!of_support && !of_contact)
         return quantity;
-      if (std::find(components().begin(), components().end(), column) ==
-          components().end())
-        text.refuse(name + " is no probe but a resultant: its quantities are " +
-                    joined(components()));
+      const auto [column, strip]       = parse_strip(text, words, of_contact);
+      std::vector<std::string> columns = components();
+      if (of_contact)
+        columns.insert(columns.end(),
+                       of_what_presses().begin(),
+                       of_what_presses().end());
+      if (std::find(columns.begin(), columns.end(), column) == columns.end())
+        text.refuse(name + " is no probe but a " +
+                    (of_contact ? "contact" : "resultant") +
+                    ": its quantities are " + joined(columns));
+      quantity.strip = strip;
       quantity.of =
         of_support ? NamedQuantity::Of::support : NamedQuantity::Of::contact;
       quantity.name   = name;
       quantity.column = column;
       quantity.path   = text.path();
-      quantity.given =
-        first_of((of_support ? names.supports : names.contacts).at(name),
-                 column);
+      if (!strip)
+        quantity.given =
+          first_of((of_support ? names.supports : names.contacts).at(name),
+                   column);
       return quantity;
     }
 
@@ -146,6 +214,37 @@ namespace lamella
 
 
 
+  void
+  check_strip(const NamedQuantity                        &quantity,
+              const std::vector<ContactInterface::Point> &points)
+  {
+    const Entry        entry(quantity.path, quantity.label());
+    const unsigned int facing = facing_axis(points);
+    const std::string  across = joined(
+      {std::string(1, "xyz"[std::min((facing + 1) % 3, (facing + 2) % 3)]),
+        std::string(1, "xyz"[std::max((facing + 1) % 3, (facing + 2) % 3)])},
+      " or ");
+    const auto refuse_axis = [&](const std::string &what) {
+      entry.refuse("the contact faces along " + std::string(1, "xyz"[facing]) +
+                     ", where it has no " + what,
+                   "Take " + across + ".");
+    };
+    if (quantity.column == std::string("width ") + "xyz"[facing])
+      refuse_axis("width");
+    if (!quantity.strip)
+      return;
+    if (quantity.strip->axis == facing)
+      refuse_axis("strips");
+    const auto [begin, end] = reach_along(points, quantity.strip->axis);
+    if (quantity.strip->to <= begin || quantity.strip->from >= end)
+      entry.refuse("the strip is outside of the contact, which reaches from " +
+                     to_text(begin) + " to " + to_text(end) + " along " +
+                     "xyz"[quantity.strip->axis],
+                   "Move it there.");
+  }
+
+
+
   std::vector<NamedQuantity>
   quantities_with_references(const QuantityNames      &names,
                              std::vector<std::string> &others)
@@ -187,8 +286,12 @@ namespace lamella
       supports[results.supports[k]] =
         six(step.checks.reactions[k].force, step.checks.reactions[k].moment);
     for (unsigned int k = 0; k < results.contacts.size(); ++k)
-      contacts[results.contacts[k].name] =
-        six(step.checks.contacts[k].force, step.checks.contacts[k].moment);
+      {
+        const std::string &name = results.contacts[k].name;
+        contacts[name] =
+          six(step.checks.contacts[k].force, step.checks.contacts[k].moment);
+        points[name] = step.contacts[k];
+      }
     for (unsigned int k = 0; k < results.probes.size(); ++k)
       for (const FieldRow &row : step.probes[k])
         {
@@ -201,8 +304,51 @@ namespace lamella
 
 
 
+  namespace
+  {
+    /// Place, normal, and what it does on the second side; area and force.
+    nlohmann::json
+    point_json(const ContactRow &row)
+    {
+      nlohmann::json numbers;
+      for (const Tensor<1, 3> &three : {Tensor<1, 3>(place_of(row.point)),
+                                        row.point.normal,
+                                        row.on_second.force,
+                                        row.on_second.moment})
+        for (unsigned int d = 0; d < 3; ++d)
+          numbers.push_back(three[d]);
+      numbers.push_back(row.point.area);
+      numbers.push_back(row.force);
+      return numbers;
+    }
+
+
+
+    ContactRow
+    point_of(const nlohmann::json &json)
+    {
+      const std::array<double, 14> numbers = json;
+      ContactRow                   row;
+      for (unsigned int d = 0; d < 3; ++d)
+        {
+          row.point.first[d]      = numbers[d];
+          row.point.normal[d]     = numbers[3 + d];
+          row.on_second.force[d]  = numbers[6 + d];
+          row.on_second.moment[d] = numbers[9 + d];
+        }
+      row.point.area = numbers[12];
+      row.force      = numbers[13];
+      return row;
+    }
+  } // namespace
+
+
+
   ResultNumbers::ResultNumbers(const nlohmann::json &json)
   {
+    for (const auto &[name, list] : json.at("points").items())
+      for (const auto &point : list)
+        points[name].push_back(point_of(point));
     json.at("supports").get_to(supports);
     json.at("contacts").get_to(contacts);
     for (const auto &row : json.at("probes"))
@@ -218,7 +364,17 @@ namespace lamella
     for (const ProbeRow &row : probes)
       rows.push_back(
         {{"probe", row.probe}, {"ply", row.ply}, {"columns", row.columns}});
-    return {{"supports", supports}, {"contacts", contacts}, {"probes", rows}};
+    nlohmann::json patches = nlohmann::json::object();
+    for (const auto &[name, list] : points)
+      {
+        patches[name] = nlohmann::json::array();
+        for (const ContactRow &row : list)
+          patches[name].push_back(point_json(row));
+      }
+    return {{"supports", supports},
+            {"contacts", contacts},
+            {"points", patches},
+            {"probes", rows}};
   }
 
 
@@ -236,16 +392,36 @@ namespace lamella
 
 
   double
+  ResultNumbers::value_of_resultant(const NamedQuantity &quantity) const
+  {
+    const std::string &column = quantity.column;
+    const bool         is_component =
+      std::find(components().begin(), components().end(), column) !=
+      components().end();
+    const unsigned int component = column[1] - 'x';
+    if (is_component && !quantity.strip)
+      return (quantity.of == NamedQuantity::Of::support ? supports : contacts)
+        .at(quantity.name)
+        .at((column[0] == 'f' ? 0 : 3) + component);
+    const PressedPatch patch(points.at(quantity.name), quantity.strip);
+    if (is_component)
+      {
+        const Wrench wrench = patch.resultant();
+        return (column[0] == 'f' ? wrench.force : wrench.moment)[component];
+      }
+    if (column == "pressure")
+      return patch.pressure();
+    return column == "width" ? patch.width() : patch.width(column.back() - 'x');
+  }
+
+
+
+  double
   ResultNumbers::value(const NamedQuantity &quantity) const
   {
-    const Entry entry(quantity.path, quantity.label());
     if (quantity.of != NamedQuantity::Of::probe)
-      {
-        const auto &all =
-          quantity.of == NamedQuantity::Of::support ? supports : contacts;
-        return all.at(quantity.name)
-          .at((quantity.column[0] == 'f' ? 0 : 3) + quantity.column[1] - 'x');
-      }
+      return value_of_resultant(quantity);
+    const Entry              entry(quantity.path, quantity.label());
     std::vector<std::string> plies;
     std::vector<double>      values;
     for (const ProbeRow *row : rows_of(quantity.name))
@@ -254,6 +430,11 @@ namespace lamella
         if (quantity.ply == 0 || quantity.ply == row->ply)
           values.push_back(row->columns.at(quantity.column));
       }
+    if (values.empty() && plies == std::vector<std::string>{"0"})
+      entry.refuse(
+        "the probe is a box that reaches into several plies, and its "
+        "mean is one of all of them",
+        "Leave out the ply, or make the box smaller.");
     if (values.empty())
       entry.refuse("the probe does not lie in this ply but in " +
                    joined(plies));
@@ -302,19 +483,29 @@ namespace lamella
   ResultNumbers::largest_of_kind(const NamedQuantity &quantity) const
   {
     // Kinds are told by the first letter: u, e, s of a probe, f, m of a
-    // resultant.
+    // resultant, p and w of a contact.
     const char kind    = quantity.column[0];
     double     largest = 0.;
     for (const ProbeRow &row : probes)
       for (const auto &[column, value] : row.columns)
         if (quantity.of == NamedQuantity::Of::probe && column[0] == kind)
           largest = std::max(largest, std::abs(value));
+    if (quantity.of == NamedQuantity::Of::probe)
+      return largest;
     for (const auto *resultants : {&supports, &contacts})
       for (const auto &resultant : *resultants)
         for (unsigned int c = 0; c < 6; ++c)
-          if (quantity.of != NamedQuantity::Of::probe &&
-              (c < 3) == (kind == 'f'))
+          if ((kind == 'f' && c < 3) || (kind == 'm' && c >= 3))
             largest = std::max(largest, std::abs(resultant.second[c]));
+    for (const auto &contact : points)
+      {
+        const PressedPatch patch(contact.second);
+        if (kind == 'p')
+          largest = std::max(largest, patch.largest_pressure());
+        if (kind == 'w')
+          for (unsigned int d = 0; d < 3; ++d)
+            largest = std::max(largest, patch.width(d));
+      }
     return largest;
   }
 } // namespace lamella

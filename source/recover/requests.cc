@@ -79,6 +79,13 @@ namespace lamella
                       "",
                       Anything(),
                       "BODY: x, y, z, a scene position in the body [length].");
+    prm.declare_entry(
+      "Box",
+      "0, 0, 0",
+      patterns::numbers(3),
+      "Edges along the scene's x, y and z of a box around At [length], which "
+      "must lie in the body: fields are their means over it. Edges may be 0: "
+      "a patch, a line; all of them: the point.");
     declare_stress(prm);
     prm.declare_entry("References",
                       "",
@@ -96,11 +103,16 @@ namespace lamella
                          const std::vector<std::string> &bodies)
   {
     const auto [body, position] = parse_place(in["At"], bodies);
+    const dealii::Point<3> box  = in["Box"].point();
+    if (box[0] < 0. || box[1] < 0. || box[2] < 0.)
+      in["Box"].refuse("the edges of a box must not be negative",
+                       "Give three lengths; 0 where it has no extent.");
     return {name,
             body,
             position,
             in["Stress"].choice<StressValues>(),
-            parse_references(in["References"], field_names())};
+            parse_references(in["References"], field_names()),
+            box};
   }
 
 

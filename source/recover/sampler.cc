@@ -21,10 +21,8 @@ namespace lamella
     , cuts(cuts)
   {
     for (const Probe &probe : probes)
-      probe_locations.push_back(locate_sides(*bodies[probe.body],
-                                             {probe.position},
-                                             "Probe " + probe.name)
-                                  .front());
+      probe_points.push_back(box_points(
+        *bodies[probe.body], probe.position, probe.box, "Probe " + probe.name));
     for (const Line &line : lines)
       line_places.push_back(places_of(line));
     for (const Cut &cut : cuts)
@@ -136,11 +134,9 @@ namespace lamella
     Recoveries recoveries(bodies, u);
     results.probes.resize(probes.size());
     for (unsigned int p = 0; p < probes.size(); ++p)
-      for (const Location &location : probe_locations[p])
+      for (const BoxPoints &points : probe_points[p])
         results.probes[p].push_back(
-          row_at(probes[p].body,
-                 location,
-                 recoveries(probes[p].body, probes[p].stress)));
+          mean_row(p, points, recoveries(probes[p].body, probes[p].stress)));
     for (unsigned int l = 0; l < lines.size(); ++l)
       {
         results.lines.push_back(line_rows(l, recoveries));
@@ -149,6 +145,33 @@ namespace lamella
       }
     for (const Cut &cut : cuts)
       results.cuts.push_back(cut_rows(cut, u, recoveries));
+  }
+
+
+
+  FieldRow
+  Sampler::mean_row(const unsigned int p,
+                    const BoxPoints   &points,
+                    StressRecovery    &recovery) const
+  {
+    if (points.size() == 1)
+      return row_at(probes[p].body, points[0].second, recovery);
+    FieldRow row{bodies[probes[p].body]->name(),
+                 points[0].second.ply,
+                 probes[p].position,
+                 {}};
+    for (const auto &[weight, location] : points)
+      {
+        const FieldSample sample = recovery.sample(location);
+        row.sample.displacement += weight * sample.displacement;
+        row.sample.strain += weight * sample.strain;
+        row.sample.stress += weight * sample.stress;
+        row.sample.ply_stress += weight * sample.ply_stress;
+        row.sample.jump = std::max(row.sample.jump, sample.jump);
+        if (location.ply != row.ply)
+          row.ply = several_plies;
+      }
+    return row;
   }
 
 

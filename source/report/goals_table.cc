@@ -52,10 +52,13 @@ namespace lamella
 
 
 
-    /// @p value over the goal's scale, as in "0.12 %".
+    /// @p value over the goal's scale, as in "0.12 %"; the value itself where
+    /// all of its kind are zero.
     std::string
     share_text(const GoalResult &goal, const double value)
     {
+      if (goal.scale == 0.)
+        return to_text(value, 2);
       return to_text(100. * value / goal.scale, 2) + " %";
     }
   } // namespace
@@ -136,6 +139,10 @@ namespace lamella
          (goal.estimate > 0. ? "+" : "") + share_text(goal, goal.estimate),
          largest_share(goal)});
     print_table(out, table);
+    for (const GoalResult &goal : goals)
+      if (goal.scale != std::abs(goal.value))
+        out << "  " << goal.name << " is near zero: per cent are of "
+            << to_text(goal.scale) << ", the largest of its kind.\n";
     for (const GoalResult &goal : goals)
       {
         constexpr double much = 0.01;

@@ -2,6 +2,7 @@
 
 #include <lamella/base/memory.h>
 #include <lamella/base/version.h>
+#include <lamella/recover/pressed_patch.h>
 #include <lamella/report/summary.h>
 
 #include <nlohmann/json.hpp>
@@ -31,24 +32,33 @@ namespace lamella
           closed.push_back(step.changes[k].closed);
           opened.push_back(step.changes[k].opened);
         }
-      return {{"discretisation", name_of(contact.discretisation)},
-              {"enforcement", name_of(contact.enforcement)},
-              {"rows", contact.rows},
-              {"unpaired", contact.unpaired},
-              {"unpaired_second", contact.unpaired_second},
-              {"active", kkt.active},
-              {"closed", closed},
-              {"opened", opened},
-              {"force", to_json(kkt.force)},
-              {"moment", to_json(kkt.moment)},
-              {"centre_of_pressure", to_json(kkt.centre_of_pressure)},
-              {"max_penetration", kkt.max_penetration},
-              {"max_penetration_relative", kkt.max_penetration / results.size},
-              {"min_force", kkt.min_force},
-              {"complementarity", kkt.complementarity},
-              {"law_error", kkt.law_error},
-              {"initial_gap_min", contact.initial_gap_min},
-              {"initial_gap_max", contact.initial_gap_max}};
+      Json json{{"discretisation", name_of(contact.discretisation)},
+                {"enforcement", name_of(contact.enforcement)},
+                {"rows", contact.rows},
+                {"unpaired", contact.unpaired},
+                {"unpaired_second", contact.unpaired_second},
+                {"active", kkt.active},
+                {"closed", closed},
+                {"opened", opened},
+                {"force", to_json(kkt.force)},
+                {"moment", to_json(kkt.moment)},
+                {"centre_of_pressure", to_json(kkt.centre_of_pressure)},
+                {"max_penetration", kkt.max_penetration},
+                {"max_penetration_relative",
+                 kkt.max_penetration / results.size},
+                {"min_force", kkt.min_force},
+                {"complementarity", kkt.complementarity},
+                {"law_error", kkt.law_error},
+                {"initial_gap_min", contact.initial_gap_min},
+                {"initial_gap_max", contact.initial_gap_max}};
+      // A step that another run solved has no points.
+      if (const auto &points = results.steps.back().contacts; k < points.size())
+        {
+          const PressedPatch patch(points[k]);
+          json["pressure"] = patch.pressure();
+          json["width"]    = patch.width();
+        }
+      return json;
     }
 
 

@@ -157,6 +157,13 @@ namespace lamella
     check_conflicts(contacts, structure->bodies());
     for (const ContactPair &contact : scene.contacts)
       search_checks.emplace_back(contact, structure->bodies());
+    for (const auto *quantities :
+         {&scene.goals.quantities, &scene.trade.quantities})
+      for (const NamedQuantity &quantity : *quantities)
+        for (const ContactInterface &contact : contacts)
+          if (quantity.of == NamedQuantity::Of::contact &&
+              quantity.name == contact.name)
+            check_strip(quantity, contact.points);
   }
 
 
@@ -353,7 +360,8 @@ namespace lamella
             rows.push_back({contact.points[k],
                             contact.rows[k].initial_gap,
                             contact.rows[k].gap(state.u, factor),
-                            force[k]});
+                            force[k],
+                            checks.contacts[c].of_rows[k]});
             const bool touched = !previous.force.empty() &&
                                  gap_rows.of_contact(c, previous.force)[k] > 0.;
             change.closed += rows.back().touches() && !touched;

@@ -17,13 +17,16 @@ namespace lamella
       Anything(),
       "The numbers that the run is made for, between '|': PROBE: COLUMN (of "
       "probes.csv; PROBE/PLY on an interface), SUPPORT: fx (fy, fz, mx, my, "
-      "mz) or CONTACT: fx. By default those of Trade, else what the scene "
-      "gives References for, and of probes without any the largest "
-      "displacement and stress.");
+      "mz), CONTACT: fx (and so on, pressure, width, width x), or of a strip "
+      "of a contact CONTACT: fx in AXIS FROM TO, as in roller: fz in y 40 60. "
+      "By default those of Trade, else what the scene gives References for, "
+      "and of probes without any the largest displacement and stress.");
     prm.declare_entry("Tolerance",
                       "",
                       patterns::numbers(),
-                      "In per cent, one for all quantities or one each: the "
+                      "In per cent of the value (of the largest of its kind "
+                      "in the scene where it is below a thousandth of that), "
+                      "one for all quantities or one each: the "
                       "run refines its theory and its meshes until all errors "
                       "are estimated to be below. Empty: what the scene says "
                       "is run, and nothing else.");
@@ -53,11 +56,17 @@ namespace lamella
     std::vector<double>
     parse_tolerances(const Entry &entry, const unsigned int n)
     {
+      // What the loops of contact take for solved, 1e-10 of the displacements.
+      constexpr double    of_rounding = 1e-8;
       std::vector<double> tolerances;
       for (const double per_cent : entry.numbers())
         {
           if (!(per_cent > 0. && per_cent <= 100.))
             entry.refuse("must be more than 0 and at most 100 per cent");
+          if (per_cent < of_rounding)
+            entry.refuse("is below what the arithmetic leaves of any number, "
+                         "1e-8 per cent",
+                         "Give 1e-8 or more; 0.1 is a small tolerance.");
           tolerances.push_back(per_cent / 100.);
         }
       if (tolerances.size() > 1 && tolerances.size() != n)

@@ -38,9 +38,10 @@ namespace lamella
       "",
       Anything(),
       "What is compared, between '|': PROBE: COLUMN (of probes.csv; PROBE/PLY "
-      "on an interface), SUPPORT: fx (fy, fz, mx, my, mz) or CONTACT: fx. By default what "
-      "the scene gives References for, and of probes without any the largest "
-      "displacement and stress.");
+      "on an interface), SUPPORT: fx (fy, fz, mx, my, mz), CONTACT: fx (and so "
+      "on, pressure, width, width x), or of a strip of a contact CONTACT: fx "
+      "in AXIS FROM TO. By default what the scene gives References for, and of "
+      "probes without any the largest displacement and stress.");
     prm.declare_entry(
       "Reference",
       "finest",

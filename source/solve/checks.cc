@@ -171,6 +171,26 @@ namespace lamella
 
 
 
+    /// What the force @p lambda of a row does to the @p body of its @p part, by
+    /// its work on the @p rigid motions.
+    Wrench
+    wrench_of(const BodyRow             &part,
+              const Body                &body,
+              const std::vector<Vector> &rigid,
+              const double               lambda)
+    {
+      Wrench wrench;
+      for (unsigned int c = 0; c < 3; ++c)
+        {
+          wrench.force[c]  = lambda * part.row(rigid[c]);
+          wrench.moment[c] = lambda * part.row(rigid[3 + c]);
+        }
+      wrench.moment += cross_product_3d(body.centre(), wrench.force);
+      return wrench;
+    }
+
+
+
     /// The point nearest to @p mean of the line on which @p force has the
     /// moment @p moment about the origin (up to a couple along it).
     Point<3>
@@ -275,8 +295,16 @@ namespace lamella
         second_deforms &&
         structure.bodies()[second]->missing_motions().size() <=
           structure.bodies()[first]->missing_motions().size();
-      kkt.force  = from_second ? force_2 : -force_1;
-      kkt.moment = from_second ? moment_2 : -moment_1;
+      kkt.force                  = from_second ? force_2 : -force_1;
+      kkt.moment                 = from_second ? moment_2 : -moment_1;
+      const unsigned int seen_by = from_second ? second : first;
+      kkt.of_rows.resize(contact.rows.size());
+      for (unsigned int k = 0; k < contact.rows.size(); ++k)
+        if (lambda[k] != 0.)
+          kkt.of_rows[k] = wrench_of(contact.rows[k].parts[from_second],
+                                     *structure.bodies()[seen_by],
+                                     rigid[seen_by],
+                                     from_second ? lambda[k] : -lambda[k]);
       if (kkt.force.norm() == 0.)
         return;
       if (second_deforms)

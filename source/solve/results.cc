@@ -33,6 +33,8 @@ namespace lamella
     lines.clear();
     cuts.clear();
     contacts.clear();
+    for (KuhnTucker &contact : checks.contacts)
+      contact.of_rows.clear();
   }
 
 

@@ -59,7 +59,22 @@ namespace
 
 
 
-XNamedQuantity::Of::probe, "middle", "uz"),
+  NamedQuantity
+  quantity_of(const NamedQuantity::Of of,
+              const std::string      &name,
+              const std::string      &column)
+  {
+    NamedQuantity quantity;
+    quantity.of     = of;
+    quantity.name   = name;
+    quantity.column = column;
+    return quantity;
+  }
+
+
+
+  const NamedQuantity
+    probe_uz = quantity_of(NamedQuantity::Of::probe, "middle", "uz"),
     probe_syz = quantity_of(NamedQuantity::Of::probe, "one", "syz"),
     probe_s22 = quantity_of(NamedQuantity::Of::probe, "two", "s22"),
     reaction = quantity_of(NamedQuantity::Of::support, "clamps", "fz");

@@ -62,7 +62,7 @@ namespace lamella
     double most_held = 0.05;
   };
 
-  /// Where stresses of a body are asked for: a probe, a line, a cut.
+  /// Where stresses of a body are asked for: a probe or its box, a line, a cut.
   struct StressPlace
   {
     /// Its number in Bodies.

@@ -3,6 +3,7 @@
 #ifndef lamella_recover_named_quantity_h
 #define lamella_recover_named_quantity_h
 
+#include <lamella/recover/pressed_patch.h>
 #include <lamella/recover/requests.h>
 #include <lamella/solve/results.h>
 
@@ -16,8 +17,9 @@
 namespace lamella
 {
   /// A number of a run's results that can be asked for by name, at the last
-  /// load step: a column of probes.csv at a probe, or a component of the
-  /// resultant of a support or a contact.
+  /// load step: a column of probes.csv at a probe, a component of the resultant
+  /// of a support or a contact, or the mean pressure or a width of what presses
+  /// of a contact, all of it or a strip (PressedPatch).
   struct NamedQuantity
   {
     /// What it is a number of.
@@ -34,14 +36,18 @@ namespace lamella
     /// Of a probe on a ply interface, from 1 at the bottom; 0: not said.
     unsigned int ply = 0;
     /// `uz`, `syy`, ... of a probe; of a resultant `fx`, `fy`, `fz` or its
-    /// moments `mx`, `my`, `mz`.
+    /// moments `mx`, `my`, `mz`; of a contact also `pressure`, `width`, and
+    /// `width x`, `width y`, `width z`.
     std::string column;
     /// The first of the scene's References of this quantity.
     std::optional<double> given;
     /// The entry that asks for it, for messages.
     std::string path = {};
+    /// Of a contact what it is restricted to, if anything.
+    std::optional<ContactStrip> strip = {};
 
-    /// `upper_top: uz`, with a ply `middle/2: syz`, as the scene says it.
+    /// `upper_top: uz`, with a ply `middle/2: syz`, with a strip `roller: fz in
+    /// y 40 60`, as the scene says it.
     std::string
     label() const;
   };
@@ -54,11 +60,20 @@ namespace lamella
     std::map<std::string, std::vector<Reference>> supports, contacts;
   };
 
-  /// The quantity that @p text says, NAME: COLUMN. Throws InputError unless a
-  /// probe, a support or a contact has that name, and only one of the latter
-  /// two, and has such a number.
+  /// The quantity that @p text says, NAME: COLUMN, of a contact also NAME:
+  /// COLUMN in AXIS FROM TO. Throws InputError unless a probe, a support or a
+  /// contact has that name, and only one of the latter two, and has such a
+  /// number, for another form of the strip, and unless FROM is less than TO.
+  /// Whether the strip is in the contact check_strip() says.
   NamedQuantity
   parse_quantity(const Entry &text, const QuantityNames &names);
+
+  /// Throws InputError, with the path of @p quantity, which is of a contact,
+  /// unless the contact with @p points has such a strip and such a width:
+  /// across the axis that it faces along, and a strip within its reach.
+  void
+  check_strip(const NamedQuantity                        &quantity,
+              const std::vector<ContactInterface::Point> &points);
 
   /// Everything that the scene has References for, each once. Names of probes
   /// without any are appended to @p others.
@@ -103,7 +118,8 @@ namespace lamella
 
     /// The largest magnitude of what is of the same kind as @p quantity: any
     /// displacement, strain or stress of any probe, any force or any moment of
-    /// supports and contacts.
+    /// supports and contacts, the pressure at any point of any contact, the
+    /// width of any contact along any axis.
     double
     largest_of_kind(const NamedQuantity &quantity) const;
 
@@ -121,10 +137,16 @@ namespace lamella
     std::vector<const ProbeRow *>
     rows_of(const std::string &probe) const;
 
+    /// value() of a support or a contact.
+    double
+    value_of_resultant(const NamedQuantity &quantity) const;
+
     /// Force and moment, six components each: of the reaction on the bodies,
     /// and on the second side.
     std::map<std::string, std::vector<double>> supports, contacts;
-    std::vector<ProbeRow>                      probes;
+    /// Of each contact its points, without gaps.
+    std::map<std::string, std::vector<ContactRow>> points;
+    std::vector<ProbeRow>                          probes;
   };
 } // namespace lamella
 

@@ -32,8 +32,9 @@ namespace lamella
   parse_references(const Entry                    &entry,
                    const std::vector<std::string> &quantities);
 
-  /// A point whose fields are reported. On a ply interface it is reported in
-  /// each of the plies.
+  /// A point whose fields are reported, or a box whose mean fields are. On a
+  /// ply interface a point is reported in each of the plies, and so is a box
+  /// without thickness that lies in one; any other box is one.
   struct Probe
   {
     /// As in `subsection Probe NAME`; the body's number in Bodies.
@@ -43,6 +44,9 @@ namespace lamella
     dealii::Point<3>       position;
     StressValues           stress = StressValues::undefined;
     std::vector<Reference> references;
+    /// The edges of the box around the position, along the scene's axes
+    /// [length]; none of them negative. All zero: the point.
+    dealii::Tensor<1, 3> box = {};
   };
 
   /// A segment along which the fields are reported. From surface to surface
@@ -74,7 +78,8 @@ namespace lamella
     unsigned int samples = 0;
   };
 
-  /// The entries of a `subsection Probe NAME`: At, Stress, References.
+  /// The entries of a `subsection Probe NAME`: At, Box, Stress,
+  /// References.
   struct ProbeParameters
   {
     /// Declares them with their defaults, patterns and what they mean.
@@ -82,7 +87,8 @@ namespace lamella
     declare(dealii::ParameterHandler &prm);
 
     /// The probe @p name of one of the bodies with the names @p bodies. Throws
-    /// InputError; whether the place is in the body is checked on the body.
+    /// InputError, also for a box with negative edges; whether the place is in
+    /// the body is checked on the body.
     static Probe
     parse(const Entries                  &in,
           const std::string              &name,

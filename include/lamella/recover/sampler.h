@@ -3,6 +3,7 @@
 #ifndef lamella_recover_sampler_h
 #define lamella_recover_sampler_h
 
+#include <lamella/recover/box_points.h>
 #include <lamella/recover/requests.h>
 #include <lamella/solve/results.h>
 
@@ -26,8 +27,8 @@ namespace lamella
   {
   public:
     /// All four are referred to and have to live longer. Throws InputError for
-    /// a probe or a line's end outside of its body, and for a cut that its axis
-    /// does not reach; the message names the entry.
+    /// a probe, its box or a line's end outside of its body, and for a cut that
+    /// its axis does not reach; the message names the entry.
     Sampler(const Bodies             &bodies,
             const std::vector<Probe> &probes,
             const std::vector<Line>  &lines,
@@ -36,10 +37,11 @@ namespace lamella
     /**
      * Fills the probes, lines, cuts and jumps of @p results for the
      * displacements @p u.
-     * @p u has a block for each body. Of each probe a row a ply, of each line
-     * rows along its pieces with the InterfaceJump, of each cut the grids of
-     * its cells. @p results must not have any of these yet: rows are appended.
-     * Recoveries are made anew for each state, one for each body and kind.
+     * @p u has a block for each body. Of each probe a row a ply (of a box one,
+     * or two: box_points()), of each line rows along its pieces with the
+     * InterfaceJump, of each cut the grids of its cells. @p results must not
+     * have any of these yet: rows are appended. Recoveries are made anew for
+     * each state, one for each body and kind.
      */
     void
     sample(const BlockVector &u, StepResults &results) const;
@@ -62,6 +64,11 @@ namespace lamella
 
     /// The recoveries of one state, by body and kind.
     class Recoveries;
+    /// The mean of the fields by @p recovery over @p points of the probe @p p.
+    FieldRow
+    mean_row(const unsigned int p,
+             const BoxPoints   &points,
+             StressRecovery    &recovery) const;
     /// The row of a table for @p location, its fields by @p recovery.
     FieldRow
     row_at(const unsigned int body,
@@ -81,9 +88,9 @@ namespace lamella
     const std::vector<Line>  &lines;
     const std::vector<Cut>   &cuts;
 
-    /// Of each probe its location in each ply; of each line its places, in
-    /// order.
-    std::vector<std::vector<Location>>  probe_locations;
+    /// Of each probe the points of each of its rows; of each line its places,
+    /// in order.
+    std::vector<std::vector<BoxPoints>> probe_points;
     std::vector<std::vector<LinePlace>> line_places;
   };
 

@@ -57,8 +57,9 @@ namespace lamella
 
     /// From `subsection Goals`. @p of_trade are the quantities that a trade
     /// names. Throws InputError for a quantity that nothing of @p names gives,
-    /// a tolerance that is not above 0 and at most 100 per cent, and another
-    /// number of them than one or one for each quantity.
+    /// a tolerance that is not above 0 and at most 100 per cent or below
+    /// 1e-8 per cent, which is what a solution of contact is good for, and
+    /// another number of them than one or one for each quantity.
     static GoalParameters
     parse(const Entries                    &in,
           const QuantityNames              &names,

@@ -11,6 +11,12 @@
 
 namespace lamella
 {
+  /// A force and its moment about the scene's origin, scene components.
+  struct Wrench
+  {
+    dealii::Tensor<1, 3> force, moment;
+  };
+
   /**
    * The Kuhn-Tucker state (Eq. 18) of one contact at the end of a load step,
    *   g >= 0,  lambda >= 0,  g lambda = 0   (for penalty with g + lambda / eps
@@ -27,6 +33,8 @@ namespace lamella
     /// moment about the scene's origin: the work of the rows on rigid motions
     /// of a body, so exact for every kind of rows.
     dealii::Tensor<1, 3> force, moment;
+    /// What each row has of these: they sum to them but for rounding.
+    std::vector<Wrench> of_rows;
     /// Where the force acts: of its line of action the point nearest to the
     /// mean of the active points, weighted with their forces. The origin where
     /// there is no force.

@@ -43,15 +43,19 @@ namespace lamella
   const std::vector<std::string> &
   phase_names();
 
+  /// One less than 0: tables, which count plies from 1, have 0 there.
+  constexpr unsigned int several_plies = dealii::numbers::invalid_unsigned_int;
+
   /// The fields at a point of a body, on one side of its ply interfaces: a row
   /// of the tables of probes, lines and cuts.
   struct FieldRow
   {
     /// Its name.
     std::string body;
-    /// From 0 at the bottom; tables count from 1.
+    /// From 0 at the bottom; tables count from 1. `several_plies` of a mean
+    /// over a box that reaches into more than one.
     unsigned int ply = 0;
-    /// Undeformed, in the scene.
+    /// Undeformed, in the scene; the middle of a box.
     dealii::Point<3> position;
     /// Displacement, strains and stresses, scene axes and ply axes.
     FieldSample sample;
@@ -97,6 +101,8 @@ namespace lamella
     /// lambda, positive in compression: over the area of the pair the mean
     /// pressure there.
     double force = 0.;
+    /// What that is on the second side.
+    Wrench on_second = {};
 
     bool
     touches() const
@@ -142,9 +148,9 @@ namespace lamella
     /// What the user should know of this step, a sentence each.
     std::vector<std::string> warnings;
 
-    /// Drops the state's vectors, the strategy's memory and all rows, which is
-    /// nearly all of its memory. What stays: number, load factor, iterations,
-    /// checks, jumps, changes and warnings.
+    /// Drops the state's vectors, the strategy's memory and all rows (those of
+    /// the checks, too), which is nearly all of its memory. What stays: number,
+    /// load factor, iterations, checks, jumps, changes and warnings.
     void
     drop_fields();
   };

@@ -1,0 +1,210 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <lamella/base/exceptions.h>
+#include <lamella/base/text.h>
+#include <lamella/body/line_crossings.h>
+#include <lamella/conditions/region.h>
+#include <lamella/recover/box_points.h>
+
+#include <deal.II/base/quadrature_lib.h>
+
+#include <algorithm>
+
+namespace lamella
+{
+  using namespace dealii;
+
+  std::vector<Point<3>>
+  box_corners(const Point<3> &middle, const Tensor<1, 3> &edges)
+  {
+    std::vector<Point<3>> corners;
+    for (unsigned int v = 0; v < 8; ++v)
+      {
+        corners.push_back(middle);
+        for (unsigned int d = 0; d < 3; ++d)
+          corners.back()[d] += (v >> d & 1 ? 0.5 : -0.5) * edges[d];
+      }
+    return corners;
+  }
+
+
+
+  namespace
+  {
+    constexpr std::size_t most_points = 200000;
+    // What pieces are divided into where elements are askew.
+    constexpr unsigned int askew_parts = 4;
+
+
+
+    [[noreturn]] void
+    refuse(const std::string &path,
+           const std::string &rule,
+           const std::string &remedy)
+    {
+      throw InputError(path + "/Box", "", rule, remedy);
+    }
+
+
+
+    /// Iterated integration over a box.
+    class BoxRule
+    {
+    public:
+      BoxRule(const Body         &body,
+              const Point<3>     &middle,
+              const Tensor<1, 3> &edges,
+              const std::string  &path)
+        : body(body)
+        , low(middle - 0.5 * edges)
+        , edges(edges)
+        , path(path)
+      {
+        for (unsigned int d = 0; d < 3; ++d)
+          if (edges[d] > 0.)
+            along.push_back(d);
+        add(0, middle, 1.);
+      }
+
+      std::vector<Point<3>> points;
+      std::vector<double>   weights;
+
+    private:
+      /// The points with the coordinates of @p x in all directions before
+      /// number @p level of `along`.
+      void
+      add(const unsigned int level, Point<3> x, const double weight)
+      {
+        if (level == along.size())
+          {
+            if (points.size() == most_points)
+              refuse(path,
+                     "the box has so many elements that its mean would take "
+                     "more than " +
+                       std::to_string(most_points) + " points",
+                     "Give a smaller box.");
+            points.push_back(x);
+            weights.push_back(weight);
+            return;
+          }
+        const unsigned int        d      = along[level];
+        const std::vector<double> breaks = breaks_at(level, x);
+        Point<3>                  a = x, b = x;
+        b[d] += edges[d];
+        const QGauss<1> gauss(body.line_degree(a, b) / 2 + 2);
+        for (unsigned int k = 0; k + 1 < breaks.size(); ++k)
+          for (unsigned int q = 0; q < gauss.size(); ++q)
+            {
+              const double size = breaks[k + 1] - breaks[k];
+              x[d] = low[d] + edges[d] * (breaks[k] + size * gauss.point(q)[0]);
+              add(level + 1, x, weight * size * gauss.weight(q));
+            }
+      }
+
+      /// Where lines through the box from @p x along direction number @p level
+      /// pass from element to element: on its faces and half way between them.
+      std::vector<double>
+      breaks_at(const unsigned int level, const Point<3> &x) const
+      {
+        std::vector<Point<3>> starts{x};
+        starts[0][along[level]] = low[along[level]];
+        for (unsigned int l = level + 1; l < along.size(); ++l)
+          {
+            const std::vector<Point<3>> coarser = std::move(starts);
+            starts.clear();
+            for (Point<3> start : coarser)
+              for (const double t : {0., 0.5, 1.})
+                {
+                  start[along[l]] = low[along[l]] + t * edges[along[l]];
+                  starts.push_back(start);
+                }
+          }
+        std::vector<double> breaks;
+        std::size_t         most = 0;
+        for (const Point<3> &start : starts)
+          {
+            Point<3> end = start;
+            end[along[level]] += edges[along[level]];
+            const auto own = body.line_breaks(start, end);
+            most           = std::max(most, own.size());
+            breaks.insert(breaks.end(), own.begin(), own.end());
+          }
+        breaks = tidy_breaks(std::move(breaks));
+        if (breaks.size() == most)
+          return breaks;
+        std::vector<double> finer;
+        for (unsigned int k = 0; k + 1 < breaks.size(); ++k)
+          for (unsigned int i = 0; i < askew_parts; ++i)
+            finer.push_back(breaks[k] +
+                            i * (breaks[k + 1] - breaks[k]) / askew_parts);
+        finer.push_back(1.);
+        return finer;
+      }
+
+      const Body               &body;
+      const Point<3>            low;
+      const Tensor<1, 3>        edges;
+      const std::string         path;
+      std::vector<unsigned int> along;
+    };
+
+
+
+    /// The places of @p points, all of which must be in @p body.
+    std::vector<std::vector<Location>>
+    located(const Body                  &body,
+            const std::vector<Point<3>> &points,
+            const std::string           &path)
+    {
+      auto found = body.locate(points);
+      for (unsigned int i = 0; i < points.size(); ++i)
+        if (found[i].empty())
+          {
+            const auto limits = body.bounding_box().get_boundary_points();
+            refuse(path,
+                   "the box must lie in body '" + body.name() +
+                     "', which extends from " + to_text(limits.first) + " to " +
+                     to_text(limits.second) + ", but has the point " +
+                     to_text(points[i]),
+                   "Make it smaller or move the probe.");
+          }
+      return found;
+    }
+  } // namespace
+
+
+
+  std::vector<BoxPoints>
+  box_points(const Body         &body,
+             const Point<3>     &middle,
+             const Tensor<1, 3> &edges,
+             const std::string  &path)
+  {
+    const auto             at_middle = locate_sides(body, {middle}, path);
+    std::vector<BoxPoints> sides;
+    if (edges.norm() == 0.)
+      {
+        for (const Location &location : at_middle.front())
+          sides.push_back({{1., location}});
+        return sides;
+      }
+    located(body, box_corners(middle, edges), path);
+    const BoxRule rule(body, middle, edges, path);
+    const auto    found = located(body, rule.points, path);
+    // What lies in one ply only belongs to either side. A piece that is thin
+    // enough for the search to find it in both plies makes no interface.
+    constexpr double sliver = 1e-6;
+    double           in_two = 0.;
+    for (unsigned int i = 0; i < found.size(); ++i)
+      in_two += found[i].size() > 1 ? rule.weights[i] : 0.;
+    const bool in_interface = in_two > sliver;
+    sides.resize(in_interface ? 2 : 1);
+    for (unsigned int i = 0; i < found.size(); ++i)
+      {
+        sides.front().emplace_back(rule.weights[i], found[i].front());
+        if (in_interface)
+          sides.back().emplace_back(rule.weights[i], found[i].back());
+      }
+    return sides;
+  }
+} // namespace lamella
