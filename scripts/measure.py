@@ -13,6 +13,7 @@ from measure_bars import bars
 from measure_fields import fields
 from measure_rates import rates
 from measure_solids import calculix, hanging, million, solids
+from measure_tolerances import tolerances
 from measure_tools import POINT, ROOT, Run, axis, drawing, table
 
 
@@ -327,14 +328,15 @@ def main():
                                       theories, stability, solids, hanging, calculix,
                                       parallel, million, fields, aims, hairs, walls,
                                       compact, flexure, three_plies, paper,
-                                      growth_plies, growth_length, bars,
-                                      rates)}
+                                      growth_plies, growth_length, bars, rates,
+                                      tolerances)}
     unknown = [name for name in sys.argv[1:] if name not in tables]
     if unknown:
         sys.exit(f"no table {unknown[0]}; there are: {', '.join(tables)}")
     # A million DoFs take minutes and gigabytes: only when asked for.
     only_asked = ("parallel", "million", "fields", "aims", "hairs", "walls", "compact",
-                  "flexure", "three_plies", "paper", "growth_plies", "growth_length", "bars")
+                  "flexure", "three_plies", "paper", "growth_plies", "growth_length", "bars",
+                  "tolerances")
     for name in sys.argv[1:] or [name for name in tables if name not in only_asked]:
         print(f"## {name}: {tables[name].__doc__}\n")
         tables[name]()

@@ -145,7 +145,7 @@ def shipped():
     yield ("coupon", ROOT / "prm/flexure_test.prm",
            ["c_nose: fz", "middle: uz", "outer: syy", "core: syz", "below: szz"],
            ["TE-4", "SV", "SV-6"],
-           ["Theory=SV-14", "Section coupon/Cells across=8"])
+           ["Theory=SV-14", "Section laminate/Cells across=8"])
     crossed = ROOT / "tests/scenes/crossed_beams.prm"
     lengths = ["Body upper/Kinematics/Axis elements=6, 8, 6",
                "Body lower/Kinematics/Axis elements=6, 8, 6"]

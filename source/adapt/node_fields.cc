@@ -306,6 +306,21 @@ namespace lamella
 
 
 
+    /// Whether supports hold, as a whole, more sections of @p body than clamps
+    /// do: in plane strain all of them are, and nothing is far from a clamp.
+    bool
+    is_held_all_along(const TouchedBody &body, const Axis &axis)
+    {
+      constexpr double most_clamps = 0.25;
+      const auto       held =
+        std::count_if(body.touches.begin(),
+                      body.touches.end(),
+                      [](const Touch &touch) { return touch.holds_section; });
+      return held > most_clamps * axis.n_nodes();
+    }
+
+
+
     /// Those of each of the touches of @p body, whose axis is @p axis; without
     /// end fields, which cost a solution, unless @p wants_responses.
     std::vector<std::vector<unsigned int>>
@@ -343,7 +358,9 @@ namespace lamella
       const bool may_keep_all =
         description.pieces.empty() && description.theory.order > 0;
       std::string why;
-      if (may_keep_all)
+      if (may_keep_all && is_held_all_along(body, beam.axis()))
+        why = "supports hold its sections all along";
+      else if (may_keep_all)
         why = nothing_to_win(near, beam, fields, rules);
       if (why.empty())
         lists = lists_of(beam, near, description, fields);
@@ -379,7 +396,8 @@ namespace lamella
                       body,
                       fields,
                       theory.order > 0 &&
-                        (axis.n_nodes() > rules.least_nodes ||
+                        ((axis.n_nodes() > rules.least_nodes &&
+                          !is_held_all_along(body, axis)) ||
                          !descriptions[body.number].pieces.empty()));
         }
 

@@ -324,8 +324,11 @@ namespace lamella
         before_richest = step.to;
     Scene       scene = models[before_richest].scene;
     std::string what;
-    for (const Source source : some)
+    for (Source source : some)
       {
+        // LE that stands in for fields has more of its section instead.
+        if (!has_source(scene, source))
+          source = Source::section;
         scene = enriched(scene, source, models[before_richest].sizes);
         what += std::string(what.empty() ? "" : ", ") + name_of(source);
       }

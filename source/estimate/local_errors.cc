@@ -2,6 +2,7 @@
 
 #include <lamella/body/beam_transfer.h>
 #include <lamella/estimate/local_errors.h>
+#include <lamella/recover/box_points.h>
 
 #include <algorithm>
 
@@ -190,14 +191,15 @@ namespace lamella
     if (!component)
       return std::nullopt;
     const Body &body   = *fine.solved_structure().bodies()[probe.body];
-    const auto  sides  = body.locate({probe.position});
     Derivative  result = zero();
-    for (const Location &location : sides.front())
-      if (goal.ply == 0 || location.ply + 1 == goal.ply)
+    for (const BoxPoints &points :
+         box_points(body, probe.position, probe.box, "Probe " + probe.name))
+      if (goal.ply == 0 || points.front().second.ply + 1 == goal.ply)
         {
-          body.rows({location}, component->quantity, component->frame)
-            .front()[component->component]
-            .add_to(result.u.block(probe.body), 1.);
+          for (const auto &[weight, location] : points)
+            body.rows({location}, component->quantity, component->frame)
+              .front()[component->component]
+              .add_to(result.u.block(probe.body), weight);
           return result;
         }
     return std::nullopt;
@@ -236,7 +238,7 @@ namespace lamella
   std::optional<Localisation::Derivative>
   Localisation::of_contact(const NamedQuantity &goal) const
   {
-    if (goal.column.size() != 2 || goal.column[0] != 'f')
+    if (goal.column.size() != 2 || goal.column[0] != 'f' || goal.strip)
       return std::nullopt;
     Derivative result = zero();
     for (unsigned int k = 0; k < active.size(); ++k)

@@ -19,7 +19,7 @@ namespace lamella
   {
     // A source with less than this share of what a goal may be off by stays as
     // it is; the worst goal has to get better by this factor in two passes.
-    constexpr double small_share = 0.25, least_progress = 0.8;
+    constexpr double small_share = 0.25, least_progress = 0.5;
     // More are a sign that none would be enough.
     constexpr unsigned int most_passes = 8;
   } // namespace

@@ -55,10 +55,11 @@ namespace lamella
     /// than that: nothing would be won.
     double       most_fields = 0.5;
     unsigned int least_nodes = 15;
-    /// Nor where supports (but those of whole sections) hold more load vectors
-    /// than this share of the fields, on average: a surface held all along
-    /// leaves lists with little but what is held to be eliminated from, which
-    /// is slow and costs digits.
+    /// Nor where supports hold more than a quarter of its sections as a whole
+    /// (plane strain), or (but those of whole sections) more load vectors than
+    /// this share of the fields, on average: a surface held all along leaves
+    /// lists with little but what is held to be eliminated from, which is slow
+    /// and costs digits.
     double most_held = 0.05;
   };
 

@@ -41,8 +41,8 @@ namespace lamella
     Localisation(const Simulation &coarse, const Simulation &fine);
 
     /// Of the goal @p goal, whose values differ by @p change between the two.
-    /// None for what has no derivative (a mean, a width, a jump). Where
-    /// stresses are recovered the derivative is that of the elements' own. One
+    /// None for what has no derivative here (a jump, a moment, pressure, width
+    /// and strips of a contact). Where stresses are recovered the derivative is that of the elements' own. One
     /// solution with the factor that is there.
     std::optional<LocalErrors>
     errors(const NamedQuantity &goal, const double change) const;

@@ -1,0 +1,137 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Runs to a tolerance against uniform meshes that have it; see scripts/measure."""
+
+import resource
+import subprocess
+import sys
+
+from measure_bars import BarRun, cantilever
+from measure_fields import laminate
+from measure_tools import ENVIRONMENT, PROGRAM, ROOT, table
+
+# Theories and factors on the scene's own axis elements.
+UNIFORM = [(theory, axis) for theory in ("LE-1", "LE-2", "LE-3") for axis in (0.5, 1, 2)]
+SOLIDS = [(theory, axis) for theory in ("solid-1", "solid-2") for axis in (1, 2, 4)]
+
+
+class Timed(BarRun):
+    """With the processor's seconds, less those of starting the program, and the passes
+    of a run to a tolerance."""
+
+    start = None
+
+    def __init__(self, scene, overrides):
+        if Timed.start is None:
+            Timed.start = min(self.seconds_of([PROGRAM, "--version"]) for _ in range(3))
+        before = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime
+        super().__init__(scene, overrides)
+        self.seconds = (resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime - before
+                        - Timed.start)
+
+    @staticmethod
+    def seconds_of(words):
+        before = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime
+        subprocess.run(words, env=ENVIRONMENT, capture_output=True, check=True)
+        return resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime - before
+
+
+def kinematics(bodies, entry, value):
+    return [f"Body {body}/Kinematics/{entry}={value}" for body in bodies]
+
+
+def graded(bodies, factor=""):
+    return (kinematics(bodies, "Axis breaks", "")
+            + kinematics(bodies, "Axis elements", f"auto {factor}".strip()))
+
+
+# Name, scene, bodies, goals, axis elements and breaks of the scene, what makes the truth.
+SANDWICH = ROOT / "prm/sandwich.prm"
+SCENES = [
+    ("laminated beams", ROOT / "prm/laminated_beams.prm", ["upper", "lower"],
+     ["upper_top: uz", "upper_top: syy", "middle: fz"], ([20], ""),
+     ["Theory=LE-3", "Contact middle/Enforcement=exact",
+      *kinematics(["upper", "lower"], "Axis elements", "60")]),
+    ("sandwich", SANDWICH, ["beam"],
+     ["indentation: fz", "quarter: uy", "bottom: syy", "core: syz"],
+     ([6, 2, 2, 2, 6], "230, 247, 253, 270"),
+     ["Theory=LE-3", *graded(["beam"], "2")]),
+    ("Hertz, plane strain", ROOT / "prm/hertz_plane_strain.prm", ["upper", "lower"],
+     ["press: fz", "upper_centre: szz"], ([1], ""),
+     ["Theory=LE-4", "Section half/Finest cell=0.015"]),
+    ("Hertz, free faces", ROOT / "prm/hertz.prm", ["upper", "lower"],
+     ["press: fz", "lower_centre: szz"], ([1, 1, 1, 1, 1], "0.05, 0.2, 0.8, 0.95"),
+     ["Theory=LE-3"]),
+    ("coupon", ROOT / "prm/flexure_test.prm", ["coupon"],
+     ["c_nose: fz", "middle: uz", "core: syz"],
+     ([2, 4, 8, 4, 8, 4, 2], "12, 14, 76, 78, 140, 142"),
+     ["Theory=SV-14", "Section laminate/Cells across=8"]),
+    ("cantilever [45/-45/0], L/h = 20", cantilever(laminate("45/-45/0"), 20), ["beam"],
+     ["tip: uz", "third: syy", "inside: syz"], ([2, 4], "2"),
+     ["Theory=LE-4", "Section strip/Cells across=8", "Section strip/Cells per ply=2",
+      *graded(["beam"], "1")]),
+    ("double-T", ROOT / "tests/scenes/double_t.prm", ["beam"],
+     ["middle: uz", "edge: uz"], ([2, 6], "10"),
+     ["Theory=LE-4", *graded(["beam"], "2")])]
+
+
+def off_by(run, true, goals):
+    """The largest error of a goal, relative."""
+    return max(abs(run.value(goal) / true.value(goal) - 1.) for goal in goals)
+
+
+def uniform(scene, bodies, goals, axis, true, models):
+    """Seconds, DoFs, name and error of each of @p models, the cheapest first."""
+    found = []
+    for theory, factor in models:
+        elements, breaks = axis
+        numbers = ", ".join(str(max(1, round(n * factor))) for n in elements)
+        run = Timed(scene, [f"Theory={theory}", *kinematics(bodies, "Axis breaks", breaks),
+                            *kinematics(bodies, "Axis elements", numbers)])
+        if not run.failure:
+            found.append((run.seconds, run.summary["dofs"],
+                          f"{theory}, axis {factor:g}", off_by(run, true, goals)))
+    return sorted(found)
+
+
+def cell_of(found, tolerance):
+    for seconds, dofs, name, error in found:
+        if error <= tolerance:
+            return f"{name}: {dofs}, {seconds:.1f} s", seconds
+    return "none", None
+
+
+def to_tolerance(scene, bodies, goals, per_cent):
+    return Timed(scene, ["Theory=auto", *graded(bodies), f"Goals/Tolerance={per_cent}",
+                         "Goals/Quantities=" + " | ".join(goals)])
+
+
+def tolerances(pick=""):
+    """doc/error-bars.md: nothing said about theory or mesh, against the cheapest uniform
+    LE and solid. Seconds are the processor's, less the program's start."""
+    rows = []
+    for name, scene, bodies, goals, axis, truth in SCENES:
+        if pick not in name:
+            continue
+        print(name, file=sys.stderr)
+        true = BarRun(scene, truth)
+        if true.failure:
+            raise RuntimeError(f"{name}: {true.failure}")
+        layers, bricks = (uniform(scene, bodies, goals, axis, true, models)
+                          for models in (UNIFORM, SOLIDS))
+        for per_cent in (1, 0.1):
+            run = to_tolerance(scene, bodies, goals, per_cent)
+            if run.failure:
+                rows.append([name, per_cent, run.failure[:70]] + 7 * [""])
+                continue
+            passes = max(int(row["pass"]) for row in run.tables["passes.csv"])
+            met = sum(goal["met"] for goal in run.summary["goals"].values())
+            best, seconds = cell_of(layers, per_cent / 100)
+            brick, of_brick = cell_of(bricks, per_cent / 100)
+            theory = "; ".join(dict.fromkeys(run.summary["theory"].values()))
+            rows.append([name, per_cent, theory, passes, run.summary["dofs"],
+                         f"{run.seconds:.1f}", f"{met} of {len(goals)}",
+                         f"{100 * off_by(run, true, goals):.2g}", best, brick])
+            print(rows[-1], seconds, of_brick, file=sys.stderr)
+    table(["scene", "tolerance, %", "ends with", "passes", "DoFs", "seconds", "goals met",
+           "largest true error, %", "cheapest uniform LE: DoFs, seconds",
+           "cheapest solid"], rows)
