@@ -45,14 +45,18 @@ namespace lamella
 
 
 
-    /// Of the resultant of @p forces, the rows of one contact.
+    /// The size of the resultant on the second side of the contact number
+    /// @p contact, from the forces of all rows.
     double
-    sum_of(const dealii::ArrayView<const double> &forces)
+    resultant(const Simulation          &model,
+              const unsigned int         contact,
+              const std::vector<double> &forces)
     {
-      double sum = 0.;
-      for (const double force : forces)
-        sum += force;
-      return sum;
+      const auto           of_rows = model.rows().of_contact(contact, forces);
+      dealii::Tensor<1, 3> sum;
+      for (unsigned int k = 0; k < of_rows.size(); ++k)
+        sum += of_rows[k] * model.interfaces()[contact].points[k].normal;
+      return sum.norm();
     }
 
 
@@ -119,9 +123,8 @@ namespace lamella
       for (const unsigned int r : active)
         {
           const unsigned int c = rows.in_contact(r).first;
-          forces[r]            = state.force[r] *
-                      sum_of(coarse.rows().of_contact(c, rough.force)) /
-                      sum_of(rows.of_contact(c, state.force));
+          forces[r] = state.force[r] * resultant(coarse, c, rough.force) /
+                      resultant(fine, c, state.force);
         }
     residual = fine.solved_structure().residual(u, factor, state.rest);
     mismatch.reinit(active.size());
@@ -257,15 +260,19 @@ namespace lamella
   Localisation::dual(const Derivative &derivative) const
   {
     Derivative  result = zero(), correction = zero();
-    BlockVector left  = derivative.u;
-    Vector      right = derivative.force;
-    right *= -1.;
+    BlockVector left = derivative.u;
+    // Without active rows there are vectors without entries, which deal.II
+    // refuses to calculate with.
+    Vector right(derivative.force);
+    for (double &value : right)
+      value = -value;
     for (unsigned int round = 0; round < 2; ++round)
       {
         fine.contact_solver().solve_linear(
           active, left, right, correction.u, correction.force);
         result.u += correction.u;
-        result.force += correction.force;
+        for (unsigned int k = 0; k < active.size(); ++k)
+          result.force[k] += correction.force[k];
         left = derivative.u;
         left += fine.solved_structure().residual(result.u, 0.);
         for (unsigned int k = 0; k < active.size(); ++k)
@@ -330,7 +337,9 @@ namespace lamella
           add_elements(b, share, result);
           sum += residual.block(b) * local.block(b);
         }
-    result.contact   = residual * z.u - sum - z.force * mismatch;
+    result.contact = residual * z.u - sum;
+    for (unsigned int k = 0; k < active.size(); ++k)
+      result.contact -= z.force[k] * mismatch[k];
     result.remainder = change - sum - result.contact;
     return result;
   }
