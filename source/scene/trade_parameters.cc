@@ -21,13 +21,15 @@ namespace lamella
       "EBBT | TBT | TE-1 | TE-2 | TE-3 | TE-4 | "
       "SV | SV-3 | SV-6 | SV-10 | LE-1 | "
       "LE-2, axis 0.5, section 0.5 | LE-2, axis 0.5 | LE-2 | "
-      "LE-3, section 0.5 | LE-3 | solid-1 | solid-2 | solid-2, axis 2 | "
+      "LE-3, section 0.5 | LE-2, section 2 | LE-3 | solid-1 | solid-2 | solid-2, axis 2 | "
       "LE-3, axis 2",
       Anything(),
       "Rungs between '|', cheap ones first and the finest last. A rung is a "
       "theory and what else it changes between commas: axis FACTOR (on the "
       "numbers of axis elements), section FACTOR (on the numbers of section "
-      "cells in each direction), PATH = VALUE (as of --set).");
+      "cells in each direction), PATH = VALUE (as of --set). In place of a "
+      "theory tolerance PERCENT: a run that chooses theory and mesh until the "
+      "error bars of the Quantities are within.");
     prm.declare_entry("Bodies",
                       "",
                       Anything(),
@@ -54,6 +56,12 @@ namespace lamella
                       patterns::numbers(),
                       "Errors, in per cent, that the cheapest rung is sought "
                       "for; one or more between commas.");
+    prm.declare_entry("Error bars",
+                      "false",
+                      dealii::Patterns::Bool(),
+                      "Whether each rung makes the error bars of its own "
+                      "values, too, as of subsection Goals; they stand beside "
+                      "its errors. Its seconds are without them.");
     prm.declare_entry("Time limit",
                       "0",
                       patterns::number(),
@@ -87,17 +95,51 @@ namespace lamella
 
 
 
+    /// The tolerance that the @p piece of @p rung says, if it begins with that
+    /// word, as a share of 1.
+    std::optional<double>
+    tolerance(const Entry &rung, const std::string &piece)
+    {
+      const std::string word = "tolerance";
+      if (piece != word && piece.compare(0, word.size() + 1, word + " ") != 0)
+        return std::nullopt;
+      if (piece == word)
+        rung.refuse("the tolerance is missing", "Write, say, tolerance 1.");
+      const double per_cent = rung.number(piece.substr(word.size() + 1));
+      if (!(per_cent > 0. && per_cent <= 100.))
+        rung.refuse("the tolerance must be more than 0 and at most 100 per "
+                    "cent",
+                    "Write, say, tolerance 1.");
+      return per_cent / 100.;
+    }
+
+
+
+    /// What the @p rung begins with: a theory, or a tolerance.
+    LadderEntry
+    parse_first(const Entry &rung, const std::string &piece)
+    {
+      LadderEntry first;
+      first.name      = rung.text();
+      first.tolerance = tolerance(rung, piece);
+      first.theory    = first.tolerance ?
+                          "tolerance " + to_text(100. * *first.tolerance, 15) :
+                          piece;
+      if (first.theory.empty())
+        rung.refuse("the rung begins with no theory");
+      if (!first.tolerance)
+        Theory::parse(Entry(rung.path(), first.theory));
+      return first;
+    }
+
+
+
     /// @p text is the entry's part for this rung.
     LadderEntry
     parse_rung(const Entry &text)
     {
       const auto  pieces = text.items();
-      LadderEntry rung;
-      rung.name   = text.text();
-      rung.theory = pieces[0];
-      if (rung.theory.empty())
-        text.refuse("the rung begins with no theory");
-      Theory::parse(Entry(text.path(), rung.theory));
+      LadderEntry rung   = parse_first(text, pieces[0]);
       for (unsigned int k = 1; k < pieces.size(); ++k)
         {
           const std::string &piece = pieces[k];
@@ -116,6 +158,10 @@ namespace lamella
                           "VALUE",
                         "Write, say, LE-2, axis 2.");
         }
+      if (rung.tolerance && (rung.axis != 1. || rung.section != 1.))
+        text.refuse("a run to a tolerance makes its meshes itself, from those "
+                    "that it begins with",
+                    "Leave out axis FACTOR and section FACTOR.");
       return rung;
     }
 
@@ -240,6 +286,7 @@ namespace lamella
       check_given(reference, trade.quantities);
 
     trade.tolerances = parse_tolerances(in["Tolerance"]);
+    trade.error_bars = in["Error bars"].truth();
     trade.time_limit = parse_time_limit(in["Time limit"]);
     return trade;
   }

@@ -83,6 +83,131 @@ namespace lamella
                          "...");
       }
     };
+
+
+
+    bool
+    is_chosen(const BodyDescription &body, const Scene &scene)
+    {
+      const auto &chosen = scene.trade.bodies;
+      return std::find(chosen.begin(), chosen.end(), body.name) != chosen.end();
+    }
+
+
+
+    /// The entries of the Kinematics of @p body with its name before them.
+    std::string
+    kinematics(const BodyDescription &body)
+    {
+      return "Body " + body.name + "/Kinematics/";
+    }
+
+
+
+    /// What says that @p body has this @p theory all along.
+    std::vector<std::string>
+    theory_of(const BodyDescription &body, const std::string &theory)
+    {
+      std::vector<std::string> overrides{kinematics(body) + "Theory=" + theory};
+      if (!body.pieces.empty())
+        for (const char *const one : {"Theories", "Theory breaks"})
+          overrides.push_back(kinematics(body) + one + "=");
+      return overrides;
+    }
+
+
+
+    /// The goals of a run that makes bars of the trade's quantities.
+    std::string
+    quantities_of(const TradeParameters &trade)
+    {
+      std::vector<std::string> labels;
+      if (trade.whole_probes.empty())
+        for (const NamedQuantity &quantity : trade.quantities)
+          labels.push_back(quantity.label());
+      return joined(labels, " | ");
+    }
+
+
+
+    /// What makes a run to a tolerance out of @p scene.
+    std::vector<std::string>
+    run_to_tolerance(const double tolerance, const Scene &scene)
+    {
+      std::vector<std::string> overrides{"Goals/Quantities=" +
+                                           quantities_of(scene.trade),
+                                         "Goals/Tolerance=" +
+                                           to_text(100. * tolerance, 15),
+                                         "Goals/Error bars=auto",
+                                         "Theory=auto"};
+      for (const BodyDescription &body : scene.bodies)
+        if (is_chosen(body, scene))
+          {
+            for (const std::string &one : theory_of(body, "auto"))
+              overrides.push_back(one);
+            overrides.push_back(kinematics(body) + "Axis elements=auto");
+            overrides.push_back(kinematics(body) + "Axis breaks=");
+          }
+        else if (body.pieces.empty())
+          {
+            // `LE-2 (L9)` is called LE-2 in a scene.
+            const std::string name = body.theory.name();
+            overrides.push_back(kinematics(body) +
+                                "Theory=" + name.substr(0, name.find(' ')));
+          }
+      return overrides;
+    }
+
+
+
+    /// What makes a rung of a run of @p scene: theories and meshes.
+    std::vector<std::string>
+    run_of_theory(const LadderEntry &entry, const Scene &scene)
+    {
+      std::vector<std::string> overrides;
+      std::set<std::string>    sections;
+      for (const BodyDescription &body : scene.bodies)
+        {
+          if (!is_chosen(body, scene))
+            continue;
+          for (const std::string &one : theory_of(body, entry.theory))
+            overrides.push_back(one);
+          if (entry.axis != 1.)
+            overrides.push_back(
+              kinematics(body) + "Axis elements=" +
+              (body.axis.fineness > 0. ?
+                 "auto " + to_text(body.axis.fineness * entry.axis) :
+                 scaled(body.axis.elements, entry.axis)));
+          sections.insert(body.section);
+        }
+      if (entry.section != 1.)
+        for (const std::string &section : sections)
+          for (const auto &[name, value] :
+               std::visit(FinerSection{entry.section},
+                          scene.sections.at(section)))
+            overrides.push_back("Section " + section + "/" + name + "=" +
+                                value);
+      return overrides;
+    }
+
+
+
+    /// What makes error bars of the trade's quantities.
+    std::vector<std::string>
+    error_bars(const Scene &scene)
+    {
+      std::vector<std::string> overrides{"Goals/Error bars=true",
+                                         "Goals/Quantities=" +
+                                           quantities_of(scene.trade)};
+      // One for each of other quantities would not do.
+      const std::vector<double> &tolerances = scene.goals.tolerances;
+      if (!tolerances.empty())
+        overrides.push_back("Goals/Tolerance=" +
+                            to_text(100. * *std::min_element(tolerances.begin(),
+                                                             tolerances.end()),
+                                    15));
+      return overrides;
+    }
   } // namespace
 
 
@@ -90,35 +215,16 @@ namespace lamella
   Rung
   make_rung(const LadderEntry &entry, const Scene &scene)
   {
-    Rung                  rung{entry.name, entry.theory, {}};
-    std::set<std::string> sections;
-    for (const BodyDescription &body : scene.bodies)
-      {
-        const auto &chosen = scene.trade.bodies;
-        if (std::find(chosen.begin(), chosen.end(), body.name) == chosen.end())
-          continue;
-        const std::string kinematics = "Body " + body.name + "/Kinematics/";
-        rung.overrides.push_back(kinematics + "Theory=" + entry.theory);
-        if (!body.pieces.empty())
-          for (const char *const one : {"Theories", "Theory breaks"})
-            rung.overrides.push_back(kinematics + one + "=");
-        if (entry.axis != 1.)
-          rung.overrides.push_back(
-            kinematics + "Axis elements=" +
-            (body.axis.fineness > 0. ?
-               "auto " + to_text(body.axis.fineness * entry.axis) :
-               scaled(body.axis.elements, entry.axis)));
-        sections.insert(body.section);
-      }
-    if (entry.section != 1.)
-      for (const std::string &section : sections)
-        for (const auto &[name, value] : std::visit(FinerSection{entry.section},
-                                                    scene.sections.at(section)))
-          rung.overrides.push_back("Section " + section + "/" + name + "=" +
-                                   value);
-    rung.overrides.insert(rung.overrides.end(),
-                          entry.overrides.begin(),
-                          entry.overrides.end());
+    Rung       rung{entry.name,
+              entry.theory,
+              entry.tolerance ? run_to_tolerance(*entry.tolerance, scene) :
+                                      run_of_theory(entry, scene)};
+    const auto add = [&rung](const std::vector<std::string> &more) {
+      rung.overrides.insert(rung.overrides.end(), more.begin(), more.end());
+    };
+    if (scene.trade.error_bars && !entry.tolerance)
+      add(error_bars(scene));
+    add(entry.overrides);
     return rung;
   }
 } // namespace lamella

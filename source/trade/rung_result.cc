@@ -10,7 +10,10 @@ namespace lamella
     , dofs(results.n_dofs())
     , memory(results.peak_memory / megabyte)
     , seconds(results.seconds)
-  {}
+  {
+    for (const GoalResult &goal : results.goals)
+      bars[goal.name] = {goal.estimate, goal.bar, goal.trusted};
+  }
 
 
 
@@ -20,6 +23,8 @@ namespace lamella
     json.at("dofs").get_to(dofs);
     json.at("peak_memory_mb").get_to(memory);
     json.at("seconds").get_to(seconds);
+    for (const auto &[label, bar] : json.at("bars").items())
+      bars[label] = {bar.at("estimate"), bar.at("bar"), bar.at("trusted")};
   }
 
 
@@ -31,6 +36,11 @@ namespace lamella
     json["dofs"]           = dofs;
     json["peak_memory_mb"] = memory;
     json["seconds"]        = seconds;
+    json["bars"]           = nlohmann::json::object();
+    for (const auto &[label, bar] : bars)
+      json["bars"][label] = {{"estimate", bar.estimate},
+                             {"bar", bar.bar},
+                             {"trusted", bar.trusted}};
     return json;
   }
 
@@ -42,5 +52,15 @@ namespace lamella
     result.dofs   = dofs;
     result.memory = memory;
     result.phases = seconds;
+  }
+
+
+
+  std::optional<OwnBar>
+  RungValues::bar(const NamedQuantity &quantity) const
+  {
+    const auto place = bars.find(quantity.label());
+    return place == bars.end() ? std::nullopt :
+                                 std::make_optional(place->second);
   }
 } // namespace lamella

@@ -3,10 +3,12 @@
 
 A row of two panels for each quantity: error against seconds and against degrees of
 freedom, axes logarithmic. Theories differ by colour and mark; the Pareto front, which
-nothing beats in both, is filled, named where there is room, and joined by steps.
+nothing beats in both (accidents, which a richer rung gives away, aside), is filled, named
+where there is room, and joined by steps.
 """
 
 import csv
+import math
 import re
 from pathlib import Path
 
@@ -29,12 +31,18 @@ LOOKS = {"EBBT": ("p", ["#b3b3b3"]), "TBT": ("^", ["#6e6e6e"]),
          "SV": ("v", ["#dadaeb", "#cbc9e2", "#bcbddc", "#aba8d1", "#9e9ac8", "#8a83bf",
                       "#756bb1", "#6751a3", "#54278f", "#3f007d"]),
          "LE": ("s", ["#9ecae1", "#4292c6", "#08519c", "#041f4a"]),
-         "solid": ("D", ["#74c476", "#006d2c"])}
+         "solid": ("D", ["#74c476", "#006d2c"]),
+         # From 10 % down, a decade each.
+         "tolerance": ("*", ["#f1b6da", "#de77ae", "#c51b7d", "#8e0152"])}
 COSTS = (("seconds", "front_seconds", "seconds of the whole process"),
          ("dofs", "front_dofs", "degrees of freedom"))
 
 
 def look_of(theory):
+    if theory.startswith("tolerance "):
+        mark, colours = LOOKS["tolerance"]
+        decade = round(1 - math.log10(float(theory.split()[1])))
+        return mark, colours[min(max(decade, 0), len(colours) - 1)]
     family, _, order = theory.partition("-")
     mark, colours = LOOKS[family]
     digits = re.match(r"\d+", order)

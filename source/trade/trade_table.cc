@@ -23,6 +23,29 @@ namespace lamella
     {
       return Theory::parse(Entry("Theory", rung.theory));
     }
+
+
+
+    /// Which theories hold others: those of the same family and a lower rank.
+    /// Runs to a tolerance are a family of their own.
+    struct Richness
+    {
+      Theory::Kind family = Theory::Kind::undefined;
+      double       rank   = 0.;
+    };
+
+    Richness
+    richness_of(const RungResult &rung)
+    {
+      if (rung.tolerance)
+        return {Theory::Kind::undefined, -*rung.tolerance};
+      const Theory theory = theory_of(rung);
+      if (theory.kind == Theory::Kind::EBBT)
+        return {Theory::Kind::TE, 0.};
+      if (theory.kind == Theory::Kind::TBT)
+        return {Theory::Kind::TE, 0.5};
+      return {theory.kind, static_cast<double>(theory.order)};
+    }
   } // namespace
 
 
@@ -46,9 +69,9 @@ namespace lamella
   {
     for (int k = all.size() - 1; k >= 0; --k)
       {
-        const bool meant =
-          name == "finest" || all[k].name == name ||
-          (name == "solid" && theory_of(all[k]).kind == Theory::Kind::solid);
+        const bool meant = name == "finest" || all[k].name == name ||
+                           (name == "solid" && !all[k].tolerance &&
+                            theory_of(all[k]).kind == Theory::Kind::solid);
         if (meant && all[k].failure.empty())
           return k;
         if (meant && all[k].name == name)
@@ -98,12 +121,92 @@ namespace lamella
 
 
 
+  bool
+  TradeTable::made_bar(const unsigned int k, const unsigned int q) const
+  {
+    return !all[k].bars.empty() && all[k].bars[q].has_value();
+  }
+
+
+
+  std::optional<double>
+  TradeTable::bar(const unsigned int k, const unsigned int q) const
+  {
+    if (!made_bar(k, q) || !all[k].bars[q]->trusted || reference(q) == 0.)
+      return std::nullopt;
+    return all[k].bars[q]->bar / std::abs(reference(q));
+  }
+
+
+
+  std::string
+  TradeTable::count_of_bars() const
+  {
+    unsigned int n_bars = 0, n_holding = 0, n_more = 0, n_without = 0;
+    for (unsigned int k = 0; k < all.size(); ++k)
+      for (unsigned int q = 0; q < asked.size(); ++q)
+        if (has_error(k, q) && made_bar(k, q))
+          {
+            const std::optional<double> own = bar(k, q);
+            n_bars += own.has_value();
+            const double its = against < 0 ? 0. : bar(against, q).value_or(0.);
+            n_holding += own && error(k, q) <= *own;
+            n_more += own && error(k, q) > *own && error(k, q) <= *own + its;
+            n_without += !own;
+          }
+    if (n_bars + n_without == 0)
+      return "";
+    return "Bars that hold, with the error at most the bar: " +
+           std::to_string(n_holding) + " of " + std::to_string(n_bars) +
+           (n_more == 0 ? "" :
+                          " (" + std::to_string(n_more) +
+                            " more with the reference's own bar added)") +
+           "; values without a bar: " + std::to_string(n_without) + ".";
+  }
+
+
+
+  bool
+  TradeTable::is_richer(const unsigned int other, const unsigned int k) const
+  {
+    const Richness one = richness_of(all[k]), two = richness_of(all[other]);
+    return two.family == one.family && two.rank >= one.rank &&
+           all[other].axis >= all[k].axis &&
+           all[other].section >= all[k].section && !all[other].overridden &&
+           !all[k].overridden && all[other].dofs > all[k].dofs;
+  }
+
+
+
+  int
+  TradeTable::richer_and_worse(const unsigned int k,
+                               const unsigned int q,
+                               const double       least) const
+  {
+    for (unsigned int other = 0; other < all.size(); ++other)
+      if (is_richer(other, k) && has_error(other, q) && error(other, q) > least)
+        return other;
+    return -1;
+  }
+
+
+
+  bool
+  TradeTable::is_accident(const unsigned int k, const unsigned int q) const
+  {
+    // A chance of less than that does no harm.
+    constexpr double times = 2., least = 1e-3;
+    return richer_and_worse(k, q, std::max(times * error(k, q), least)) >= 0;
+  }
+
+
+
   std::vector<unsigned int>
   TradeTable::front(const unsigned int q, const Cost kind) const
   {
     std::vector<unsigned int> result;
     for (unsigned int k = 0; k < all.size(); ++k)
-      if (has_error(k, q))
+      if (has_error(k, q) && !is_accident(k, q))
         result.push_back(k);
     const auto price = [&](const unsigned int k) {
       return std::make_pair(cost(k, kind), error(k, q));
@@ -123,24 +226,53 @@ namespace lamella
 
 
 
-  int
-  TradeTable::cheapest(const unsigned int q, const double tolerance) const
+  std::vector<unsigned int>
+  TradeTable::within(const unsigned int q, const double tolerance) const
   {
-    std::vector<unsigned int> within;
+    std::vector<unsigned int> result;
     for (unsigned int k = 0; k < all.size(); ++k)
       if (has_error(k, q) && error(k, q) <= tolerance)
-        within.push_back(k);
-    if (within.empty())
+        result.push_back(k);
+    return result;
+  }
+
+
+
+  int
+  TradeTable::cheapest_of(const std::vector<unsigned int> &rungs) const
+  {
+    if (rungs.empty())
       return -1;
-    double least = cost(within.front(), Cost::seconds);
-    for (const unsigned int k : within)
+    double least = cost(rungs.front(), Cost::seconds);
+    for (const unsigned int k : rungs)
       least = std::min(least, cost(k, Cost::seconds));
     int best = -1;
-    for (const unsigned int k : within)
+    for (const unsigned int k : rungs)
       if (cost(k, Cost::seconds) <= 1.05 * least + 0.1 &&
           (best < 0 || all[k].dofs < all[best].dofs))
         best = k;
     return best;
+  }
+
+
+
+  int
+  TradeTable::cheapest(const unsigned int q, const double tolerance) const
+  {
+    return cheapest_of(within(q, tolerance));
+  }
+
+
+
+  int
+  TradeTable::cheapest_to_count_on(const unsigned int q,
+                                   const double       tolerance) const
+  {
+    std::vector<unsigned int> sure;
+    for (const unsigned int k : within(q, tolerance))
+      if (richer_and_worse(k, q, tolerance) < 0)
+        sure.push_back(k);
+    return cheapest_of(sure);
   }
 
 
@@ -156,63 +288,42 @@ namespace lamella
                              std::to_string(std::lround(value))) +
              " %";
     }
-
-
-
-    /// Which theories hold others: those of the same family and a lower rank.
-    struct Richness
-    {
-      Theory::Kind family = Theory::Kind::undefined;
-      double       rank   = 0.;
-    };
-
-    Richness
-    richness_of(const RungResult &rung)
-    {
-      const Theory theory = theory_of(rung);
-      if (theory.kind == Theory::Kind::EBBT)
-        return {Theory::Kind::TE, 0.};
-      if (theory.kind == Theory::Kind::TBT)
-        return {Theory::Kind::TE, 0.5};
-      return {theory.kind, static_cast<double>(theory.order)};
-    }
   } // namespace
+
+
+
+  std::string
+  TradeTable::described(const unsigned int k, const unsigned int q) const
+  {
+    return all[k].name + ": " + std::to_string(all[k].dofs) + " DoFs, " +
+           to_text(all[k].seconds, 2) + " s (off by " + per_cent(error(k, q)) +
+           ").";
+  }
 
 
 
   std::string
   TradeTable::sentence(const unsigned int q, const double tolerance) const
   {
-    const std::string within =
+    const std::string limit =
       "For " + to_text(100. * tolerance, 3) + " % in " + asked[q].label();
+    const std::string or_else =
+      against < 0 ? "." : " but the reference itself.";
     if (reference(q) == 0.)
-      return within +
-             " there is no answer: the reference is zero, and no error "
-             "is relative to it.";
+      return limit + " there is no answer: the reference is zero, and no error "
+                     "is relative to it.";
     const int k = cheapest(q, tolerance);
     if (k < 0)
-      return within + " no rung is enough" +
-             (against < 0 ? "." : " but the reference itself.");
-    std::string text = within + " the cheapest is " + all[k].name + ": " +
-                       std::to_string(all[k].dofs) + " DoFs, " +
-                       to_text(all[k].seconds, 2) + " s (off by " +
-                       per_cent(error(k, q)) + ").";
-    const Richness richness = richness_of(all[k]);
-    for (unsigned int other = 0; other < all.size(); ++other)
-      {
-        const Richness others = richness_of(all[other]);
-        const bool     holds  = others.family == richness.family &&
-                           others.rank >= richness.rank &&
-                           all[other].axis >= all[k].axis &&
-                           all[other].section >= all[k].section &&
-                           !all[other].overridden && !all[k].overridden;
-        if (holds && all[other].dofs > all[k].dofs && has_error(other, q) &&
-            error(other, q) > tolerance)
-          return text + " Do not count on it: " + all[other].name +
-                 ", which is richer, is off by " + per_cent(error(other, q)) +
-                 ".";
-      }
-    return text;
+      return limit + " no rung is enough" + or_else;
+    const std::string text  = limit + " the cheapest is " + described(k, q);
+    const int         other = richer_and_worse(k, q, tolerance);
+    if (other < 0)
+      return text;
+    const int sure = cheapest_to_count_on(q, tolerance);
+    return text + " Do not count on it: " + all[other].name +
+           ", which is richer, is off by " + per_cent(error(other, q)) + ". " +
+           (sure < 0 ? "There is none to count on" + or_else :
+                       "The cheapest to count on is " + described(sure, q));
   }
 
 
@@ -255,6 +366,24 @@ namespace lamella
 
 
 
+    /// The error of rung @p k in quantity @p q, with its own bar.
+    std::string
+    error_cell(const TradeTable  &table,
+               const unsigned int k,
+               const unsigned int q)
+    {
+      const std::string error =
+        table.has_error(k, q) ? per_cent(table.error(k, q)) : "-";
+      const std::optional<double> own = table.bar(k, q);
+      if (own)
+        return error + " (bar " + per_cent(*own) + ")";
+      return table.made_bar(k, q) && table.reference(q) != 0. ?
+               error + " (no bar)" :
+               error;
+    }
+
+
+
     TextTable
     table_of_costs(const TradeTable &table)
     {
@@ -290,8 +419,7 @@ namespace lamella
         {
           std::vector<std::string> row{table.rungs()[k].name};
           for (unsigned int q = 0; q < table.quantities().size(); ++q)
-            row.push_back(table.has_error(k, q) ? per_cent(table.error(k, q)) :
-                                                  "-");
+            row.push_back(error_cell(table, k, q));
           row.push_back(static_cast<int>(k) == table.reference_rung() ?
                           "the reference" :
                         table.rungs()[k].failure.empty() ? "" :
@@ -317,7 +445,9 @@ namespace lamella
     print_table(out, table_of_costs(table));
     out << "\nHow far it is off\n\n";
     print_table(out, table_of_errors(table));
-    out << "\n" << table.basis() << "\n\n";
+    out << "\n" << table.basis() << "\n";
+    const std::string bars = table.count_of_bars();
+    out << bars << (bars.empty() ? "\n" : "\n\n");
     for (const double tolerance : table.tolerances())
       for (unsigned int q = 0; q < table.quantities().size(); ++q)
         out << table.sentence(q, tolerance) << "\n";
@@ -362,7 +492,7 @@ namespace lamella
     std::ofstream file(path);
     file << "rung,theory,dofs,seconds," << joined(phase_names(), ",")
          << ",memory_mb,quantity,value,reference,error,front_seconds,"
-            "front_dofs,failure\n";
+            "front_dofs,bar,failure\n";
     using Cost          = TradeTable::Cost;
     const auto contains = [](const std::vector<unsigned int> &front,
                              const unsigned int               k) {
@@ -375,7 +505,7 @@ namespace lamella
         const std::string cost = cost_cells(rung);
         if (!rung.failure.empty())
           {
-            file << cost << ",,,,,,," << quoted(rung.failure) << "\n";
+            file << cost << ",,,,,,,," << quoted(rung.failure) << "\n";
             continue;
           }
         for (unsigned int q = 0; q < table.quantities().size(); ++q)
@@ -383,7 +513,8 @@ namespace lamella
                << csv(rung.values[q]) << "," << csv(table.reference(q)) << ","
                << (table.has_error(k, q) ? csv(table.error(k, q)) : "") << ","
                << contains(table.front(q, Cost::seconds), k) << ","
-               << contains(table.front(q, Cost::dofs), k) << ",\n";
+               << contains(table.front(q, Cost::dofs), k) << ","
+               << (table.bar(k, q) ? csv(*table.bar(k, q)) : "") << ",\n";
       }
     file.close();
     if (!file)

@@ -31,7 +31,7 @@ ARROWS = {
               "contact", "solve", "recover"),
     "run": ("base", "contact", "solve", "recover", "adapt", "report", "scene"),
     "estimate": ("base", "section", "axis", "body", "contact", "solve", "recover", "report", "scene", "run"),
-    "trade": ("base", "section", "body", "solve", "report", "scene", "run"),
+    "trade": ("base", "section", "body", "solve", "report", "scene", "run", "estimate"),
     "export": ("base", "body", "contact", "adapt", "scene"),
 }
 ROOMS = tuple(ARROWS)

@@ -150,7 +150,14 @@ BOOST_AUTO_TEST_CASE(sentences)
     TradeTable(rungs, {quantity("uz")}, "finest", {0.01}).sentence(0, 0.01) ==
     "For 1 % in tip: uz the cheapest is EBBT: 10 DoFs, 1 s (off by "
     "0.1 %). Do not count on it: TE-2, which is richer, is off by 3 "
-    "%.");
+    "%. The cheapest to count on is LE-2, axis 2: 100 DoFs, 4 s (off by 0.5 "
+    "%).");
+  // Nothing else is within 0.15 %.
+  BOOST_TEST(
+    TradeTable(rungs, {quantity("uz")}, "finest", {0.01})
+      .sentence(0, 0.0015)
+      .find("is off by 3 %. There is none to count on but the reference "
+            "itself.") != std::string::npos);
 
   // A coarser mesh is not richer, whichever the theory; nor is another scene.
   rungs[1].axis = 0.5;
@@ -177,9 +184,143 @@ BOOST_AUTO_TEST_CASE(sentences)
 
 
 
+BOOST_AUTO_TEST_CASE(cheapest_to_count_on)
+{
+  // TBT contradicts EBBT, TE-2 contradicts TBT at 1 %; nobody contradicts TE-2
+  // at 3 %, nor LE-2, whose own richer rung is within.
+  const std::vector<RungResult> rungs{rung("EBBT", "EBBT", 1., 10, {1.001}),
+                                      rung("TBT", "TBT", 2., 11, {1.005}),
+                                      rung("TE-2", "TE-2", 3., 30, {1.02}),
+                                      rung("LE-2", "LE-2", 4., 90, {0.993}),
+                                      rung("LE-3", "LE-3", 5., 99, {0.995}),
+                                      rung("LE-4", "LE-4", 9., 200, {1.})};
+  const TradeTable table(rungs, {quantity("uz")}, "finest", {0.01});
+  BOOST_TEST(table.cheapest(0, 0.01) == 0);
+  BOOST_TEST(table.cheapest_to_count_on(0, 0.01) == 3);
+  BOOST_TEST(table.cheapest_to_count_on(0, 0.03) == 0);
+  BOOST_TEST(table.cheapest_to_count_on(0, 0.0015) == -1);
+}
+
+
+
+BOOST_AUTO_TEST_CASE(accidents)
+{
+  // Of TBT, off by `poor`, beside TE-2, off by `rich`.
+  const auto table = [](const double poor, const double rich) {
+    return TradeTable({rung("TBT", "TBT", 1., 10, {1. + poor}),
+                       rung("TE-2", "TE-2", 2., 30, {1. - rich}),
+                       rung("LE-1", "LE-1", 3., 40, {1. + 0.9 * poor}),
+                       rung("LE-3", "LE-3", 9., 90, {1.})},
+                      {quantity("uz")},
+                      "finest",
+                      {0.01});
+  };
+  // More than twice as much.
+  BOOST_TEST(table(1e-3, 2.1e-3).is_accident(0, 0));
+  BOOST_TEST(!table(1e-3, 1.9e-3).is_accident(0, 0));
+  // More than 0.1 %.
+  BOOST_TEST(!table(1e-5, 9e-4).is_accident(0, 0));
+  BOOST_TEST(table(1e-5, 1.1e-3).is_accident(0, 0));
+  // It stands on no front, and TE-2, which it would have beaten, does.
+  BOOST_TEST((table(1e-3, 1.9e-3).front(0, Cost::dofs) == Numbers{0, 2}));
+  BOOST_TEST((table(1e-3, 2.1e-3).front(0, Cost::dofs) == Numbers{1, 2}));
+  // Whoever is poorer, or of another family, does not make an accident.
+  BOOST_TEST(!table(1e-3, 2.1e-3).is_accident(1, 0));
+  BOOST_TEST(!table(5e-4, 0.).is_accident(2, 0));
+  // Of runs to a tolerance the one to a smaller one is richer.
+  std::vector<RungResult> runs{
+    rung("tolerance 1", "tolerance 1", 1., 10, {1.}),
+    rung("tolerance 0.1", "tolerance 0.1", 2., 20, {1.002}),
+    rung("LE-3", "LE-3", 9., 90, {1.})};
+  runs[0].tolerance = 0.01;
+  runs[1].tolerance = 0.001;
+  const TradeTable tolerances(runs, {quantity("uz")}, "finest", {0.01});
+  BOOST_TEST(tolerances.is_accident(0, 0));
+  BOOST_TEST(!tolerances.is_accident(1, 0));
+  BOOST_CHECK_THROW(TradeTable(runs, {quantity("uz")}, "solid", {0.01}),
+                    NumericsError);
+}
+
+
+
+BOOST_AUTO_TEST_CASE(own_bars)
+{
+  // Against the reference -2: errors 9 % and 6 %, and bars of 0.2 and 0.1 in
+  // the quantity's unit, 10 % and 5 % of 2. The first one holds.
+  auto       rungs = std::vector<RungResult>{rung("A", "TE-1", 1., 10, {-1.82}),
+                                             rung("B", "TE-2", 2., 20, {-2.12}),
+                                             rung("C", "LE-1", 3., 30, {-2.2}),
+                                             failed("D", "LE-2"),
+                                             rung("E", "LE-3", 4., 40, {-2.02}),
+                                             rung("F", "LE-4", 9., 90, {-2.})};
+  const auto table = [&rungs] {
+    return TradeTable(rungs, {quantity("uz")}, "finest", {0.01});
+  };
+  BOOST_TEST(table().count_of_bars() == "");
+  rungs[0].bars = {OwnBar{-0.18, 0.2, true}};
+  rungs[1].bars = {OwnBar{0.1, 0.1, true}};
+  rungs[2].bars = {OwnBar{0.1, 0.1, false}};
+  rungs[4].bars = {std::nullopt};
+  rungs[5].bars = {OwnBar{0., 0.01, true}};
+  BOOST_TEST(std::abs(*table().bar(0, 0) - 0.1) < 1e-15);
+  BOOST_TEST(!table().bar(2, 0).has_value());
+  BOOST_TEST(table().made_bar(2, 0));
+  BOOST_TEST(!table().made_bar(3, 0));
+  BOOST_TEST(!table().made_bar(4, 0));
+  BOOST_TEST(table().count_of_bars() ==
+             "Bars that hold, with the error at most the bar: 1 of 2; values "
+             "without a bar: 1.");
+
+  std::ostringstream text;
+  print_trade(text, table());
+  for (const char *cell :
+       {"9 % (bar 10 %)", "6 % (bar 5 %)", "10 % (no bar)", "- (bar 0.5 %)"})
+    BOOST_TEST(text.str().find(cell) != std::string::npos, cell);
+  BOOST_TEST(text.str().find("Bars that hold") != std::string::npos);
+
+  // B is off by 0.12, its bar 0.1; that of the reference is 0.03 now.
+  rungs[5].bars = {OwnBar{0., 0.03, true}};
+  BOOST_TEST(table().count_of_bars() ==
+             "Bars that hold, with the error at most the bar: 1 of 2 (1 more "
+             "with the reference's own bar added); values without a bar: 1.");
+}
+
+
+
+BOOST_AUTO_TEST_CASE(bars_go_through_a_pipe)
+{
+  Results results;
+  results.steps.emplace_back();
+  results.goals.resize(2);
+  results.goals[0].name     = "tip: uz";
+  results.goals[0].estimate = -1. / 3.;
+  results.goals[0].bar      = 2. / 3.;
+  results.goals[0].trusted  = true;
+  results.goals[1].name     = "clamp: fz";
+  const RungValues sent(results);
+  const RungValues values(nlohmann::json::parse(sent.to_json().dump()));
+  BOOST_TEST(values.has_bars());
+  const std::optional<OwnBar> bar = values.bar(quantity("uz"));
+  BOOST_TEST(bar.value().estimate == -1. / 3.);
+  BOOST_TEST(bar.value().bar == 2. / 3.);
+  BOOST_TEST(bar.value().trusted);
+  BOOST_TEST(!values.bar(quantity("ux")).has_value());
+  BOOST_TEST(!values.bar({NamedQuantity::Of::support, "clamp", 0, "fz", {}})
+                .value()
+                .trusted);
+  results.goals.clear();
+  BOOST_TEST(!RungValues(results).has_bars());
+}
+
+
+
 BOOST_AUTO_TEST_CASE(picture)
 {
-  const TradeTable table(ladder(), {quantity("uz")}, "finest", {0.01});
+  auto rungs = ladder();
+  rungs.insert(rungs.begin(),
+               rung("tolerance 0.5", "tolerance 0.5", 1.5, 15, {1.004}));
+  rungs.front().tolerance = 0.005;
+  const TradeTable            table(rungs, {quantity("uz")}, "finest", {0.01});
   const std::filesystem::path folder =
     std::filesystem::temp_directory_path() /
     ("lamella_picture_" + std::to_string(getpid()));
@@ -234,6 +375,19 @@ namespace
   }
 
   using Texts = std::vector<std::string>;
+
+
+
+  /// The ladder that `Trade/Ladder` = @p text means.
+  std::vector<LadderEntry>
+  parsed(const std::string &text)
+  {
+    dealii::ParameterHandler prm;
+    prm.enter_subsection("Trade");
+    TradeParameters::declare(prm);
+    prm.set("Ladder", text);
+    return TradeParameters::parse(Entries(prm, "Trade"), {}).ladder;
+  }
 } // namespace
 
 
@@ -273,6 +427,74 @@ BOOST_AUTO_TEST_CASE(meshes_of_rungs)
   file.what = "Section s";
   BOOST_TEST(overrides(file, 2., 1.).size() == 3u);
   BOOST_CHECK_THROW(overrides(file, 1., 2.), InputError);
+}
+
+
+
+BOOST_AUTO_TEST_CASE(tolerances_in_ladders)
+{
+  const auto ladder =
+    parsed("TBT | tolerance  0.50, Goals/Budget DoFs = 1000 | tolerance 100");
+  BOOST_TEST(!ladder[0].tolerance.has_value());
+  BOOST_TEST(ladder[1].theory == "tolerance 0.5");
+  BOOST_TEST(ladder[1].tolerance.value() == 0.005);
+  BOOST_TEST((ladder[1].overrides == Texts{"Goals/Budget DoFs = 1000"}));
+  BOOST_TEST(ladder[2].tolerance.value() == 1.);
+  for (const char *bad : {"tolerance",
+                          "tolerance 0",
+                          "tolerance -1",
+                          "tolerance 101",
+                          "tolerance x",
+                          "tolerance 1 2",
+                          "tolerances 1",
+                          "tolerance 1, axis 2",
+                          "tolerance 1, section 0.5"})
+    BOOST_CHECK_THROW(parsed(std::string("TBT | ") + bad), InputError);
+}
+
+
+
+BOOST_AUTO_TEST_CASE(runs_to_tolerances)
+{
+  LadderEntry entry      = parsed("TBT | tolerance 0.5, Theory = LE-1").back();
+  Scene       scene      = scene_with(Laminate());
+  scene.trade.quantities = {quantity("uz"), quantity("syy")};
+  scene.bodies[0].theory = Theory::parse({"Theory", "LE-2"});
+  const Texts begin{"Goals/Quantities=tip: uz | tip: syy",
+                    "Goals/Tolerance=0.5",
+                    "Goals/Error bars=auto",
+                    "Theory=auto"};
+  const Texts end{"Body b/Kinematics/Theory=auto",
+                  "Body b/Kinematics/Axis elements=auto",
+                  "Body b/Kinematics/Axis breaks=",
+                  "Theory = LE-1"};
+  // The body that the trade leaves alone keeps its theory.
+  Texts all = begin;
+  all.push_back("Body a/Kinematics/Theory=LE-2");
+  all.insert(all.end(), end.begin(), end.end());
+  BOOST_TEST((make_rung(entry, scene).overrides == all));
+  // Bars of other rungs change nothing of it.
+  scene.trade.error_bars = true;
+  BOOST_TEST((make_rung(entry, scene).overrides == all));
+  // Which columns of a whole probe are meant is not known beforehand.
+  scene.trade.whole_probes = {"root"};
+  BOOST_TEST(make_rung(entry, scene).overrides[0] == "Goals/Quantities=");
+}
+
+
+
+BOOST_AUTO_TEST_CASE(bars_of_rungs)
+{
+  const LadderEntry entry = parsed("TBT | LE-2").back();
+  Scene             scene = scene_with(Laminate());
+  scene.trade.quantities  = {quantity("uz")};
+  scene.trade.error_bars  = true;
+  BOOST_TEST(
+    (make_rung(entry, scene).overrides == Texts{"Body b/Kinematics/Theory=LE-2",
+                                                "Goals/Error bars=true",
+                                                "Goals/Quantities=tip: uz"}));
+  scene.goals.tolerances = {0.02, 0.01};
+  BOOST_TEST(make_rung(entry, scene).overrides.back() == "Goals/Tolerance=1");
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -40,6 +40,14 @@ namespace lamella
     void
     run(const std::string &directory);
 
+    /// Those of the last pass, with its goals; only after run(). They live as
+    /// long as this object.
+    const Results &
+    results() const
+    {
+      return simulation->results();
+    }
+
   private:
     /// One model with its bars.
     struct Pass

@@ -16,18 +16,21 @@
 namespace lamella
 {
   /// One rung of a ladder: a theory, and how much finer than the scene's its
-  /// meshes are.
+  /// meshes are; or a run to a tolerance, which chooses both.
   struct LadderEntry
   {
     /// As the scene says it: `LE-2, axis 2`.
     std::string name;
-    /// `LE-2`, one that Theory::parse() knows.
+    /// `LE-2`, one that Theory::parse() knows; `tolerance 1` of a run to one.
     std::string theory;
     /// Factors on the axis elements and on the section's cells (per direction),
-    /// from 0.05 to 20.
+    /// from 0.05 to 20; 1 of a run to a tolerance.
     double axis = 1., section = 1.;
     /// PATH=VALUE each, as of --set. Not checked against the scene yet.
     std::vector<std::string> overrides;
+    /// Of a run to a tolerance, as a share of 1 (the scene says it in per
+    /// cent): above 0, at most 1.
+    std::optional<double> tolerance = {};
   };
 
   /// What the names in a trade can mean: those of a scene.
@@ -58,6 +61,9 @@ namespace lamella
     /// Relative errors that the last sentences ask for, as shares of 1 (the
     /// scene says them in per cent).
     std::vector<double> tolerances;
+    /// Whether each rung makes the error bars of its own values, too. Runs to a
+    /// tolerance always do.
+    bool error_bars = false;
     /// Processor seconds that a rung may take; 0: as long as it wants.
     double time_limit = 0.;
 
@@ -65,8 +71,9 @@ namespace lamella
     static void
     declare(dealii::ParameterHandler &prm);
     /// From `subsection Trade`. Throws InputError for a rung that does not
-    /// parse, a quantity that no probe, support or contact of @p names gives,
-    /// and references that are missing or zero where `given` needs them.
+    /// parse, factors of a run to a tolerance among it, a quantity that no
+    /// probe, support or contact of @p names gives, and references that are
+    /// missing or zero where `given` needs them.
     static TradeParameters
     parse(const Entries &in, const TradeNames &names);
   };

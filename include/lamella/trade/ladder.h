@@ -15,7 +15,7 @@ namespace lamella
   {
     /// As the scene says it: `LE-2, axis 2`.
     std::string name;
-    /// `LE-2`.
+    /// `LE-2`; `tolerance 1` of a run to one.
     std::string theory;
     /// As of --set, to stand behind those of the command line: the last of
     /// equal ones counts.
@@ -38,6 +38,13 @@ namespace lamella
    * then the entry's own. A section that two bodies share becomes finer for
    * both, also for one that the trade leaves alone. Throws InputError for a
    * factor on a mesh file.
+   *
+   * Of a run to a tolerance, the Tolerance of subsection Goals, `auto` for the
+   * Theory of the scene, and for Theory and Axis elements of the trade's
+   * bodies; others begin as the scene says, but the run enriches them, too,
+   * where their errors matter. There, and where the trade makes error bars, the
+   * quantities of the trade are the goals: none is named where the trade takes
+   * whole probes, and those are the goals' default, too.
    */
   Rung
   make_rung(const LadderEntry &entry, const Scene &scene);

@@ -26,14 +26,15 @@ namespace lamella
    * and sets what each rung costs against how far it is off.
    *
    * Each rung is a process of its own, forked from this one, in which
-   * Simulation runs the scene with the rung's overrides: seconds and memory are
-   * those of a whole run (but for the loading of libraries, which this process
-   * has done), and a rung that fails, whatever of, is a row that says why. Its
-   * numbers come back through a pipe. When it has ended, a
-   * record of it is put into its folder in one step; an interrupted trade
-   * (also a killed one) goes on with the rungs that have none. A record counts
-   * only for the same scene, mesh files, program and number of
-   * threads, and if the rung succeeded.
+   * Simulation, or ToleranceRun, runs the scene with the rung's overrides, and
+   * Estimation makes its error bars where they are wanted: seconds and memory
+   * are those of a whole run (but for the loading of libraries, which this
+   * process has done), and a rung that fails, whatever of, is a row that says
+   * why. Its numbers come back through a pipe. When it has ended, a record of
+   * it is put into its folder in one step; an interrupted trade (also a killed
+   * one) goes on with the rungs that have none. A record counts only for the
+   * same scene, mesh files, program and number of threads, and if the rung
+   * succeeded.
    */
   class Trade
   {
@@ -59,41 +60,60 @@ namespace lamella
     run(const std::string &directory);
 
   private:
-    /// What the rung's record must say to be of this scene and this program:
+    /// A rung to be run.
+    struct Job
+    {
+      const LadderEntry &entry;
+      /// Of the command line and of the rung.
+      std::vector<std::string> overrides;
+      /// What its record must say.
+      std::string fingerprint;
+      /// Whether it makes bars that the run itself does not need.
+      bool bars;
+      /// Where its results and its record are put.
+      std::string folder;
+    };
+
+    /// What the record of a rung must say to be of this scene and this program:
     /// the resolved scene with @p rung_overrides but without its Trade, size
     /// and time of mesh files and program, its version, the threads.
     std::string
     fingerprint(const std::vector<std::string> &rung_overrides) const;
+    /// That of the rung @p entry with @p all overrides, with what is done with
+    /// the scene: run, with or without bars, or run to a tolerance.
+    std::string
+    fingerprint(const LadderEntry              &entry,
+                const std::vector<std::string> &all) const;
     /// Runs the rungs of the ladder that differ from those before them, by
     /// their fingerprints. A rung that cannot be made is a result that failed.
     void
     climb(const std::string &directory);
-    /// Runs the scene with the overrides @p all into @p output, in a process of
-    /// its own whose answer is RungValues; what it prints goes into @p folder.
+    /// Runs it into @p output and returns what its record needs: `values`
+    /// (RungValues), and `seconds_of_bars`, those of bars that the run itself
+    /// does not need. Its process does nothing else.
+    nlohmann::json
+    answer_of(const Job &job, const std::string &output) const;
+    /// answer_of() in a process of its own; what it prints goes into the
+    /// folder.
     ProcessEnd
-    run_scene(const std::vector<std::string> &all,
-              const std::string              &folder,
-              const std::string              &output) const;
-    /// Runs it, three times where that takes less than a second, keeps the
-    /// fastest in @p folder and returns what the record says; @p of is its
-    /// fingerprint. Throws InputError if scene, mesh files or program are not
+    run_scene(const Job &job, const std::string &output) const;
+    /// Runs it, three times where that takes less than a second, and returns
+    /// what the record says: the costs of the fastest, which is kept in the
+    /// folder; but where the rung makes bars the first run is kept, which alone
+    /// makes them. Throws InputError if scene, mesh files or program are not
     /// what they were when the trade began.
     nlohmann::json
-    new_record(const std::vector<std::string> &all,
-               const std::string              &of,
-               const std::string              &folder) const;
-    /// Reads the rung's record in @p folder, or makes one; adds the rung to
+    new_record(const Job &job) const;
+    /// Reads the rung's record in its folder, or makes one; adds the rung to
     /// results and numbers.
     void
-    run_rung(const LadderEntry              &entry,
-             const std::vector<std::string> &all,
-             const std::string              &of,
-             const std::string              &folder);
+    run_rung(const Job &job);
     /// Adds the largest quantities of the probes of which the scene only says
     /// that they are compared, as the finest run has them.
     void
     complete_quantities();
-    /// The values of all quantities into the results of rungs that succeeded.
+    /// The values of all quantities, and their bars, into the results of rungs
+    /// that succeeded.
     void
     take_values();
 

@@ -6,6 +6,7 @@
 #include <lamella/trade/rung_result.h>
 
 #include <iosfwd>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,6 +20,16 @@ namespace lamella
    * at most as far off, and better in one of the two. The rung that is itself
    * the reference has no error and stands on no front. Rungs and quantities are
    * numbered from 0, in the order of the constructor's lists.
+   *
+   * A rung is richer than another with more DoFs, meshes at least as fine and
+   * the same theory or one that holds it (EBBT, TBT, TE-1, TE-2, ...; SV, SV-1,
+   * ...; LE-1, LE-2, ...; solid-1, solid-2), if the two change no other entries
+   * of the scene; a run to a tolerance is richer than one to a larger one. A
+   * poor theory can be right by accident, where a curve of errors changes its
+   * sign: then a richer one is further off. Such a rung is not to be counted on
+   * for a tolerance if a richer one misses it, and it is an accident that no
+   * front shows if a richer one is off by more than twice as much and by more
+   * than 0.1 %.
    */
   class TradeTable
   {
@@ -81,9 +92,31 @@ namespace lamella
     double
     cost(const unsigned int k, const Cost cost) const;
 
-    /// The rungs of the Pareto front of quantity @p q, by rising cost and so by
-    /// falling error; of rungs with the same cost and error one. Seconds are
-    /// taken as they are, without the allowance of cheapest().
+    /// Whether rung @p k says something of its own error in quantity @p q, a
+    /// bar or that it has none.
+    bool
+    made_bar(const unsigned int k, const unsigned int q) const;
+    /// The bar of rung @p k in quantity @p q as a share of |r|, as the error
+    /// is, which it is to be no less than; none where the rung has none, or
+    /// where the reference is zero.
+    std::optional<double>
+    bar(const unsigned int k, const unsigned int q) const;
+    /// `Bars that hold, ...: 38 of 40 (1 more with the reference's own bar
+    /// added); values without a bar: 6.`, of all values that have an error;
+    /// empty if no rung has made bars.
+    std::string
+    count_of_bars() const;
+
+    /// Whether rung @p k, which has an error of quantity @p q, owes it to
+    /// chance: a richer one is off by more than twice as much and by more than
+    /// 0.1 %.
+    bool
+    is_accident(const unsigned int k, const unsigned int q) const;
+
+    /// The rungs of the Pareto front of quantity @p q, accidents left out, by
+    /// rising cost and so by falling error; of rungs with the same cost and
+    /// error one. Seconds are taken as they are, without the allowance of
+    /// cheapest().
     std::vector<unsigned int>
     front(const unsigned int q, const Cost cost) const;
 
@@ -93,13 +126,14 @@ namespace lamella
     /// and the fewer DoFs decide.
     int
     cheapest(const unsigned int q, const double tolerance) const;
+    /// The cheapest of those that no richer rung contradicts by an error of
+    /// more than @p tolerance; -1 if there is none.
+    int
+    cheapest_to_count_on(const unsigned int q, const double tolerance) const;
 
     /// `For 1 % in tip: uz the cheapest is TBT: 75 DoFs, 0.3 s (off by 0.2 %).`
-    /// and, where a rung that is richer (more DoFs, meshes at least as fine,
-    /// the same theory or one that holds it: EBBT, TBT, TE-1, TE-2, ...; LE-1,
-    /// LE-2, ...) is off by more than @p tolerance, that one should not count
-    /// on it: a poor theory can be right by accident, where a curve of errors
-    /// changes its sign.
+    /// and, where a richer rung is off by more than @p tolerance, that one
+    /// should not count on it, and which is the cheapest to count on.
     std::string
     sentence(const unsigned int q, const double tolerance) const;
 
@@ -113,6 +147,24 @@ namespace lamella
     /// The last rung that @p name means and that did not fail.
     int
     find_reference(const std::string &name) const;
+    /// Whether rung @p other is richer than rung @p k.
+    bool
+    is_richer(const unsigned int other, const unsigned int k) const;
+    /// The first rung richer than @p k with an error of quantity @p q above
+    /// @p error; -1 if there is none.
+    int
+    richer_and_worse(const unsigned int k,
+                     const unsigned int q,
+                     const double       error) const;
+    /// The rungs with an error of quantity @p q of at most @p tolerance.
+    std::vector<unsigned int>
+    within(const unsigned int q, const double tolerance) const;
+    /// The cheapest of @p rungs, as cheapest() has it.
+    int
+    cheapest_of(const std::vector<unsigned int> &rungs) const;
+    /// `TBT: 75 DoFs, 0.3 s (off by 0.2 %).`
+    std::string
+    described(const unsigned int k, const unsigned int q) const;
 
     /// rungs(), quantities(), tolerances() and reference_rung().
     std::vector<RungResult>    all;
@@ -121,16 +173,18 @@ namespace lamella
     int                        against = -1;
   };
 
-  /// Prints the costs of all rungs, their errors in per cent, and the sentences
-  /// for each tolerance and quantity. @p out takes plain text.
+  /// Prints the costs of all rungs, their errors in per cent with their own
+  /// bars beside them, how often these hold, and the sentences for each
+  /// tolerance and quantity. @p out takes plain text.
   void
   print_trade(std::ostream &out, const TradeTable &table);
 
   /// Writes the file @p path, one line a rung and quantity: rung, theory, dofs,
   /// seconds, the phases, memory_mb, quantity, value, reference, error
-  /// (relative), front_seconds and front_dofs (1 on the front), failure. A rung
-  /// that failed has one line, with empty cells and why. Throws InputError if
-  /// the file cannot be written.
+  /// (relative), front_seconds and front_dofs (1 on the front), bar (relative
+  /// to the reference; empty if there is none), failure. A rung that failed has
+  /// one line, with empty cells and why. Throws InputError if the file cannot
+  /// be written.
   void
   write_trade_csv(const TradeTable &table, const std::string &path);
 } // namespace lamella
