@@ -123,7 +123,7 @@ namespace lamella
         {
           const GoalResult &now    = passes.back().goals[g],
                            &before = passes[passes.size() - 2].goals[g];
-          worst = std::max(worst,
+          worst                    = std::max(worst,
                            std::abs(now.value - before.value) /
                              (*now.tolerance * now.scale));
         }

@@ -73,11 +73,14 @@ namespace
 
 
 
-  const NamedQuantity
-    probe_uz = quantity_of(NamedQuantity::Of::probe, "middle", "uz"),
-    probe_syz = quantity_of(NamedQuantity::Of::probe, "one", "syz"),
-    probe_s22 = quantity_of(NamedQuantity::Of::probe, "two", "s22"),
-    reaction = quantity_of(NamedQuantity::Of::support, "clamps", "fz");
+  const NamedQuantity probe_uz =
+                        quantity_of(NamedQuantity::Of::probe, "middle", "uz"),
+                      probe_syz =
+                        quantity_of(NamedQuantity::Of::probe, "one", "syz"),
+                      probe_s22 =
+                        quantity_of(NamedQuantity::Of::probe, "two", "s22"),
+                      reaction =
+                        quantity_of(NamedQuantity::Of::support, "clamps", "fz");
 } // namespace
 
 BOOST_AUTO_TEST_SUITE(local_errors)

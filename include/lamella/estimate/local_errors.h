@@ -42,8 +42,8 @@ namespace lamella
 
     /// Of the goal @p goal, whose values differ by @p change between the two.
     /// None for what has no derivative here (a jump, a moment, pressure, width
-    /// and strips of a contact). Where stresses are recovered the derivative is that of the elements' own. One
-    /// solution with the factor that is there.
+    /// and strips of a contact). Where stresses are recovered the derivative is
+    /// that of the elements' own. One solution with the factor that is there.
     std::optional<LocalErrors>
     errors(const NamedQuantity &goal, const double change) const;
 

@@ -61,12 +61,12 @@ namespace lamella
     /// Solves and estimates `scene`; the simulation and its goals.
     void
     make_pass();
-    /// Throws NumericsError unless the loads of @p next sum to those of the last
-    /// pass, to 1e-7 of their size.
+    /// Throws NumericsError unless the loads of @p next sum to those of the
+    /// last pass, to 1e-7 of their size.
     void
     check_loads(const Simulation &next) const;
-    /// The plain mesh check: what the goals have changed by since the last pass,
-    /// the largest over its tolerance; 0 in the first pass.
+    /// The plain mesh check: what the goals have changed by since the last
+    /// pass, the largest over its tolerance; 0 in the first pass.
     double
     largest_change() const;
     /// The sources that the goals want less of.
