@@ -77,7 +77,7 @@ namespace
                         quantity_of(NamedQuantity::Of::probe, "middle", "uz"),
                       probe_syz =
                         quantity_of(NamedQuantity::Of::probe, "one", "syz"),
-                      probe_s22 =
+                      probe_s11 =
                         quantity_of(NamedQuantity::Of::probe, "two", "s22"),
                       reaction =
                         quantity_of(NamedQuantity::Of::support, "clamps", "fz");
@@ -97,7 +97,7 @@ BOOST_AUTO_TEST_CASE(elements_sum_to_the_change_where_spaces_are_nested)
                                  "Body beam/Kinematics/Axis breaks=9",
                                  "Load patch/Pressure=1 + x + 0.1 * y"});
       const Localisation localisation(models.coarse, models.fine);
-      for (const NamedQuantity &goal : {probe_uz, probe_syz, probe_s22})
+      for (const NamedQuantity &goal : {probe_uz, probe_syz, probe_s11})
         {
           const double change = models.change(goal);
           const auto   errors = localisation.errors(goal, change);
