@@ -78,7 +78,7 @@ namespace
                       probe_syz =
                         quantity_of(NamedQuantity::Of::probe, "one", "syz"),
                       probe_s11 =
-                        quantity_of(NamedQuantity::Of::probe, "two", "s22"),
+                        quantity_of(NamedQuantity::Of::probe, "two", "s11"),
                       reaction =
                         quantity_of(NamedQuantity::Of::support, "clamps", "fz");
 } // namespace
