@@ -22,21 +22,46 @@ namespace lamella
 
 
 
-    /// The row's weights by the nodes of the axis.
-    std::map<unsigned int, Vector>
+    /// Section load vectors by the nodes of the axis. Rows, since a support of
+    /// a whole body has as many as it has nodes, of few entries each.
+    using ByNode = std::map<unsigned int, Row>;
+
+    /// The row's weights, their DoFs the fields of the section.
+    ByNode
     by_node(const Beam &beam, const Row &row)
     {
-      std::map<unsigned int, Vector> result;
+      ByNode result;
       for (const auto &[dof, weight] : row.entries())
         {
           const unsigned int node = beam.dofs().node_of(dof);
-          Vector            &part = result[node];
-          if (part.size() == 0)
-            part.reinit(beam.section().n_fields());
-          part[beam.dofs().fields(node)[dof - beam.dofs().first(node)]] +=
-            weight;
+          result[node].add(
+            beam.dofs().fields(node)[dof - beam.dofs().first(node)], weight);
         }
+      for (auto &[node, part] : result)
+        part.compress();
       return result;
+    }
+
+
+
+    double
+    l2_norm(const Row &f)
+    {
+      double sum = 0.;
+      for (const auto &[field, weight] : f.entries())
+        sum += weight * weight;
+      return std::sqrt(sum);
+    }
+
+
+
+    double
+    largest_weight(const Row &f)
+    {
+      double largest = 0.;
+      for (const auto &[field, weight] : f.entries())
+        largest = std::max(largest, std::abs(weight));
+      return largest;
     }
 
 
@@ -49,7 +74,7 @@ namespace lamella
     };
     struct SectionLoad
     {
-      Vector   f;
+      Row      f;
       Place    place;
       Point<2> in_section;
       double   area = 1.;
@@ -62,15 +87,15 @@ namespace lamella
     /// Where along the axis the weights of @p nodes are: on the elements all of
     /// whose nodes have one, or at nodes.
     Place
-    place_of(const Axis &axis, const std::map<unsigned int, Vector> &nodes)
+    place_of(const Axis &axis, const ByNode &nodes)
     {
       double largest = 0.;
       for (const auto &[node, part] : nodes)
-        largest = std::max(largest, part.linfty_norm());
+        largest = std::max(largest, largest_weight(part));
       const auto has = [&](const unsigned int node) {
         const auto found = nodes.find(node);
         return found != nodes.end() &&
-               found->second.linfty_norm() > counts * largest;
+               largest_weight(found->second) > counts * largest;
       };
       Place on{axis.length(), 0., axis.length()}, at = on;
       bool  any = false;
@@ -100,18 +125,17 @@ namespace lamella
 
 
     /// @p f without what acts along the axis, unless that is most of it.
-    Vector
-    without_axial(const Vector &f, const Section &section)
+    Row
+    without_axial(const Row &f, const Section &section)
     {
       double axial = 0.;
-      Vector rest  = f;
-      for (unsigned int alpha = 0; alpha < f.size(); ++alpha)
-        if (section.field(alpha).terms[0].component == 1)
-          {
-            axial += f[alpha] * f[alpha];
-            rest[alpha] = 0.;
-          }
-      return std::sqrt(axial) > along_axis * f.l2_norm() ? f : rest;
+      Row    rest;
+      for (const auto &[field, weight] : f.entries())
+        if (section.field(field).terms[0].component == 1)
+          axial += weight * weight;
+        else
+          rest.add(field, weight);
+      return std::sqrt(axial) > along_axis * l2_norm(f) ? f : rest;
     }
 
 
@@ -126,10 +150,11 @@ namespace lamella
                 const bool      normal)
     {
       const auto nodes = by_node(beam, row);
-      Vector     f(beam.section().n_fields());
+      Row        f;
       // The functions of the axis sum to one.
       for (const auto &[node, part] : nodes)
-        f += part;
+        f.add(part, 1.);
+      f.compress();
       const Point<3> x = beam.place().to_body(position);
       return {normal ? without_axial(f, beam.section()) : f,
               place_of(beam.axis(), nodes),
@@ -152,37 +177,39 @@ namespace lamella
       const auto nodes   = by_node(beam, row);
       double     largest = 0.;
       for (const auto &[node, part] : nodes)
-        largest = std::max(largest, part.l2_norm());
+        largest = std::max(largest, l2_norm(part));
       std::vector<SectionLoad> loads;
       const Axis              &axis = beam.axis();
       for (unsigned int cell = 0; cell < axis.n_cells(); ++cell)
         {
-          std::map<unsigned int, Vector> here;
+          ByNode here;
           for (const unsigned int node : axis.nodes_of_cell(cell))
             if (const auto found = nodes.find(node); found != nodes.end())
               here.insert(*found);
           for (const auto &[node, part] : here)
-            if (part.l2_norm() > strong * largest)
+            if (l2_norm(part) > strong * largest)
               loads.push_back(
-                {part, place_of(axis, here), {}, part.l2_norm(), false});
+                {part, place_of(axis, here), {}, l2_norm(part), false});
         }
       return loads;
     }
 
 
 
-    /// Those of @p loads that are independent, unit length each.
+    /// Those of @p loads, vectors of @p n_fields, that are independent, unit
+    /// length each.
     std::vector<Vector>
-    independent_of(const std::vector<SectionLoad> &loads)
+    independent_of(const std::vector<SectionLoad> &loads,
+                   const unsigned int              n_fields)
     {
       std::vector<Vector> result, basis;
       for (const SectionLoad &load : loads)
         {
-          const double norm = load.f.l2_norm();
+          const double norm = l2_norm(load.f);
           if (!(norm > 0.))
             continue;
-          Vector f = load.f;
-          f /= norm;
+          Vector f(n_fields);
+          load.f.add_to(f, 1. / norm);
           Vector left = f;
           for (const Vector &one : basis)
             left.add(-(one * left), one);
@@ -200,7 +227,8 @@ namespace lamella
     /// The mean of @p loads and what varies linearly across, weighted with
     /// their areas.
     std::vector<Vector>
-    smooth_of(const std::vector<SectionLoad> &loads)
+    smooth_of(const std::vector<SectionLoad> &loads,
+              const unsigned int              n_fields)
     {
       Point<2>     low = loads[0].in_section, high = low;
       Tensor<1, 2> centre;
@@ -217,12 +245,12 @@ namespace lamella
         }
       centre /= area;
       const unsigned int across = high[0] - low[0] >= high[1] - low[1] ? 0 : 1;
-      Vector             mean(loads[0].f.size()), linear(mean);
+      Vector             mean(n_fields), linear(n_fields);
       for (const SectionLoad &load : loads)
         {
-          mean.add(load.area, load.f);
-          linear.add(load.area * (load.in_section[across] - centre[across]),
-                     load.f);
+          load.f.add_to(mean, load.area);
+          load.f.add_to(linear,
+                        load.area * (load.in_section[across] - centre[across]));
         }
       std::vector<Vector> result;
       if (mean.l2_norm() > 0.)
@@ -234,20 +262,11 @@ namespace lamella
 
 
 
-    Row
-    row_of(const Vector &f)
-    {
-      Row row;
-      for (unsigned int alpha = 0; alpha < f.size(); ++alpha)
-        row.add(alpha, f[alpha]);
-      return row;
-    }
-
-
-
-    /// One touch for each part of the axis that @p loads are on.
+    /// One touch for each part of the axis that @p loads, of a section with
+    /// @p n_fields, are on.
     void
     add_touches(const std::string       &name,
+                const unsigned int       n_fields,
                 std::vector<SectionLoad> loads,
                 std::vector<Touch>      &touches)
     {
@@ -274,14 +293,14 @@ namespace lamella
           const std::vector<SectionLoad> here(begin, end);
           // A node's section as a whole, in one direction at least.
           touch.holds_section =
-            at_node && here.size() > 30 && 4 * here.size() > here[0].f.size();
+            at_node && here.size() > 30 && 4 * here.size() > n_fields;
           if (touch.holds_section)
             for (const SectionLoad &load : here)
-              touch.held.push_back(row_of(load.f));
+              touch.held.push_back(load.f);
           else
             {
-              touch.loads  = independent_of(here);
-              touch.smooth = smooth_of(here);
+              touch.loads  = independent_of(here, n_fields);
+              touch.smooth = smooth_of(here, n_fields);
             }
           touches.push_back(std::move(touch));
           begin = end;
@@ -299,6 +318,7 @@ namespace lamella
                const std::vector<Load>             &loads,
                const std::vector<ContactInterface> &contacts)
   {
+    const unsigned int               n_fields = beam.section().n_fields();
     std::vector<Touch>               touches;
     const std::vector<PrescribedRow> rows = prescribed_rows(supports, bodies);
     for (unsigned int s = 0; s < supports.size(); ++s)
@@ -309,7 +329,7 @@ namespace lamella
             held.push_back(
               load_of_row(beam, row.row.row, row.position, 1., false));
         const std::size_t before = touches.size();
-        add_touches("support " + supports[s].name, held, touches);
+        add_touches("support " + supports[s].name, n_fields, held, touches);
         for (std::size_t k = before; k < touches.size(); ++k)
           touches[k].holds = true;
       }
@@ -321,6 +341,7 @@ namespace lamella
         BlockVector vector(sizes);
         add_load(load, bodies, vector);
         add_touches("load " + load.name,
+                    n_fields,
                     loads_of_vector(beam, vector.block(body)),
                     touches);
       }
@@ -338,7 +359,7 @@ namespace lamella
                                             contact.points[k].area,
                                             true));
         const std::size_t before = touches.size();
-        add_touches("contact " + contact.name, pressed, touches);
+        add_touches("contact " + contact.name, n_fields, pressed, touches);
         for (std::size_t k = before; k < touches.size(); ++k)
           touches[k].presses = true;
       }

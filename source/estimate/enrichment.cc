@@ -92,8 +92,7 @@ namespace lamella
                const double     times,
                const double     most)
     {
-      if (body.theory.kind != Kind::LE || !body.pieces.empty() ||
-          times * size.dofs <= most || size.fields <= 2. * fields_of_responses)
+      if (!may_have_responses(body, size) || times * size.dofs <= most)
         return;
       body.theory.kind          = Kind::SV;
       body.theory.section_order = body.theory.order;
@@ -135,15 +134,30 @@ namespace lamella
     std::vector<BodySize> sizes;
     for (const auto &body : model.solved_structure().bodies())
       {
-        sizes.push_back({static_cast<unsigned int>(body->n_dofs()), 0, 0, 0});
+        BodySize &size = sizes.emplace_back();
+        size.dofs      = body->n_dofs();
+        for (const Support &support : model.solved_scene().supports)
+          for (const Region &region : support.on)
+            size.held_all_along =
+              size.held_all_along || (region.kind == Region::Kind::body &&
+                                      region.body + 1 == sizes.size());
         if (const auto *const beam = dynamic_cast<const Beam *>(body.get()))
           {
-            sizes.back().nodes  = beam->axis().n_nodes();
-            sizes.back().fields = beam->section().n_fields();
-            sizes.back().cells  = beam->section().n_cells();
+            size.nodes  = beam->axis().n_nodes();
+            size.fields = beam->section().n_fields();
+            size.cells  = beam->section().n_cells();
           }
       }
     return sizes;
+  }
+
+
+
+  bool
+  may_have_responses(const BodyDescription &body, const BodySize &size)
+  {
+    return body.theory.kind == Kind::LE && body.pieces.empty() &&
+           !size.held_all_along && size.fields > 2. * fields_of_responses;
   }
 
 

@@ -5,6 +5,7 @@
 #include <lamella/recover/box_points.h>
 
 #include <algorithm>
+#include <numeric>
 
 namespace lamella
 {
@@ -318,29 +319,53 @@ namespace lamella
 
 
 
-  std::optional<LocalErrors>
-  Localisation::errors(const NamedQuantity &goal, const double change) const
+  LocalErrors
+  Localisation::of_elements(const BlockVector &z) const
   {
-    const auto functional = derivative(goal);
-    if (!functional)
-      return std::nullopt;
-    const Derivative z     = dual(*functional);
-    BlockVector      local = z.u;
-    local -= on_fine(on_coarse(z.u));
+    BlockVector local = z;
+    local -= on_fine(on_coarse(z));
     LocalErrors result;
-    double      sum = 0.;
     for (unsigned int b = 0; b < n_bodies(fine); ++b)
       if (beam(fine, b) != nullptr)
         {
           Vector share = residual.block(b);
           share.scale(local.block(b));
           add_elements(b, share, result);
-          sum += residual.block(b) * local.block(b);
         }
+    return result;
+  }
+
+
+
+  std::optional<LocalErrors>
+  Localisation::errors(const NamedQuantity &goal, const double change) const
+  {
+    const auto functional = derivative(goal);
+    if (!functional)
+      return std::nullopt;
+    const Derivative z      = dual(*functional);
+    LocalErrors      result = of_elements(z.u);
+    const double     sum =
+      std::accumulate(result.elements.begin(),
+                      result.elements.end(),
+                      0.,
+                      [](const double so_far, const ElementError &element) {
+                        return so_far + element.error;
+                      });
     result.contact = residual * z.u - sum;
     for (unsigned int k = 0; k < active.size(); ++k)
       result.contact -= z.force[k] * mismatch[k];
     result.remainder = change - sum - result.contact;
     return result;
+  }
+
+
+
+  LocalErrors
+  Localisation::energy_errors() const
+  {
+    BlockVector error = fine.results().last().state.u;
+    error -= on_fine(coarse.results().last().state.u);
+    return of_elements(error);
   }
 } // namespace lamella

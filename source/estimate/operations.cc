@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include <lamella/body/beam.h>
 #include <lamella/estimate/enrichment.h>
 #include <lamella/estimate/operations.h>
 
@@ -23,20 +22,16 @@ namespace lamella
   double
   operations_of_bars(const Simulation &run)
   {
-    constexpr double axes = 8., of_block = 5.;
-    const double     m   = fields_of_responses;
-    double           sum = 0.;
-    for (unsigned int b = 0; b < run.solved_scene().bodies.size(); ++b)
+    constexpr double            axes = 8., of_block = 5.;
+    const double                m     = fields_of_responses;
+    double                      sum   = 0.;
+    const std::vector<BodySize> sizes = sizes_of(run);
+    for (unsigned int b = 0; b < sizes.size(); ++b)
       {
-        const BodyDescription &body = run.solved_scene().bodies[b];
-        const auto *const      shape =
-          dynamic_cast<const Beam *>(run.solved_structure().bodies()[b].get());
-        if (shape == nullptr || body.theory.kind != Theory::Kind::LE ||
-            !body.pieces.empty() ||
-            2. * shape->n_dofs() <= most_dofs_of_layers ||
-            shape->section().n_fields() <= 2. * m)
+        if (!may_have_responses(run.solved_scene().bodies[b], sizes[b]) ||
+            2. * sizes[b].dofs <= most_dofs_of_layers)
           return std::numeric_limits<double>::infinity();
-        sum += axes * shape->axis().n_nodes() * of_block * m * m * m;
+        sum += axes * sizes[b].nodes * of_block * m * m * m;
       }
     return sum;
   }

@@ -206,4 +206,74 @@ BOOST_AUTO_TEST_CASE(elements_that_matter_are_marked)
   BOOST_TEST(!marked_elements(scene, {goal}, 0.1, 0.65).has_value());
 }
 
+
+
+namespace
+{
+  /// The DoFs that @p goal takes to be within @p tolerance of @p truth where
+  /// each pass bisects the elements that have seven tenths of the sum of
+  /// |errors| per DoF: those of the goal, or of the energy.
+  unsigned int
+  dofs_to_reach(const NamedQuantity &goal,
+                const double         truth,
+                const double         tolerance,
+                const bool           by_goal)
+  {
+    Scene scene = read_scene(
+      SceneText::read(LAMELLA_SOURCE_DIR "/tests/scenes/clamped_laminate.prm",
+                      {"Theory=LE-1",
+                       "Body beam/Kinematics/Axis elements=2, 2",
+                       "Body beam/Kinematics/Axis breaks=9",
+                       "Section laminate/Cells across=2",
+                       "Load patch/Pressure=if(y > 9, 1 + x, 0)"}));
+    std::ostream nowhere(nullptr);
+    for (unsigned int pass = 0; pass < 12; ++pass)
+      {
+        Simulation   coarse(scene, nowhere);
+        const double value = ResultNumbers(coarse.solve()).value(goal);
+        if (std::abs(value - truth) <= tolerance * std::abs(truth))
+          return coarse.results().bodies.front().dofs;
+        Simulation fine(enriched(coarse.solved_scene(),
+                                 Source::axis,
+                                 sizes_of(coarse)),
+                        nowhere);
+        fine.solve();
+        const Localisation localisation(coarse, fine);
+        GoalResult         result;
+        result.local     = by_goal ? *localisation.errors(goal, 0.) :
+                                     localisation.energy_errors();
+        result.tolerance = 1.;
+        result.scale     = 1e30;
+        scene            = bisected(coarse.solved_scene(),
+                         *marked_elements(scene, {result}, 0.1, 0.7));
+      }
+    BOOST_FAIL("twelve passes do not suffice");
+    return 0;
+  }
+} // namespace
+
+BOOST_AUTO_TEST_CASE(goals_take_fewer_dofs_than_the_energy)
+{
+  // Of a body that is clamped at both ends and loaded over one half, a stress
+  // near the other end.
+  const TwoModels truth("/tests/scenes/clamped_laminate.prm",
+                        {"Theory=LE-1",
+                         "Body beam/Kinematics/Axis elements=auto 3",
+                         "Section laminate/Cells across=2",
+                         "Load patch/Pressure=if(y > 9, 1 + x, 0)"});
+  for (const NamedQuantity &goal : {probe_syz, probe_s11})
+    for (const double tolerance : {1e-2, 1e-3})
+      {
+        const double value = ResultNumbers(truth.fine.results()).value(goal);
+        const unsigned int by_goal =
+                             dofs_to_reach(goal, value, tolerance, true),
+                           by_energy =
+                             dofs_to_reach(goal, value, tolerance, false);
+        BOOST_TEST_MESSAGE(goal.label()
+                           << " to " << tolerance << ": by the goal " << by_goal
+                           << " DoFs, by the energy " << by_energy);
+        BOOST_TEST(by_goal < by_energy);
+      }
+}
+
 BOOST_AUTO_TEST_SUITE_END()

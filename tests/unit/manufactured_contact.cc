@@ -8,6 +8,7 @@
 
 #include <boost/test/unit_test.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <ostream>
 
@@ -66,7 +67,8 @@ namespace
   strips(const unsigned int degree,
          const std::string &discretisation,
          const unsigned int n,
-         const std::string &goals = "")
+         const std::string &goals   = "",
+         const std::string &penalty = "")
   {
     const unsigned int other = discretisation == "node to node" ? n : 3 * n / 2;
     const std::string  axis  = "/Kinematics/Axis element";
@@ -80,6 +82,9 @@ namespace
        "Body lower" + axis + element,
        "Body upper" + axis + "s=" + std::to_string(n),
        "Body lower" + axis + "s=" + std::to_string(other),
+       "Contact faces/Enforcement=" +
+         std::string(penalty.empty() ? "exact" : "penalty"),
+       "Contact faces/Penalty=" + (penalty.empty() ? "auto" : penalty),
        "Goals/Quantities=" + goals,
        "Goals/Error bars=" + std::string(goals.empty() ? "false" : "true")}));
   }
@@ -181,6 +186,56 @@ BOOST_AUTO_TEST_CASE(bars_follow_the_error)
             BOOST_TEST(goal.estimate / error < 1.5);
           }
         }
+    }
+}
+
+
+
+BOOST_AUTO_TEST_CASE(shares_name_what_a_contact_is_off_by)
+{
+  const std::string quantities =
+    "start: uz | faces: fz in y 0 0.5 | faces: pressure in y 0 0.5";
+  const auto goals_of = [&](const unsigned int degree,
+                            const unsigned int n,
+                            const std::string &penalty) {
+    std::ostream nowhere(nullptr);
+    Simulation   simulation(
+      strips(degree, "surface to surface", n, quantities, penalty), nowhere);
+    simulation.solve();
+    ModelCache cache;
+    return Estimation(simulation, nowhere, cache).goals();
+  };
+  const auto largest = [](const GoalResult &goal) {
+    return std::max_element(goal.shares.begin(),
+                            goal.shares.end(),
+                            [](const auto &a, const auto &b) {
+                              return std::abs(a.second) < std::abs(b.second);
+                            })
+      ->first;
+  };
+  const auto of_contact = [](const GoalResult &goal) {
+    for (const auto &[source, share] : goal.shares)
+      if (source == "contact")
+        return share;
+    return 0.;
+  };
+  // A soft penalty on a good mesh: displacements, the distribution of the
+  // force and the pressure are off by it and hardly by anything else.
+  for (const GoalResult &goal : goals_of(2, 4, "2000"))
+    BOOST_TEST_CONTEXT(goal.name)
+    {
+      BOOST_TEST(largest(goal) == "contact");
+      BOOST_TEST(std::abs(of_contact(goal)) > 0.9 * std::abs(goal.estimate));
+      BOOST_TEST(std::abs(goal.estimate) > 0.01 * goal.scale);
+      BOOST_TEST(std::abs(goal.estimate) <= goal.bar);
+    }
+  // Exact contact on a coarse mesh.
+  for (const GoalResult &goal : goals_of(1, 2, ""))
+    BOOST_TEST_CONTEXT(goal.name)
+    {
+      BOOST_TEST(largest(goal) != "contact");
+      BOOST_TEST(of_contact(goal) == 0.);
+      BOOST_TEST(std::abs(goal.estimate) > 1e-3 * goal.scale);
     }
 }
 

@@ -49,11 +49,18 @@ namespace lamella
     unsigned int dofs = 0;
     /// Of its axis, and fields and cells of its section; 0 of solids.
     unsigned int nodes = 0, fields = 0, cells = 0;
+    /// Whether a support holds all of it, as in plane strain.
+    bool held_all_along = false;
   };
 
   /// Those of the bodies of @p model.
   std::vector<BodySize>
   sizes_of(const Simulation &model);
+
+  /// Whether a body of LE-N could have its section's own fields instead, and
+  /// these would be fewer.
+  bool
+  may_have_responses(const BodyDescription &body, const BodySize &size);
 
   /// About how many DoFs LE-@p degree has with the nodes and cells of @p size:
   /// three for each point of a square grid.

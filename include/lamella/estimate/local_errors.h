@@ -47,6 +47,12 @@ namespace lamella
     std::optional<LocalErrors>
     errors(const NamedQuantity &goal, const double change) const;
 
+    /// What elements do to the energy of the error e = u_h - u_H, whatever the
+    /// goal: r . (e - I e), node by node as above. It is what marking by the
+    /// residual alone goes by; `contact` and `remainder` are left zero.
+    LocalErrors
+    energy_errors() const;
+
   private:
     /// J'_u, and J'_lambda of the active rows.
     struct Derivative
@@ -68,6 +74,10 @@ namespace lamella
     of_support(const NamedQuantity &goal) const;
     std::optional<Derivative>
     of_contact(const NamedQuantity &goal) const;
+
+    /// The elements' part of the errors, r . (z - I z).
+    LocalErrors
+    of_elements(const BlockVector &z) const;
 
     /// z and nu, refined once against what the strains say.
     Derivative
