@@ -135,3 +135,41 @@ def tolerances(pick=""):
     table(["scene", "tolerance, %", "ends with", "passes", "DoFs", "seconds", "goals met",
            "largest true error, %", "cheapest uniform LE: DoFs, seconds",
            "cheapest solid"], rows)
+
+
+# Elements that meet the ends of the load, graded from there to the clamps.
+BREAKS = ("10, 30, 100, 400, 2000, 2400, 2470, 2490, 2495, 2505, 2510, 2530, 2600, "
+          "3000, 4600, 4900, 4970, 4990")
+ELEMENTS = [2, 2, 2, 2, 2, 2, 2, 2, 1, 2, 1, 2, 2, 2, 2, 2, 2, 2, 2]
+
+
+def indentation():
+    """doc/error-bars.md: a beam of 5 m, loaded over 10 mm."""
+    scene = ROOT / "tests/scenes/indented_beam.prm"
+    goals = ["middle: uz", "below: szz", "outer: syy"]
+
+    def by_hand(theory, factor):
+        elements = ", ".join(str(factor * n) for n in ELEMENTS)
+        return [f"Theory={theory}", *kinematics(["beam"], "Axis breaks", BREAKS),
+                *kinematics(["beam"], "Axis elements", elements)]
+
+    true = BarRun(scene, by_hand("LE-6", 1))
+    rows = []
+    for name, overrides in (
+            ("Tolerance = 1", ["Goals/Tolerance=1",
+                               "Goals/Quantities=" + " | ".join(goals)]),
+            ("LE-3, axis graded by hand", by_hand("LE-3", 1)),
+            ("LE-3, twice as many", by_hand("LE-3", 2)),
+            ("LE-3, auto", ["Theory=LE-3"]),
+            ("LE-3, 100 equal elements",
+             ["Theory=LE-3", *kinematics(["beam"], "Axis elements", "100")]),
+            ("LE-3, 250 equal elements",
+             ["Theory=LE-3", *kinematics(["beam"], "Axis elements", "250")])):
+        run = Timed(scene, overrides)
+        print(name, run.failure, file=sys.stderr)
+        if run.failure:
+            rows.append([name, run.failure[:60]] + 4 * [""])
+            continue
+        rows.append([name, run.summary["dofs"], f"{run.seconds:.1f}"] + [
+            f"{100 * (run.value(goal) / true.value(goal) - 1):.2g}" for goal in goals])
+    table(["model", "DoFs", "seconds"] + [f"{goal}, %" for goal in goals], rows)

@@ -48,6 +48,23 @@ namespace lamella
                       "",
                       patterns::optional(patterns::positive()),
                       "Of the axis [length].");
+    prm.declare_entry("Copies",
+                      "",
+                      patterns::optional(patterns::positive()),
+                      "Makes a stack of the body: NAME-1, NAME-2, ..., so "
+                      "many. What names the body in On, First and Second "
+                      "stands for them; a contact of it with itself is "
+                      "between neighbours.");
+    prm.declare_entry("Origin step",
+                      "",
+                      patterns::numbers(),
+                      "From the Origin of one copy to that of the next "
+                      "[length]; default 0, 0, 0.");
+    prm.declare_entry("Length step",
+                      "",
+                      patterns::optional(patterns::number()),
+                      "From the Length of one copy to that of the next "
+                      "[length]; default 0.");
     prm.declare_entry(
       "Stabilisation",
       "0",

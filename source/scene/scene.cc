@@ -6,6 +6,7 @@
 #include <lamella/material/parameters.h>
 #include <lamella/scene/scene.h>
 #include <lamella/scene/size_check.h>
+#include <lamella/scene/stacks.h>
 #include <lamella/scene/theory_notes.h>
 #include <lamella/shape/parameters.h>
 #include <lamella/shape/properties.h>
@@ -446,7 +447,9 @@ namespace lamella
   void
   check_entries(const SceneText &given)
   {
-    const auto [text, names] = listed(given);
+    SceneText whole = given;
+    write_out_stacks(whole);
+    const auto [text, names] = listed(whole);
     ParameterHandler prm;
     declare_all(prm, names);
     text.check_declared(prm);
@@ -461,7 +464,8 @@ namespace lamella
     try
       {
         NameLists names;
-        std::tie(text, names)              = listed(given);
+        write_out_stacks(text);
+        std::tie(text, names)              = listed(text);
         const bool       theory_is_assumed = assume_start(text, names);
         ParameterHandler prm;
         declare_all(prm, names);

@@ -308,6 +308,43 @@ namespace lamella
 
 
   void
+  SceneText::erase(const std::string &path)
+  {
+    entries.erase(std::remove_if(entries.begin(),
+                                 entries.end(),
+                                 [&path](const Item &entry) {
+                                   return entry.path == path;
+                                 }),
+                  entries.end());
+  }
+
+
+
+  void
+  SceneText::copy_subsection(const std::string              &path,
+                             const std::vector<std::string> &copies)
+  {
+    const auto copied = [&](const std::vector<Item> &items) {
+      std::vector<Item> result;
+      for (const Item &item : items)
+        if (item.path != path &&
+            item.path.compare(0, path.size() + 1, path + "/") != 0)
+          result.push_back(item);
+        else
+          for (const std::string &copy : copies)
+            {
+              result.push_back(item);
+              result.back().path = copy + item.path.substr(path.size());
+            }
+      return result;
+    };
+    entries     = copied(entries);
+    subsections = copied(subsections);
+  }
+
+
+
+  void
   SceneText::fill(dealii::ParameterHandler &prm,
                   const bool                top_level_only) const
   {

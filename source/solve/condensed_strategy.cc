@@ -15,9 +15,17 @@ namespace lamella
     constexpr double smallest_softness = 1e-10, smallest_of_given = 1e-8;
     // How many rows take part from the start, at least.
     constexpr std::size_t first_rows = 8;
+    // Rows that may idle beside active ones, and how many of these: below that
+    // they cost next to nothing.
+    constexpr std::size_t few_rows = 64, idle_for_each = 3;
 
 
 
+    bool
+    are_idle(const std::size_t n_rows, const std::size_t n_active)
+    {
+      return n_rows > few_rows && n_rows > (1 + idle_for_each) * n_active;
+    }
   } // namespace
 
 
@@ -189,6 +197,24 @@ namespace lamella
 
 
 
+  void
+  CondensedStrategy::drop_idle(const ContactProblem      &problem,
+                               const ContactSolution     &solution,
+                               std::vector<unsigned int> &part,
+                               std::set<unsigned int>    &left)
+  {
+    if (!are_idle(part.size(), solution.active.size()))
+      return;
+    const auto leaves = [&](const unsigned int r) {
+      // What changes a force that was there has to stay in the sum.
+      return solution.force[r] == 0. && problem.force[r] == 0. &&
+             problem.estimate[r] == 0. && left.insert(r).second;
+    };
+    part.erase(std::remove_if(part.begin(), part.end(), leaves), part.end());
+  }
+
+
+
   ContactSolution
   CondensedStrategy::settle(const ContactProblem &problem,
                             const Monitor        &monitor)
@@ -204,15 +230,18 @@ namespace lamella
         start.insert(r);
     if (start.empty() && rows_below(-problem.closed, {}, problem.gap).empty())
       return solution;
-    // Rows that once took part cost next to nothing.
+    std::vector<unsigned int> known;
     for (unsigned int r = 0; r < rows.size(); ++r)
       if (compliance.knows(r))
-        start.insert(r);
+        known.push_back(r);
+    if (!are_idle(known.size(), start.size()))
+      start.insert(known.begin(), known.end());
     std::vector<unsigned int> part(start.begin(), start.end());
     Violations joining = rows_below(-problem.closed, part, problem.gap);
     joining.resize(std::min(joining.size(), first_rows));
 
-    bool all_that_touch = false;
+    std::set<unsigned int> left;
+    bool                   all_that_touch = false;
     while (true)
       {
         for (const auto &[violation, r] : joining)
@@ -236,6 +265,7 @@ namespace lamella
             std::min(joining.size(), std::max(first_rows, part.size())));
         if (joining.empty())
           break;
+        drop_idle(problem, solution, part, left);
       }
     return solution;
   }

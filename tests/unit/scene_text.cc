@@ -6,6 +6,7 @@
 #include <lamella/base/text.h>
 #include <lamella/scene/scene.h>
 #include <lamella/scene/scene_text.h>
+#include <lamella/scene/stacks.h>
 
 #include <boost/test/unit_test.hpp>
 
@@ -413,6 +414,62 @@ BOOST_AUTO_TEST_CASE(nearest_names)
   BOOST_TEST(nearest_name("Lenght", names) == "Length");
   BOOST_TEST(nearest_name("", names) == "Width"); // the first of the shortest
   BOOST_TEST(nearest_name("a", {}) == "");
+}
+
+
+
+BOOST_AUTO_TEST_CASE(stacks_are_written_out)
+{
+  SceneText text("set Bodies = base, leaf, lid\n"
+                 "set Supports = clamp\n"
+                 "set Contacts = within, below\n"
+                 "subsection Body base\n"
+                 "  set Length = 9\n"
+                 "end\n"
+                 "subsection Body leaf\n"
+                 "  set Origin = 1, 2, 3\n"
+                 "  set Length = 10\n"
+                 "  set Copies = 3\n"
+                 "  set Origin step = 0, 0.1, 1.5\n"
+                 "  set Length step = -2.5\n"
+                 "  subsection Kinematics\n"
+                 "    set Theory = LE-1\n"
+                 "  end\n"
+                 "end\n"
+                 "subsection Support clamp\n"
+                 "  set On = base: ends; leaf: start\n"
+                 "end\n"
+                 "subsection Contact within\n"
+                 "  set First = leaf: top\n"
+                 "  set Second = leaf: bottom\n"
+                 "end\n"
+                 "subsection Contact below\n"
+                 "  set First = base: top\n"
+                 "  set Second = leaf: bottom\n"
+                 "end\n",
+                 "s.prm",
+                 {});
+  write_out_stacks(text);
+  const auto says = [&text](const std::string &path) {
+    return text.says(path).value_or("nothing");
+  };
+  BOOST_TEST(says("Bodies") == "base, leaf-1, leaf-2, leaf-3, lid");
+  BOOST_TEST(says("Body leaf-1/Origin") == "1, 2, 3");
+  BOOST_TEST(says("Body leaf-3/Origin") == "1, 2.2, 6");
+  BOOST_TEST(says("Body leaf-3/Length") == "5");
+  BOOST_TEST(says("Body leaf-2/Kinematics/Theory") == "LE-1");
+  BOOST_TEST(says("Body leaf-2/Copies") == "nothing");
+  BOOST_TEST(!text.has_subsection("Body leaf"));
+  BOOST_TEST(says("Body base/Length") == "9");
+  BOOST_TEST(says("Support clamp/On") ==
+             "base: ends; leaf-1: start; leaf-2: start; leaf-3: start");
+  // Between neighbours; of another body with each.
+  BOOST_TEST(says("Contacts") ==
+             "within-1, within-2, below-1, below-2, below-3");
+  BOOST_TEST(says("Contact within-2/First") == "leaf-2: top");
+  BOOST_TEST(says("Contact within-2/Second") == "leaf-3: bottom");
+  BOOST_TEST(says("Contact below-3/First") == "base: top");
+  BOOST_TEST(says("Contact below-3/Second") == "leaf-3: bottom");
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -110,6 +110,16 @@ namespace lamella
     void
     replace(const std::string &path, const std::string &value);
 
+    /// Removes the entry @p path, if there is one.
+    void
+    erase(const std::string &path);
+
+    /// Replaces the subsection @p path by copies of it, with all in them, that
+    /// have the paths @p copies. Each item keeps the line that it had.
+    void
+    copy_subsection(const std::string              &path,
+                    const std::vector<std::string> &copies);
+
     /// Whether the text, or an override, has the subsection @p path.
     bool
     has_subsection(const std::string &path) const;

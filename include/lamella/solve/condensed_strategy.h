@@ -8,6 +8,7 @@
 #include <lamella/solve/contact_problem.h>
 
 #include <optional>
+#include <set>
 
 namespace lamella
 {
@@ -23,16 +24,19 @@ namespace lamella
    * The active set is found by row generation: the complementarity problem of
    * the rows that take part is solved exactly (solve_complementarity()), the
    * gaps of all others are looked at, the worst of those that penetrate take
-   * part from then on, at most as many as do already. The rows that take part
-   * only become more, so this ends. Rows of multipliers that others have closed
+   * part from then on, at most as many as do already. Where most of them stay
+   * open, as in a stack of bodies that close one after the other, those leave
+   * again, each once: the energy grows with every round, whoever leaves without
+   * a force, and since a row that has come back stays, this ends. Rows of
+   * multipliers that others have closed
    * join last: where rows depend on each other (more points than a surface has
    * freedom to move) they then share the force, as the least sum of squares
    * does.
    *
-   * Since the rows that take part at least double in a round, there are about
-   * 2 + log2(rows / 8) rounds at most. With n of them, each costs a dense
-   * factorisation or some (n^3 / 3) and the gaps of all rows; memory is that of
-   * Compliance and n^2.
+   * Where none leave the rows that take part at least double in a round, and
+   * there are about 2 + log2(rows / 8) rounds at most. With n of them, each
+   * costs a dense factorisation or some (n^3 / 3) and the gaps of all rows;
+   * memory is that of Compliance and n^2.
    */
   class CondensedStrategy
   {
@@ -116,6 +120,15 @@ namespace lamella
     solve_part(const ContactProblem            &problem,
                const std::vector<unsigned int> &part,
                ContactSolution                 &solution);
+
+    /// Takes those of @p part out of it that have no force and never had one,
+    /// if that is most of them, and puts them among those that @p left; who
+    /// left before stays.
+    static void
+    drop_idle(const ContactProblem      &problem,
+              const ContactSolution     &solution,
+              std::vector<unsigned int> &part,
+              std::set<unsigned int>    &left);
 
     /// G K^-1 G^T r with the condensed K: one solution a body.
     BlockVector
