@@ -52,6 +52,38 @@ namespace lamella
 
 
 
+    /// Ten equal elements, as where a scene says nothing of the axis, for
+    /// bodies that are @p touched_all_along and would grade themselves: graded
+    /// to a contact that is everywhere they would be fine everywhere. Bodies
+    /// whose nodes a contact pairs go together.
+    void
+    begin_with_equal_elements(Scene &scene, std::vector<bool> touched_all_along)
+    {
+      constexpr unsigned int elements = 10;
+      for (const ContactPair &contact : scene.contacts)
+        if (contact.discretisation == Discretisation::node_to_node &&
+            contact.obstacle == nullptr)
+          {
+            const unsigned int one   = contact.first.body,
+                               other = contact.second.body;
+            const bool both          = touched_all_along[one] &&
+                              touched_all_along[other] &&
+                              scene.bodies[one].axis.fineness > 0. &&
+                              scene.bodies[other].axis.fineness > 0.;
+            touched_all_along[one] = touched_all_along[other] = both;
+          }
+      for (unsigned int b = 0; b < scene.bodies.size(); ++b)
+        if (AxisMesh &axis = scene.bodies[b].axis;
+            touched_all_along[b] && axis.fineness > 0.)
+          {
+            axis.fineness = 0.;
+            axis.elements = {elements};
+            axis.breaks.clear();
+          }
+    }
+
+
+
     bool
     is_assumed(const Scene &scene, const unsigned int body)
     {
@@ -80,10 +112,15 @@ namespace lamella
     std::ostream                nowhere(nullptr);
     const Simulation            model(plain, nowhere);
     const std::vector<BodySize> sizes = sizes_of(model);
+    std::vector<bool>           touched_all_along(scene.bodies.size(), false);
     for (unsigned int b = 0; b < scene.bodies.size(); ++b)
-      if (is_assumed(scene, b) && (dofs_of_layers(sizes[b], 2) <= cheap_dofs ||
-                                   touched_share(model, b) > long_contact))
-        make_lower(scene.bodies[b]);
+      if (is_assumed(scene, b))
+        {
+          touched_all_along[b] = touched_share(model, b) > long_contact;
+          if (touched_all_along[b] || dofs_of_layers(sizes[b], 2) <= cheap_dofs)
+            make_lower(scene.bodies[b]);
+        }
+    begin_with_equal_elements(scene, touched_all_along);
     return scene;
   }
 

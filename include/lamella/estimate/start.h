@@ -16,7 +16,9 @@ namespace lamella
    * Theory: SV-6, but LE-1 for bodies of which LE-2 has at most cheap_dofs, and
    * for those which contacts may touch along more than long_contact of their
    * length: every node there would carry responses to all that touches, which
-   * are more than the few fields that take part.
+   * are more than the few fields that take part. Of the latter axes that grade
+   * themselves begin with ten equal elements: a contact that is everywhere
+   * would make them fine everywhere.
    * Nothing is solved; rows are made of the bodies with the fields of TE-1.
    * Throws what building a scene throws.
    */
