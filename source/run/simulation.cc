@@ -96,6 +96,7 @@ namespace lamella
                                         scene.probes,
                                         scene.lines,
                                         scene.cuts);
+    build_strength();
     describe();
   }
 
@@ -164,6 +165,37 @@ namespace lamella
           if (quantity.of == NamedQuantity::Of::contact &&
               quantity.name == contact.name)
             check_strip(quantity, contact.points);
+  }
+
+
+
+  void
+  Simulation::build_strength()
+  {
+    if (scene.strength.criteria.empty())
+      return;
+    std::vector<std::vector<Ply>> plies;
+    for (const BodyDescription &body : scene.bodies)
+      plies.push_back(sections.at(body.section)->plies);
+    strength = std::make_unique<StrengthSweep>(structure->bodies(),
+                                               scene.strength,
+                                               plies);
+  }
+
+
+
+  void
+  Simulation::take_strength(StepResults &results) const
+  {
+    if (strength == nullptr)
+      return;
+    results.plies           = strength->sweep(results.state.u);
+    const std::string doubt = doubt_of_worst(results.plies,
+                                             scene.supports,
+                                             scene.loads,
+                                             structure->bodies());
+    if (!doubt.empty())
+      results.warnings.push_back(doubt);
   }
 
 
@@ -292,10 +324,8 @@ namespace lamella
 
 
 
-  void
-  Simulation::solve_step(const unsigned int step,
-                         const double       factor,
-                         const Observer    &observer)
+  Checks
+  Simulation::solve_state(const double factor)
   {
     const State previous = state;
     {
@@ -320,6 +350,18 @@ namespace lamella
                                factor,
                                gap_rows.of_contact(k, state.active));
     }
+    return checks;
+  }
+
+
+
+  void
+  Simulation::solve_step(const unsigned int step,
+                         const double       factor,
+                         const Observer    &observer)
+  {
+    const State  previous = state;
+    const Checks checks   = solve_state(factor);
     {
       TimerOutput::Scope scope(timer, name_of(Phase::output));
       found.steps.push_back(take_results(step, factor, checks, previous));
@@ -349,6 +391,7 @@ namespace lamella
     results.memory      = solver->memory();
     results.warnings    = warnings_of_step(factor, checks);
     sampler->sample(state.u, results);
+    take_strength(results);
     for (unsigned int c = 0; c < contacts.size(); ++c)
       {
         const ContactInterface &contact = contacts[c];

@@ -132,6 +132,9 @@ namespace lamella
       prm.enter_subsection("Goals");
       GoalParameters::declare(prm);
       prm.leave_subsection();
+      prm.enter_subsection("Strength");
+      StrengthParameters::declare(prm);
+      prm.leave_subsection();
       prm.enter_subsection("Trade");
       TradeParameters::declare(prm);
       prm.leave_subsection();
@@ -312,8 +315,8 @@ namespace lamella
 
 
 
-    /// Probes, lines, cuts, and the trade of what these and the resultants
-    /// give.
+    /// Probes, lines, cuts, what is looked at for failure, and the trade of
+    /// what these and the resultants give.
     void
     resolve_requests(ParameterHandler               &prm,
                      Subsections                    &subsections,
@@ -329,6 +332,10 @@ namespace lamella
       subsections.each("Cuts", "Cut", [&](const auto &name, auto in) {
         scene.cuts.push_back(CutParameters::parse(in, name, bodies));
       });
+      prm.enter_subsection("Strength");
+      scene.strength =
+        StrengthParameters::parse(Entries(prm, "Strength"), bodies);
+      prm.leave_subsection();
       const QuantityNames names{scene.probes,
                                 scene.support_references,
                                 scene.contact_references};
