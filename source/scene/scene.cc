@@ -74,6 +74,13 @@ namespace lamella
         Bool(),
         "Whether to write the deformed bodies for ParaView: true "
         "or false.");
+      prm.declare_entry(
+        "Find",
+        "",
+        Anything(),
+        "What is sought after the load factors: `first failure`, the load "
+        "factor at which the smallest reserve factor of subsection Strength is "
+        "1, to 0.1 %, contact solved anew at each trial.");
       for (const auto &[list, kind] : kinds())
         prm.declare_entry(list,
                           "",
@@ -315,6 +322,23 @@ namespace lamella
 
 
 
+    /// Whether @p entry, Find, asks for the load at first failure.
+    bool
+    finds_first_failure(const Entry &entry, const StrengthParameters &strength)
+    {
+      if (entry.is_empty())
+        return false;
+      if (entry.text() != "first failure")
+        entry.refuse("must be `first failure`, or empty");
+      if (strength.criteria.empty())
+        entry.refuse("there are no criteria to fail by",
+                     "Give Criteria in subsection Strength, and Strengths of "
+                     "the materials.");
+      return true;
+    }
+
+
+
     /// Probes, lines, cuts, what is looked at for failure, and the trade of
     /// what these and the resultants give.
     void
@@ -372,6 +396,8 @@ namespace lamella
       resolve_bodies(prm, subsections, names, text, scene);
       resolve_conditions(subsections, names.at("Bodies"), scene);
       resolve_requests(prm, subsections, names.at("Bodies"), scene);
+      scene.find_first_failure =
+        finds_first_failure(in["Find"], scene.strength);
       check_sizes(scene);
       return scene;
     }

@@ -180,10 +180,11 @@ namespace lamella
     /// one; throws as solve() does where it is not to be trusted.
     Checks
     solve_state(const double factor);
-    /// The load at which the smallest reserve factor is 1, to 0.1 %: doubles
-    /// the last load factor until a ply fails, or takes the first of those
-    /// solved at which one does, and bisects, contact solved anew at each. The
-    /// state is then that at the failing end.
+    /// The load at which the smallest reserve factor is 1, to 0.1 %: takes the
+    /// first load factor of the scene at which a ply fails, or doubles the last
+    /// one up to ten times until one does, and bisects, contact solved anew at
+    /// each. Says in an endnote where nothing fails or no state is to be had.
+    /// The state is then again that of the last load step.
     void
     find_first_failure();
     /// The present state as results; @p previous, that of the step before,
