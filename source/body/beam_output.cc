@@ -21,6 +21,33 @@ namespace lamella
 
 
 
+  namespace
+  {
+    /// FieldSpace::expand() for the fields @p fields of the section alone;
+    /// nothing is cut off.
+    template <typename Fields>
+    void
+    expand_at(const FieldSpace    &space,
+              const Fields        &fields,
+              std::vector<double> &coefficients)
+    {
+      if (space.n_modes() == 0)
+        return;
+      const unsigned int  n = coefficients.size() - space.n_modes();
+      std::vector<double> expanded;
+      for (const unsigned int alpha : fields)
+        expanded.push_back(coefficients[alpha]);
+      for (unsigned int j = 0; j < space.n_modes(); ++j)
+        if (const double factor = coefficients[n + j]; factor != 0.)
+          for (unsigned int a = 0; a < expanded.size(); ++a)
+            expanded[a] += factor * space.mode(j)[fields[a]];
+      for (unsigned int a = 0; a < expanded.size(); ++a)
+        coefficients[fields[a]] = expanded[a];
+    }
+  } // namespace
+
+
+
   FieldSample
   Beam::sample(const Location &where, const Vector &u) const
   {
@@ -28,15 +55,18 @@ namespace lamella
     for (const Location::Place &place : where.places)
       {
         const unsigned int section_cell = place.cell % beam_section->n_cells();
-        const AxisState    state =
-          axis_state(beam_axis->evaluate(place.cell / beam_section->n_cells(),
+        const SectionPoint point =
+          beam_section->evaluate(section_cell, {place.unit[0], place.unit[2]});
+        AxisState state =
+          list_state(beam_axis->evaluate(place.cell / beam_section->n_cells(),
                                          place.unit[1]),
                      u);
-        samples.push_back(field_sample(
-          point_state(beam_section->evaluate(section_cell,
-                                             {place.unit[0], place.unit[2]}),
-                      state),
-          section_cell));
+        // Not axis_state(): a point needs some dozens of thousands of fields.
+        expand_at(*space, *point.fields, state.value);
+        expand_at(*space, *point.fields, state.shear_value);
+        expand_at(*space, *point.fields, state.derivative);
+        samples.push_back(
+          field_sample(point_state(point, state), section_cell));
       }
     return mean_of(samples);
   }

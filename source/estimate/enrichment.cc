@@ -313,7 +313,9 @@ namespace lamella
     scene.solve.strategy     = Strategy::condensed;
     scene.lines.clear();
     scene.cuts.clear();
-    scene.write_vtu = false;
+    scene.strength.criteria.clear();
+    scene.find_first_failure = false;
+    scene.write_vtu          = false;
     return scene;
   }
 } // namespace lamella

@@ -13,6 +13,8 @@ namespace lamella
       std::string          name;
       EngineeringConstants constants;
       bool                 in_pascals;
+      /// Only where a source is known (doc/strength.md).
+      std::optional<Strengths> strengths = {};
     };
 
     const std::vector<LibraryMaterial> &
@@ -21,7 +23,16 @@ namespace lamella
       static const std::vector<LibraryMaterial> all{
         {"IM7-8552",
          {165e9, 9e9, 9e9, 5.6e9, 5.6e9, 2.8e9, 0.34, 0.34, 0.5},
-         true},
+         true,
+         Strengths{2326.2e6,
+                   1200.1e6,
+                   62.3e6,
+                   199.8e6,
+                   62.3e6,
+                   199.8e6,
+                   92.3e6,
+                   92.3e6,
+                   75.3e6}},
         {"glass-polyester",
          {25.8e9, 8.7e9, 8.7e9, 3.5e9, 3.5e9, 2.4e9, 0.34, 0.34, 0.47},
          true},
@@ -64,10 +75,21 @@ namespace lamella
                    "The nearest is '" +
                      nearest_name(entry.text(), library_materials()) +
                      "'; all of them: " + joined(library_materials()) + ".");
-    EngineeringConstants c = found->constants;
+    Material material(found->constants);
+    material.strengths = found->strengths;
     if (found->in_pascals)
-      for (double *modulus : {&c.E1, &c.E2, &c.E3, &c.G12, &c.G13, &c.G23})
-        *modulus *= units.pascal;
-    return c;
+      {
+        EngineeringConstants &c = material.elastic;
+        for (double *modulus : {&c.E1, &c.E2, &c.E3, &c.G12, &c.G13, &c.G23})
+          *modulus *= units.pascal;
+      }
+    if (found->in_pascals && material.strengths)
+      {
+        Strengths &s = *material.strengths;
+        for (double *strength :
+             {&s.Xt, &s.Xc, &s.Yt, &s.Yc, &s.Zt, &s.Zc, &s.S12, &s.S13, &s.S23})
+          *strength *= units.pascal;
+      }
+    return material;
   }
 } // namespace lamella

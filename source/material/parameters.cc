@@ -4,10 +4,50 @@
 #include <lamella/material/library.h>
 #include <lamella/material/parameters.h>
 
+#include <cmath>
+
 namespace lamella
 {
   using dealii::ParameterHandler;
   using dealii::Patterns::Anything;
+
+  namespace
+  {
+    void
+    declare_strengths(ParameterHandler &prm)
+    {
+      prm.declare_entry("Strengths",
+                        "",
+                        patterns::numbers(),
+                        "Xt, Xc, Yt, Yc, Zt, Zc, S12, S13, S23 in the scene's "
+                        "stresses: tension and compression along 1, 2, 3, and "
+                        "shear. All positive, Xc the size. Those of the "
+                        "library, if it has any, are replaced.");
+      prm.declare_entry("Ultimate strains",
+                        "",
+                        patterns::numbers(),
+                        "The same nine as strains, for `maximum strain`; those "
+                        "of shear are engineering strains.");
+      prm.declare_entry("Yield",
+                        "",
+                        patterns::optional(patterns::positive()),
+                        "Of an isotropic material the stress at which it "
+                        "yields, for `von Mises`.");
+      prm.declare_entry("Core strengths",
+                        "",
+                        patterns::numbers(),
+                        "Of the core of a sandwich: crushing, shear 13, shear "
+                        "23. They make it a core to the criteria.");
+      prm.declare_entry("Puck inclinations",
+                        "carbon",
+                        Anything(),
+                        "The published defaults for carbon or glass, or four "
+                        "numbers: of shear along the fibre towards tension and "
+                        "compression, and of shear across it.");
+    }
+  } // namespace
+
+
 
   void
   MaterialParameters::declare(ParameterHandler &prm)
@@ -29,6 +69,7 @@ namespace lamella
                       patterns::numbers(),
                       "E, nu of an isotropic material, E in the scene's "
                       "stresses.");
+    declare_strengths(prm);
   }
 
 
@@ -75,28 +116,132 @@ namespace lamella
 
 
 
+  namespace
+  {
+    /// As many numbers above zero as @p names says; none if it is empty.
+    std::vector<double>
+    parse_positive(const Entry &entry, const std::vector<std::string> &names)
+    {
+      const std::vector<double> numbers = entry.numbers();
+      if (numbers.empty())
+        return numbers;
+      if (numbers.size() != names.size())
+        entry.refuse("must be " + std::to_string(names.size()) + " numbers, " +
+                     joined(names) + "; there are " +
+                     std::to_string(numbers.size()));
+      for (unsigned int i = 0; i < numbers.size(); ++i)
+        if (!(numbers[i] > 0.))
+          entry.refuse(names[i] + " = " + to_text(numbers[i]) +
+                         " must be positive",
+                       "Give the size of compressive ones, too.");
+      return numbers;
+    }
+
+
+
+    std::optional<Strengths>
+    parse_nine(const Entry &entry)
+    {
+      const std::vector<double> n = parse_positive(
+        entry, {"Xt", "Xc", "Yt", "Yc", "Zt", "Zc", "S12", "S13", "S23"});
+      if (n.empty())
+        return {};
+      return Strengths{n[0], n[1], n[2], n[3], n[4], n[5], n[6], n[7], n[8]};
+    }
+
+
+
+    bool
+    is_isotropic(const EngineeringConstants &c)
+    {
+      const auto same = [](const double a, const double b) {
+        return std::abs(a - b) <= 1e-6 * std::abs(b);
+      };
+      const double G = 0.5 * c.E1 / (1. + c.nu12);
+      return same(c.E2, c.E1) && same(c.E3, c.E1) && same(c.nu13, c.nu12) &&
+             same(c.nu23, c.nu12) && same(c.G12, G) && same(c.G13, G) &&
+             same(c.G23, G);
+    }
+
+
+
+    PuckInclinations
+    parse_inclinations(const Entry &entry)
+    {
+      if (entry.text() == "carbon")
+        return {};
+      if (entry.text() == "glass")
+        return PuckInclinations::glass();
+      if (entry.items().size() != 4)
+        entry.refuse("must be carbon, glass, or four numbers");
+      const std::vector<double> n = entry.numbers();
+      for (const double p : n)
+        if (!(p >= 0. && p < 1.))
+          entry.refuse("each must be from 0 to less than 1",
+                       "They are slopes, some 0.2 to 0.35.");
+      return {n[0], n[1], n[2], n[3]};
+    }
+
+
+
+    /// Puts what the entries say of @p material's strengths into it.
+    void
+    parse_strengths(const Entries &in, Material &material)
+    {
+      if (const auto strengths = parse_nine(in["Strengths"]))
+        material.strengths = strengths;
+      if (const auto strains = parse_nine(in["Ultimate strains"]))
+        material.ultimate_strains = strains;
+      if (const Entry yield = in["Yield"]; !yield.is_empty())
+        {
+          material.yield = yield.positive();
+          if (!is_isotropic(material.elastic))
+            yield.refuse("is of isotropic materials, and this one is not",
+                         "Give Strengths.");
+        }
+      const std::vector<double> core =
+        parse_positive(in["Core strengths"],
+                       {"crushing", "shear 13", "shear 23"});
+      if (!core.empty())
+        material.core = CoreStrengths{core[0], core[1], core[2]};
+      material.inclinations = parse_inclinations(in["Puck inclinations"]);
+    }
+
+
+
+    Material
+    parse_elasticity(const Entries &in, const Units &units)
+    {
+      const Entry library = in["Library"], isotropic = in["Isotropic"],
+                  orthotropic = in["Engineering constants"];
+      const int given =
+        !library.is_empty() + !orthotropic.is_empty() + !isotropic.is_empty();
+      if (given != 1)
+        in.refuse(
+          std::string("give exactly one of Library, Engineering constants and "
+                      "Isotropic; ") +
+          (given == 0 ? "none is" : "several are") + " set");
+      if (!library.is_empty())
+        return parse_library(library, units);
+
+      const EngineeringConstants elastic  = isotropic.is_empty() ?
+                                              parse_orthotropic(orthotropic) :
+                                              parse_isotropic(isotropic);
+      const std::string          violated = elastic.violated_condition();
+      if (!violated.empty())
+        (isotropic.is_empty() ? orthotropic : isotropic)
+          .refuse("the material is not positive definite: " + violated);
+      return elastic;
+    }
+  } // namespace
+
+
+
   Material
   MaterialParameters::parse(const Entries &in, const Units &units)
   {
-    const Entry library = in["Library"], isotropic = in["Isotropic"],
-                orthotropic = in["Engineering constants"];
-    const int given =
-      !library.is_empty() + !orthotropic.is_empty() + !isotropic.is_empty();
-    if (given != 1)
-      in.refuse(
-        std::string("give exactly one of Library, Engineering constants and "
-                    "Isotropic; ") +
-        (given == 0 ? "none is" : "several are") + " set");
-    if (!library.is_empty())
-      return parse_library(library, units);
-
-    const EngineeringConstants elastic  = isotropic.is_empty() ?
-                                            parse_orthotropic(orthotropic) :
-                                            parse_isotropic(isotropic);
-    const std::string          violated = elastic.violated_condition();
-    if (!violated.empty())
-      (isotropic.is_empty() ? orthotropic : isotropic)
-        .refuse("the material is not positive definite: " + violated);
-    return elastic;
+    Material material = parse_elasticity(in, units);
+    parse_strengths(in, material);
+    return material;
   }
 } // namespace lamella

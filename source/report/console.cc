@@ -4,6 +4,7 @@
 #include <lamella/body/fields.h>
 #include <lamella/report/console.h>
 #include <lamella/report/goals_table.h>
+#include <lamella/report/plies_table.h>
 
 #include <algorithm>
 #include <cmath>
@@ -232,6 +233,7 @@ namespace lamella
         out << "  line " << results.lines[l] << ": tractions jump by "
             << percent(100. * step.jumps[l].relative)
             << " of the largest at ply interfaces\n";
+    print_reserves(out, results);
     print_goals(out, results.goals);
     print_cost(out, results);
     for (const std::string &warning : results.all_warnings())

@@ -3,6 +3,7 @@
 #include <lamella/base/memory.h>
 #include <lamella/base/version.h>
 #include <lamella/recover/pressed_patch.h>
+#include <lamella/recover/strength_sweep.h>
 #include <lamella/report/summary.h>
 
 #include <nlohmann/json.hpp>
@@ -139,6 +140,25 @@ namespace lamella
 
 
 
+    /// A row of plies.csv.
+    Json
+    reserve_json(const Results &results, const PlyReserve &row)
+    {
+      Json json = {{"body", results.bodies[row.body].name},
+                   {"ply", row.ply + 1},
+                   {"criterion", row.criterion},
+                   {"mode", row.mode},
+                   {"index", row.index},
+                   {"place", to_json(row.position)}};
+      if (row.reserve)
+        json["reserve_factor"] = *row.reserve;
+      if (row.angle)
+        json["angle"] = *row.angle;
+      return json;
+    }
+
+
+
     /// Resultants and checks of the last load step.
     void
     add_last_step(const Results &results, Json &json)
@@ -162,7 +182,15 @@ namespace lamella
       json["condition_estimate"]   = results.condition_estimate;
       json["free_corrections"]     = last.state.free_corrections;
       json["contact_corrections"]  = last.state.contact_corrections;
-      json["interface_jumps"]      = Json::object();
+      if (const PlyReserve *worst = worst_of(last.plies))
+        json["strength"] = reserve_json(results, *worst);
+      if (const auto &first = results.first_failure)
+        {
+          json["first_failure"] = reserve_json(results, first->where);
+          json["first_failure"]["load_factor"] = first->failing;
+          json["first_failure"]["safe"]        = first->safe;
+        }
+      json["interface_jumps"] = Json::object();
       for (unsigned int l = 0; l < results.lines.size(); ++l)
         if (last.jumps[l].interfaces > 0)
           json["interface_jumps"][results.lines[l]] = last.jumps[l].relative;

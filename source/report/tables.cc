@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <lamella/report/fields_table.h>
+#include <lamella/report/plies_table.h>
 #include <lamella/report/tables.h>
 
 namespace lamella
@@ -98,6 +99,8 @@ namespace lamella
       headers["contact_" + contact.name + ".csv"] =
         "step,x,y,z,x2,y2,z2,nx,ny,nz,area,initial_gap,gap,force,pressure,"
         "active\n";
+    if (!results.steps.empty() && !results.last().plies.empty())
+      headers["plies.csv"] = plies_header();
     return headers;
   }
 
@@ -126,6 +129,8 @@ namespace lamella
     for (unsigned int k = 0; k < step.contacts.size(); ++k)
       rows["contact_" + results.contacts[k].name + ".csv"] =
         contact_rows(step.step, step.contacts[k]);
+    if (!step.plies.empty())
+      rows["plies.csv"] = plies_lines(results, step);
     rows["history.csv"] = history_row(step);
     return rows;
   }

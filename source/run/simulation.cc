@@ -96,6 +96,7 @@ namespace lamella
                                         scene.probes,
                                         scene.lines,
                                         scene.cuts);
+    build_strength();
     describe();
   }
 
@@ -169,6 +170,37 @@ namespace lamella
 
 
   void
+  Simulation::build_strength()
+  {
+    if (scene.strength.criteria.empty())
+      return;
+    std::vector<std::vector<Ply>> plies;
+    for (const BodyDescription &body : scene.bodies)
+      plies.push_back(sections.at(body.section)->plies);
+    strength = std::make_unique<StrengthSweep>(structure->bodies(),
+                                               scene.strength,
+                                               plies);
+  }
+
+
+
+  void
+  Simulation::take_strength(StepResults &results) const
+  {
+    if (strength == nullptr)
+      return;
+    results.plies           = strength->sweep(results.state.u);
+    const std::string doubt = doubt_of_worst(results.plies,
+                                             scene.supports,
+                                             scene.loads,
+                                             structure->bodies());
+    if (!doubt.empty())
+      results.warnings.push_back(doubt);
+  }
+
+
+
+  void
   Simulation::describe()
   {
     found.title      = scene.title;
@@ -217,7 +249,12 @@ namespace lamella
             << ", load factor " << factors[step - 1] << std::endl;
         solve_step(step, factors[step - 1], observer);
       }
-    found.endnotes  = solver->warnings();
+    if (scene.find_first_failure)
+      find_first_failure();
+    const std::vector<std::string> warnings = solver->warnings();
+    found.endnotes.insert(found.endnotes.end(),
+                          warnings.begin(),
+                          warnings.end());
     found.converged = true;
     count_costs();
     return found;
@@ -292,10 +329,8 @@ namespace lamella
 
 
 
-  void
-  Simulation::solve_step(const unsigned int step,
-                         const double       factor,
-                         const Observer    &observer)
+  Checks
+  Simulation::solve_state(const double factor)
   {
     const State previous = state;
     {
@@ -320,6 +355,18 @@ namespace lamella
                                factor,
                                gap_rows.of_contact(k, state.active));
     }
+    return checks;
+  }
+
+
+
+  void
+  Simulation::solve_step(const unsigned int step,
+                         const double       factor,
+                         const Observer    &observer)
+  {
+    const State  previous = state;
+    const Checks checks   = solve_state(factor);
     {
       TimerOutput::Scope scope(timer, name_of(Phase::output));
       found.steps.push_back(take_results(step, factor, checks, previous));
@@ -331,6 +378,74 @@ namespace lamella
     observer(found);
     if (step > 1)
       found.steps[step - 2].drop_fields();
+  }
+
+
+
+  void
+  Simulation::find_first_failure()
+  {
+    // Halvings until the two ends are within 0.1 %, doublings before that.
+    constexpr double       accuracy    = 1e-3;
+    constexpr unsigned int n_doublings = 10;
+
+    const State  last_step = state;
+    FirstFailure first;
+    // Whether a ply fails at the load factor; what it is then kept.
+    const auto judged = [&](const double                   factor,
+                            const std::vector<PlyReserve> &plies) {
+      const PlyReserve *worst = worst_of(plies);
+      const bool        does =
+        worst != nullptr && worst->reserve && *worst->reserve <= 1.;
+      out << "  load factor " << to_text(factor, 6)
+          << ", smallest reserve factor "
+          << (worst != nullptr && worst->reserve ? to_text(*worst->reserve, 5) :
+                                                   "none")
+          << std::endl;
+      if (does)
+        first.where = *worst;
+      (does ? first.failing : first.safe) = factor;
+      return does;
+    };
+    const auto fails = [&](const double factor) {
+      solve_state(factor);
+      return judged(factor, strength->sweep(state.u));
+    };
+
+    out << "First failure:" << std::endl;
+    bool found_one = false;
+    try
+      {
+        // Steps of a run that was resumed have none of their plies any more.
+        for (const StepResults &step : found.steps)
+          if ((found_one = step.plies.empty() ?
+                             fails(step.load_factor) :
+                             judged(step.load_factor, step.plies)))
+            break;
+        if (!found_one)
+          for (const double factor : scene.solve.load_factors)
+            if (std::abs(factor) > std::abs(first.safe))
+              first.safe = factor;
+        for (unsigned int k = 0; k < n_doublings && !found_one; ++k)
+          found_one = fails(2. * first.safe);
+        while (found_one && std::abs(first.failing - first.safe) >
+                              accuracy * std::abs(first.failing))
+          fails(0.5 * (first.safe + first.failing));
+        if (found_one)
+          found.first_failure = first;
+        else
+          found.endnotes.push_back("no ply fails up to load factor " +
+                                   to_text(first.safe, 6));
+      }
+    catch (const NumericsError &error)
+      {
+        found.endnotes.push_back(
+          "the search for the first failure ended between load factors " +
+          to_text(first.safe, 6) + " (safe) and " +
+          (found_one ? to_text(first.failing, 6) + " (failing)" : "more") +
+          ": " + error.what());
+      }
+    state = last_step;
   }
 
 
@@ -349,6 +464,7 @@ namespace lamella
     results.memory      = solver->memory();
     results.warnings    = warnings_of_step(factor, checks);
     sampler->sample(state.u, results);
+    take_strength(results);
     for (unsigned int c = 0; c < contacts.size(); ++c)
       {
         const ContactInterface &contact = contacts[c];

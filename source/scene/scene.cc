@@ -75,6 +75,13 @@ namespace lamella
         Bool(),
         "Whether to write the deformed bodies for ParaView: true "
         "or false.");
+      prm.declare_entry(
+        "Find",
+        "",
+        Anything(),
+        "What is sought after the load factors: `first failure`, the load "
+        "factor at which the smallest reserve factor of subsection Strength is "
+        "1, to 0.1 %, contact solved anew at each trial.");
       for (const auto &[list, kind] : kinds())
         prm.declare_entry(list,
                           "",
@@ -132,6 +139,9 @@ namespace lamella
           }
       prm.enter_subsection("Goals");
       GoalParameters::declare(prm);
+      prm.leave_subsection();
+      prm.enter_subsection("Strength");
+      StrengthParameters::declare(prm);
       prm.leave_subsection();
       prm.enter_subsection("Trade");
       TradeParameters::declare(prm);
@@ -313,8 +323,25 @@ namespace lamella
 
 
 
-    /// Probes, lines, cuts, and the trade of what these and the resultants
-    /// give.
+    /// Whether @p entry, Find, asks for the load at first failure.
+    bool
+    finds_first_failure(const Entry &entry, const StrengthParameters &strength)
+    {
+      if (entry.is_empty())
+        return false;
+      if (entry.text() != "first failure")
+        entry.refuse("must be `first failure`, or empty");
+      if (strength.criteria.empty())
+        entry.refuse("there are no criteria to fail by",
+                     "Give Criteria in subsection Strength, and Strengths of "
+                     "the materials.");
+      return true;
+    }
+
+
+
+    /// Probes, lines, cuts, what is looked at for failure, and the trade of
+    /// what these and the resultants give.
     void
     resolve_requests(ParameterHandler               &prm,
                      Subsections                    &subsections,
@@ -330,6 +357,10 @@ namespace lamella
       subsections.each("Cuts", "Cut", [&](const auto &name, auto in) {
         scene.cuts.push_back(CutParameters::parse(in, name, bodies));
       });
+      prm.enter_subsection("Strength");
+      scene.strength =
+        StrengthParameters::parse(Entries(prm, "Strength"), bodies);
+      prm.leave_subsection();
       const QuantityNames names{scene.probes,
                                 scene.support_references,
                                 scene.contact_references};
@@ -366,6 +397,8 @@ namespace lamella
       resolve_bodies(prm, subsections, names, text, scene);
       resolve_conditions(subsections, names.at("Bodies"), scene);
       resolve_requests(prm, subsections, names.at("Bodies"), scene);
+      scene.find_first_failure =
+        finds_first_failure(in["Find"], scene.strength);
       check_sizes(scene);
       return scene;
     }

@@ -17,6 +17,7 @@ ARROWS = {
     "base": (),
     "linear": ("base",),
     "material": ("base",),
+    "strength": ("base", "material"),
     "shape": ("base", "material"),
     "section": ("base", "linear", "material", "shape"),
     "axis": ("base",),
@@ -24,10 +25,10 @@ ARROWS = {
     "conditions": ("base", "body"),
     "contact": ("base", "body", "conditions"),
     "solve": ("base", "linear", "body", "conditions", "contact"),
-    "recover": ("base", "body", "conditions", "solve"),
+    "recover": ("base", "material", "strength", "shape", "body", "conditions", "solve"),
     "adapt": ("base", "shape", "section", "axis", "body", "conditions", "contact", "solve", "recover"),
     "report": ("base", "shape", "section", "body", "contact", "solve", "recover"),
-    "scene": ("base", "material", "shape", "section", "axis", "body", "conditions",
+    "scene": ("base", "material", "strength", "shape", "section", "axis", "body", "conditions",
               "contact", "solve", "recover"),
     "run": ("base", "contact", "solve", "recover", "adapt", "report", "scene"),
     "estimate": ("base", "section", "axis", "body", "contact", "solve", "recover", "report", "scene", "run"),
@@ -40,6 +41,7 @@ ROOMS = tuple(ARROWS)
 # never does.
 FRONT_DOORS = {
     "base": "exceptions", "linear": "linear_solver", "material": "material",
+    "strength": "criterion",
     "shape": "section_mesh", "section": "section", "axis": "axis", "body": "body",
     "conditions": "region", "contact": "gap_rows", "solve": "structure",
     "recover": "recovery", "adapt": "node_fields", "report": "results_writer", "scene": "scene",

@@ -30,7 +30,7 @@ import sys
 from pathlib import Path
 
 KINDS = {"displacement": r"(u[xyz]|gap)$", "stress": r"(s[xyz123]{2}|.*pressure)$",
-         "force": r".*force.*|.*f[xyz]$"}
+         "force": r".*force.*|.*f[xyz]$", "reserve": r"reserve_factor$"}
 
 
 def read_case(path):

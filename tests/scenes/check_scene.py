@@ -40,6 +40,8 @@ is `0.1%` (relative), `abs 1e-9`, `exact`, `below` (|result| <= VALUE), `limit`
                                       tolerance `bar` it is within the run's own
                                       bar, which is trusted, and with `no bar` it
                                       has none
+    ply:BODY/PLY:CRITERION:COLUMN     of plies.csv at the last step; `mode` is a text,
+                                      an empty cell `none`
     exit                              the exit status (0 where not named)
     stdout:REGEX, stderr:REGEX        `present` or `absent`, tolerance `exact`
 """
@@ -183,6 +185,15 @@ def probe_value(run, name, column):
     return number(rows[0], column)
 
 
+def ply_value(run, ply, criterion, column):
+    rows = [row for row in run.table("plies.csv")
+            if f"{row['body']}/{row['ply']}" == ply and row["criterion"] == criterion]
+    if len(rows) != 1 or column not in rows[0]:
+        raise Fault(f"plies.csv has no such cell: {ply} {criterion} {column}")
+    text = rows[0][column]
+    return text or "none" if column == "mode" or not text else float(text)
+
+
 def mean(abscissae, values):
     """Trapezoidal: the two sides of a ply interface have no length between."""
     length = abscissae[-1] - abscissae[0]
@@ -268,6 +279,8 @@ def evaluate(key, run, again):
         return coupling(run, rest)
     if kind == "probe" and len(parts) == 2:
         return probe_value(run, *parts)
+    if kind == "ply" and len(parts) == 3:
+        return ply_value(run, *parts)
     if kind == "line" and len(parts) == 3:
         return line_value(run, *parts)
     if kind == "contact" and len(parts) == 3:

@@ -424,6 +424,80 @@ BOOST_AUTO_TEST_CASE(built_in_materials_convert)
 
 
 
+BOOST_AUTO_TEST_CASE(strength_entries)
+{
+  const Units mm   = Units::parse({"Units", "mm, N"});
+  const auto  read = [&mm](Settings settings) {
+    settings.emplace_back("Isotropic", "1000, 0.25");
+    return parsed<MaterialParameters>("Material a", settings, mm);
+  };
+  const Material bare = read({});
+  BOOST_TEST(!bare.strengths);
+  BOOST_TEST(!bare.ultimate_strains);
+  BOOST_TEST(!bare.yield);
+  BOOST_TEST(!bare.core);
+  BOOST_TEST(bare.inclinations.pl_tension == 0.35);
+
+  const Material full =
+    read({{"Strengths", "1, 2, 3, 4, 5, 6, 7, 8, 9"},
+          {"Ultimate strains", ".1, .2, .3, .4, .5, .6, .7, .8, .9"},
+          {"Yield", "250"},
+          {"Core strengths", "3, 2, 1"},
+          {"Puck inclinations", "glass"}});
+  BOOST_TEST(full.strengths->Xc == 2.);
+  BOOST_TEST(full.strengths->Zt == 5.);
+  BOOST_TEST(full.strengths->S13 == 8.);
+  BOOST_TEST(full.ultimate_strains->Yt == 0.3);
+  BOOST_TEST(*full.yield == 250.);
+  BOOST_TEST(full.core->crushing == 3.);
+  BOOST_TEST(full.core->shear_23 == 1.);
+  BOOST_TEST(full.inclinations.pl_compression == 0.25);
+  BOOST_TEST(read({{"Puck inclinations", "0.1, 0.2, 0.3, 0.4"}})
+               .inclinations.pt_compression == 0.4);
+
+  // 2326.2 MPa in a scene in mm and N; S23 = Yc cos a (sin a + cos a / tan 2a)
+  // with a = 53 degrees.
+  const Strengths im7 = *library_material("IM7-8552", mm).strengths;
+  BOOST_TEST(std::abs(im7.Xt - 2326.2) < 1e-9);
+  BOOST_TEST(std::abs(im7.Zc - 199.8) < 1e-9);
+  const double a = 53. * 3.14159265358979 / 180.;
+  BOOST_TEST(std::abs(im7.S23 -
+                      199.8 * std::cos(a) *
+                        (std::sin(a) + std::cos(a) / std::tan(2. * a))) < 0.05);
+  for (const char *name : {"glass-polyester", "foam-35", "hertz-200"})
+    BOOST_TEST(!library_material(name, mm).strengths);
+
+  check_refused(
+    [&] {
+      read({{"Strengths", "1, -2, 3, 4, 5, 6, 7, 8, 9"}});
+    },
+    {"Material a/Strengths", "Xc = -2 must be positive", "size"});
+  check_refused(
+    [&] {
+      read({{"Strengths", "1, 2, 3, 4, 5, 6, 7, 8"}});
+    },
+    {"must be 9 numbers, Xt, Xc", "there are 8"});
+  check_refused(
+    [&] {
+      read({{"Core strengths", "1, 2"}});
+    },
+    {"must be 3 numbers, crushing", "there are 2"});
+  check_refused([&] { read({{"Yield", "-1"}}); }, {"Material a/Yield = -1"});
+  check_refused(
+    [&] {
+      read({{"Puck inclinations", "0.3, 0.3, 0.3, 1"}});
+    },
+    {"from 0 to less than 1"});
+  check_refused(
+    [&] {
+      parsed<MaterialParameters>(
+        "Material a", Settings{{"Library", "IM7-8552"}, {"Yield", "3"}}, mm);
+    },
+    {"Material a/Yield = 3: is of isotropic materials", "Give Strengths"});
+}
+
+
+
 BOOST_AUTO_TEST_CASE(material_entries)
 {
   const Units m    = Units::parse({"Units", "m, N"});

@@ -23,8 +23,9 @@ namespace lamella
    * (foam-35) and of its half-cylinders (hertz-200, whose modulus has no unit
    * and is not converted). Throws InputError with the nearest name if there is
    * none; the second form takes the name from an entry and says which one it
-   * is. Moduli are multiplied with Units::pascal, ratios stay. Elastic
-   * constants are all that is known of these materials.
+   * is. Moduli and strengths are multiplied with Units::pascal, ratios
+   * stay. IM7-8552 has strengths (doc/strength.md has their source); of the
+   * others elastic constants are all that is known.
    */
   Material
   library_material(const std::string &name, const Units &units);

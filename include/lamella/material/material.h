@@ -21,13 +21,41 @@ namespace lamella
   /// stresses in the units of the scene: tension (t) and compression (c) along
   /// 1, 2 and 3 as X, Y and Z, and shear. What a failure criterion compares
   /// stresses in ply axes with. Xc is the size of the compressive strength and
-  /// so positive, too. No entry of a scene sets them as yet.
+  /// so positive, too. `Strengths` of a `subsection Material` sets them; the
+  /// same nine, as strains, are its `Ultimate strains`, shear strains
+  /// engineering ones.
   struct Strengths
   {
     /// Tension and compression along 1, 2 and 3 [force/length^2].
     double Xt = 0., Xc = 0., Yt = 0., Yc = 0., Zt = 0., Zc = 0.;
     /// Shear in the planes 12, 13 and 23 [force/length^2].
     double S12 = 0., S13 = 0., S23 = 0.;
+  };
+
+  /// What the core of a sandwich bears, in its own axes, 1 along the ribbon of
+  /// a honeycomb (L), 2 across it (W), 3 through the thickness; all positive.
+  struct CoreStrengths
+  {
+    /// Compression along 3, shear 13 and shear 23 [force/length^2].
+    double crushing = 0., shear_13 = 0., shear_23 = 0.;
+  };
+
+  /// The slopes p of Puck's fracture curves where the normal stress on the
+  /// fracture plane is zero, pure numbers: of shear along the fibre (l) and
+  /// across it (t), towards tension and towards compression. By default those
+  /// for carbon that Puck, Kopp and Knops (Compos. Sci. Technol. 62 (2002)
+  /// 371-378) recommend, of the range for pt the lower end.
+  struct PuckInclinations
+  {
+    double pl_tension = 0.35, pl_compression = 0.3;
+    double pt_tension = 0.25, pt_compression = 0.25;
+
+    /// Those for glass of the same source.
+    static PuckInclinations
+    glass()
+    {
+      return {0.3, 0.25, 0.2, 0.2};
+    }
   };
 
   /**
@@ -54,7 +82,14 @@ namespace lamella
     /// alpha_1, alpha_2, alpha_3: strain per kelvin. In the material's own
     /// axes. No entry of a scene sets them as yet.
     std::optional<dealii::Tensor<1, 3>> expansion;
-    std::optional<Strengths>            strengths;
+    /// Stresses, and strains, at which it fails.
+    std::optional<Strengths> strengths, ultimate_strains;
+    /// Of an isotropic material the stress at which it yields in tension
+    /// [force/length^2].
+    std::optional<double> yield;
+    /// What makes it the core of a sandwich to the failure criteria.
+    std::optional<CoreStrengths> core;
+    PuckInclinations             inclinations;
   };
 
   /// Name in the scene -> material. Sorted by name.

@@ -13,7 +13,9 @@ namespace lamella
 {
   /// The entries of a `subsection Material NAME`. `Library`, `Engineering
   /// constants` (nine) or `Isotropic` (E, nu), one of the three; moduli in the
-  /// scene's unit of stress.
+  /// scene's unit of stress. What it bears, all optional: `Strengths` (nine,
+  /// which take the place of those of the library), `Ultimate strains` (nine),
+  /// `Yield`, `Core strengths` (three), `Puck inclinations`.
   struct MaterialParameters
   {
     /// Declares them in the subsection that @p prm is in.

@@ -15,6 +15,7 @@
 
 #include <lamella/contact/search_check.h>
 #include <lamella/recover/sampler.h>
+#include <lamella/recover/strength_sweep.h>
 #include <lamella/scene/scene.h>
 #include <lamella/solve/contact_solver.h>
 #include <lamella/solve/memory_budget.h>
@@ -36,7 +37,7 @@ namespace lamella
    *      release of stabilising springs,
    *   3. checks, which end the run if the state is not to be trusted, or if a
    *      contact's search distance was too short,
-   *   4. fields at probes, lines and cuts.
+   *   4. fields at probes, lines and cuts, and the reserve factors of plies.
    * Kinematics is linear and contact without friction or memory, so a step
    * depends on the one before by its start only, not by its result.
    *
@@ -156,6 +157,9 @@ namespace lamella
     /// Search and pairing: the gap rows of all contacts, none twice.
     void
     build_contacts();
+    /// What looks for failure, if the scene asks for it.
+    void
+    build_strength();
     /// What results say of the scene itself: names, sizes, notes.
     void
     describe();
@@ -172,6 +176,17 @@ namespace lamella
     solve_step(const unsigned int step,
                const double       factor,
                const Observer    &observer);
+    /// The state at load factor @p factor, contact included, from the present
+    /// one; throws as solve() does where it is not to be trusted.
+    Checks
+    solve_state(const double factor);
+    /// The load at which the smallest reserve factor is 1, to 0.1 %: takes the
+    /// first load factor of the scene at which a ply fails, or doubles the last
+    /// one up to ten times until one does, and bisects, contact solved anew at
+    /// each. Says in an endnote where nothing fails or no state is to be had.
+    /// The state is then again that of the last load step.
+    void
+    find_first_failure();
     /// The present state as results; @p previous, that of the step before,
     /// tells which pairs began and ceased to touch.
     StepResults
@@ -179,6 +194,10 @@ namespace lamella
                  const double       factor,
                  const Checks      &checks,
                  const State       &previous) const;
+    /// Reserve factors of plies of the present state, and warnings of places
+    /// that tell nothing, into @p results.
+    void
+    take_strength(StepResults &results) const;
     /// Seconds, memory and solvers so far.
     void
     count_costs();
@@ -212,6 +231,8 @@ namespace lamella
     std::vector<std::string> field_notes;
     /// The places of probes, lines and cuts in their bodies.
     std::unique_ptr<Sampler> sampler;
+    /// Null where the scene asks for no criteria.
+    std::unique_ptr<StrengthSweep> strength;
 
     // How it is solved.
 

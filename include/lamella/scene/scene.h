@@ -18,6 +18,7 @@
 #include <lamella/conditions/support.h>
 #include <lamella/contact/parameters.h>
 #include <lamella/recover/requests.h>
+#include <lamella/recover/strength_sweep.h>
 #include <lamella/scene/goal_parameters.h>
 #include <lamella/scene/scene_text.h>
 #include <lamella/scene/trade_parameters.h>
@@ -78,6 +79,10 @@ namespace lamella
     std::vector<Probe> probes;
     std::vector<Line>  lines;
     std::vector<Cut>   cuts;
+    /// Which plies are looked at for failure, by which criteria.
+    StrengthParameters strength;
+    /// Whether the load at first failure is sought after the load factors.
+    bool find_first_failure = false;
     /// What the resultants are compared with; probes have their own.
     ReferencesByName support_references, contact_references;
     /// Whether a run leaves pictures for ParaView.

@@ -10,6 +10,7 @@
 #include <lamella/solve/checks.h>
 
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -118,6 +119,39 @@ namespace lamella
     unsigned int closed = 0, opened = 0;
   };
 
+  /// How near a ply of a body is to failure by one criterion, at the place that
+  /// is nearest to it (doc/strength.md).
+  struct PlyReserve
+  {
+    /// The body's number in the scene; the ply from 0 at the bottom.
+    unsigned int body = 0, ply = 0;
+    /// As the scene writes it, and what fails.
+    std::string criterion, mode;
+    /// What loads may be multiplied with, stresses growing with them; none
+    /// where no factor brings failure.
+    std::optional<double> reserve;
+    /// The criterion's value: 1 at failure.
+    double index = 0.;
+    /// Undeformed, in the scene.
+    dealii::Point<3> position;
+    /// From the axis 2 of the ply to the normal of the fracture plane, positive
+    /// towards 3, in degrees, where the criterion has such a plane.
+    std::optional<double> angle;
+    /// |element's stress - recovered stress| / |recovered stress| there: what
+    /// the mesh leaves open. Large where stress is singular.
+    double doubt = 0.;
+  };
+
+  /// The load at which the smallest reserve factor is 1.
+  struct FirstFailure
+  {
+    /// The load factors between which it is found: no ply fails at the first,
+    /// and one does at the second.
+    double safe = 0., failing = 0.;
+    /// What fails, at `failing`.
+    PlyReserve where;
+  };
+
   /**
    * What one load step came to. Vectors over probes, lines, cuts and contacts
    * are in the order of the names in Results; resultants are in `checks`.
@@ -144,13 +178,18 @@ namespace lamella
     std::vector<std::vector<ContactRow>> contacts;
     /// Of each contact.
     std::vector<StatusChanges> changes;
+    /// Of each ply of the swept bodies a row a criterion, in the order of
+    /// bodies, plies and criteria; without any that the criterion has no point
+    /// of (an interlaminar one of a single ply).
+    std::vector<PlyReserve> plies;
 
     /// What the user should know of this step, a sentence each.
     std::vector<std::string> warnings;
 
     /// Drops the state's vectors, the strategy's memory and all rows (those of
     /// the checks, too), which is nearly all of its memory. What stays: number,
-    /// load factor, iterations, checks, jumps, changes and warnings.
+    /// load factor, iterations, checks, jumps, changes, reserve factors of
+    /// plies and warnings.
     void
     drop_fields();
   };
@@ -266,6 +305,8 @@ namespace lamella
     /// What the user should know of the scene as a whole, said before and
     /// after what the steps say.
     std::vector<std::string> notes, endnotes;
+    /// Where the scene asks to find it.
+    std::optional<FirstFailure> first_failure;
     /// The numbers that it was made for, of the last step; none where no errors
     /// were estimated.
     std::vector<GoalResult> goals;

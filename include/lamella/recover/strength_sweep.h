@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef lamella_recover_strength_sweep_h
+#define lamella_recover_strength_sweep_h
+
+#include <lamella/base/entry.h>
+#include <lamella/conditions/load.h>
+#include <lamella/conditions/support.h>
+#include <lamella/recover/recovery.h>
+#include <lamella/shape/section_mesh.h>
+#include <lamella/solve/results.h>
+#include <lamella/strength/criterion.h>
+
+#include <deal.II/base/parameter_handler.h>
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace lamella
+{
+  /// The entries of `subsection Strength`: which plies are looked at, by what.
+  struct StrengthParameters
+  {
+    /// None by default: nothing is looked at. No criterion twice.
+    std::vector<Criterion> criteria;
+    /// Numbers of the scene's bodies, ascending.
+    std::vector<unsigned int> bodies;
+    /// Two corners each, the lower one first in all coordinates, scene axes.
+    std::vector<std::array<dealii::Point<3>, 2>> leave_out;
+
+    /// Declares them in the subsection that @p prm is in.
+    static void
+    declare(dealii::ParameterHandler &prm);
+
+    /// @p bodies are the names of the scene's. Throws InputError for criteria
+    /// and bodies that are none, with the nearest name, for those that come
+    /// twice, and for boxes that are none.
+    static StrengthParameters
+    parse(const Entries &in, const std::vector<std::string> &bodies);
+  };
+
+  /**
+   * Reserve factors of all plies, over whole bodies.
+   *
+   * Of each element the 3 x 3 x 3 Gauss-Lobatto points are looked at: corners,
+   * and the middles of edges, faces and element, so that each ply is seen at
+   * both of its faces and in its middle. The elements' own stresses come first.
+   * Then, for each ply and criterion, the points at which 1/R comes to 0.8 of
+   * the ply's largest are looked at again with recovered stresses
+   * (StressRecovery), and that with the smallest reserve factor R stays. So a
+   * place is missed only where an element's own stresses are off by a fifth.
+   *
+   * The interlaminar criterion looks only at faces of elements that another
+   * ply touches, from either side: faces across the section's z. A ply whose
+   * material has core strengths is a core: core shear and core crushing look at
+   * cores alone, all others at what is none, and face wrinkling at plies of a
+   * laminate next to a core.
+   *
+   * Cost: an element takes 27 samples of its stress and as many assessments by
+   * each criterion, and 5 kB while it is looked at; recovery only where failure
+   * is near. Each process looks at its own elements; all get the same rows.
+   */
+  class StrengthSweep
+  {
+  public:
+    /// @p bodies is referred to; @p plies are those of their sections, a list
+    /// a body. Throws InputError if a material lacks what a criterion needs,
+    /// with its entry. Collective.
+    StrengthSweep(const Bodies                        &bodies,
+                  const StrengthParameters            &parameters,
+                  const std::vector<std::vector<Ply>> &plies);
+
+    /// The rows of StepResults::plies for the displacements @p u, which have a
+    /// block for each body. Collective.
+    std::vector<PlyReserve>
+    sweep(const BlockVector &u) const;
+
+  private:
+    /// What is asked of a ply.
+    struct Task
+    {
+      unsigned int   ply;
+      Criterion      criterion;
+      FailureSurface surface;
+    };
+
+    /// A body with its tasks and what of it never changes.
+    struct Swept
+    {
+      unsigned int      body;
+      std::vector<Task> tasks;
+      /// Of each element of this process, whether another ply touches its face
+      /// at the beginning and at the end of the third unit coordinate. None
+      /// where no task asks for it.
+      std::vector<std::array<bool, 2>> touched;
+    };
+
+    /// The tasks of the plies @p plies of @p body, and whether one of them is
+    /// a core.
+    std::vector<Task>
+    tasks_of(const Body &body, const std::vector<Ply> &plies) const;
+    /// Throws InputError unless @p ply of @p body has what @p criterion needs.
+    void
+    require(const Criterion criterion, const Ply &ply, const Body &body) const;
+
+    /// Whether @p task looks at point @p k of an element whose faces are
+    /// @p touched.
+    static bool
+    looks_at(const Task                &task,
+             const std::array<bool, 2> &touched,
+             const unsigned int         k);
+    /// Whether @p x is in a box that is left out.
+    bool
+    is_left_out(const dealii::Point<3> &x) const;
+
+    /// Of each task the points of this process that are near to failure.
+    std::vector<std::vector<dealii::Point<3>>>
+    near_failure(const Swept &swept, const Vector &u) const;
+    /// The worst row of @p task at @p points, recovered.
+    std::optional<PlyReserve>
+    worst_row(const Swept                         &swept,
+              const Task                          &task,
+              const std::vector<dealii::Point<3>> &points,
+              const Vector                        &u,
+              StressRecovery                      &recovery) const;
+
+    const Bodies                                &bodies;
+    std::vector<Criterion>                       criteria;
+    std::vector<std::array<dealii::Point<3>, 2>> leave_out;
+    std::vector<Swept>                           all;
+  };
+
+  /// Whether @p a is nearer to failure than @p b: by reserve factors, of none
+  /// by index, of equal ones (to 1e-7) by place, so that all numbers of
+  /// processes find the same row.
+  bool
+  is_worse(const PlyReserve &a, const PlyReserve &b);
+
+  /// The worst of @p rows; null if there are none.
+  const PlyReserve *
+  worst_of(const std::vector<PlyReserve> &rows);
+
+  /**
+   * What is to be said of the worst of @p rows, a sentence: that it lies on
+   * what @p supports hold or where one of @p loads acts on a line or a point,
+   * or that the element's own stress and the recovered one differ by more than
+   * a tenth there. In either case the stress may be singular, and its reserve
+   * factor fall with each refinement. Empty if there is nothing to say.
+   */
+  std::string
+  doubt_of_worst(const std::vector<PlyReserve> &rows,
+                 const std::vector<Support>    &supports,
+                 const std::vector<Load>       &loads,
+                 const Bodies                  &bodies);
+} // namespace lamella
+
+#endif

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <lamella/recover/strength_sweep.h>
+
+#include <deal.II/base/patterns.h>
+
+#include <algorithm>
+
+namespace lamella
+{
+  using namespace dealii;
+
+  void
+  StrengthParameters::declare(ParameterHandler &prm)
+  {
+    prm.declare_entry("Criteria",
+                      "",
+                      Patterns::Anything(),
+                      "What decides on the failure of plies, between '|': " +
+                        joined(criterion_names()) +
+                        ". Empty: nothing is looked at.");
+    prm.declare_entry("Bodies",
+                      "",
+                      Patterns::Anything(),
+                      "Whose plies are looked at, between commas. Empty: all.");
+    prm.declare_entry("Leave out",
+                      "",
+                      Patterns::Anything(),
+                      "Boxes that are not looked at, for singular places: two "
+                      "opposite corners in scene coordinates, x, y, z: x, y, "
+                      "z, between '|'.");
+  }
+
+
+
+  namespace
+  {
+    std::vector<Criterion>
+    parse_criteria(const Entry &entry)
+    {
+      std::vector<Criterion> criteria;
+      for (const std::string &item : entry.items('|'))
+        {
+          const auto criterion = named<Criterion>(item);
+          if (!criterion)
+            entry.refuse("there is no criterion '" + item + "'",
+                         "The nearest is '" +
+                           nearest_name(item, criterion_names()) +
+                           "'; all of them: " + joined(criterion_names()) +
+                           ".");
+          if (std::find(criteria.begin(), criteria.end(), *criterion) !=
+              criteria.end())
+            entry.refuse("'" + item + "' stands there twice");
+          criteria.push_back(*criterion);
+        }
+      return criteria;
+    }
+
+
+
+    std::vector<unsigned int>
+    parse_bodies(const Entry &entry, const std::vector<std::string> &bodies)
+    {
+      std::vector<unsigned int> numbers;
+      for (const std::string &item : entry.items())
+        {
+          Entry(entry.path(), item).among(bodies, "body", "Bodies");
+          numbers.push_back(std::find(bodies.begin(), bodies.end(), item) -
+                            bodies.begin());
+        }
+      if (numbers.empty())
+        for (unsigned int b = 0; b < bodies.size(); ++b)
+          numbers.push_back(b);
+      std::sort(numbers.begin(), numbers.end());
+      if (const auto twice = std::adjacent_find(numbers.begin(), numbers.end());
+          twice != numbers.end())
+        entry.refuse("'" + bodies[*twice] + "' stands there twice");
+      return numbers;
+    }
+
+
+
+    std::array<Point<3>, 2>
+    parse_box(const Entry &entry, const std::string &text)
+    {
+      const std::vector<std::string> corners = split(text, ':');
+      if (corners.size() != 2)
+        entry.refuse("'" + text + "' is no box: it must be two corners",
+                     "Write x, y, z: x, y, z, and '|' between boxes.");
+      const std::array<Point<3>, 2> box = {
+        {entry.point(corners[0]), entry.point(corners[1])}};
+      for (unsigned int c = 0; c < 3; ++c)
+        if (box[0][c] > box[1][c])
+          entry.refuse("'" + text +
+                         "' is no box: its first corner has the "
+                         "larger " +
+                         std::string(1, "xyz"[c]),
+                       "Give the corner with the smaller coordinates first.");
+      return box;
+    }
+  } // namespace
+
+
+
+  StrengthParameters
+  StrengthParameters::parse(const Entries                  &in,
+                            const std::vector<std::string> &bodies)
+  {
+    StrengthParameters result;
+    result.criteria = parse_criteria(in["Criteria"]);
+    result.bodies   = parse_bodies(in["Bodies"], bodies);
+    for (const std::string &item : in["Leave out"].items('|'))
+      result.leave_out.push_back(parse_box(in["Leave out"], item));
+    if (result.criteria.empty())
+      for (const char *name : {"Bodies", "Leave out"})
+        if (!in[name].is_empty())
+          in[name].refuse("there are no Criteria to look at plies by",
+                          "Give some, or leave this out.");
+    return result;
+  }
+} // namespace lamella
