@@ -7,7 +7,7 @@ from collections import defaultdict
 import numpy as np
 from matplotlib.ticker import MaxNLocator
 
-from figures_data import (NEGLIGIBLE, STRESSES, magnitude, stress, stresses_to_show,
+from figures_data import (NEGLIGIBLE, STRESSES, Table, magnitude, stress, stresses_to_show,
                           that_matter, variation)
 from figures_style import (COLOURS, DASHES, LABEL, NAMES, Place, Plies, Scale, at,
                            in_rows, legend_above, new_figure, show_no_less, tell_zero)
@@ -270,8 +270,8 @@ HISTORY_COLUMN = re.compile(
 
 
 def load_history(results):
-    table = results.history
-    if "step" not in table or len(table) < 2:
+    table = with_trials(results)
+    if "load_factor" not in table or len(table) < 2:
         return
     kinds = defaultdict(list)
     for column in table.columns:
@@ -295,11 +295,34 @@ def load_history(results):
         axis.plot(sign * moved(table[x]), force_sign * force(table[column]),
                   marker="o", markersize=4, linestyle=DASHES[k % len(DASHES)],
                   label=f"${minus}F_{found[4]}$ of {found[1]} {found[2]}")
+    first = results.summary.get("first_failure")
+    if first:
+        k = int(np.argmin(np.abs(table["load_factor"] - first["load_factor"])))
+        column = curves[0][0]
+        axis.plot(sign * moved(table[x][k]),
+                  upwards(table[column])[0] * force(table[column][k]), marker="X",
+                  markersize=11, linestyle="none", color=COLOURS[1],
+                  label=f"first failure: ply {first['ply']} of {first['body']}, "
+                        f"{first['mode']}")
     for direction in "xy":
         show_no_less(axis, direction)
     axis.set_ylabel(force.label("force"))
     legend_above(axis, fewest=1)
     yield "history", figure
+
+
+def with_trials(results):
+    """The load steps, and in the order of load factors those that the search for the
+    first failure has tried."""
+    if not len(results.failure):
+        return results.history
+    table = Table((), ())
+    table.columns = {name: np.concatenate([results.history[name], column])
+                     for name, column in results.failure.columns.items()
+                     if name in results.history}
+    order = np.argsort(table["load_factor"], kind="stable")
+    table.columns = {name: column[order] for name, column in table.columns.items()}
+    return table
 
 
 def upwards(values):

@@ -17,6 +17,8 @@ namespace lamella
     constexpr double most_left = 2. / 3., small = 1e-2;
     // What has a limit changes less from one refinement to the next.
     constexpr double growth = 0.9;
+    // Agreement beyond these of the scale is not told from rounding.
+    constexpr double digits = 1e-8;
 
     const double first  = values.richer - values.run,
                  second = values.richest - values.richer;
@@ -24,11 +26,11 @@ namespace lamella
     result.estimate = values.richest - values.run;
     const double spread =
       std::max({std::abs(first), std::abs(second), std::abs(result.estimate)});
-    result.bar = std::max(
-      {2. * std::abs(result.estimate), 0.5 * values.shares, values.rounding});
+    const double rounding = std::max(values.rounding, digits * values.scale);
+    result.bar =
+      std::max({2. * std::abs(result.estimate), 0.5 * values.shares, rounding});
 
-    if (std::abs(second) <= most_left * std::abs(first) ||
-        spread <= values.rounding)
+    if (std::abs(second) <= most_left * std::abs(first) || spread <= rounding)
       result.trusted = true;
     else if (spread <= small * values.scale)
       {

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 
 namespace lamella
 {
@@ -240,8 +241,81 @@ namespace lamella
 
 
 
+  class StrengthSweep::Along
+  {
+  public:
+    explicit Along(const Body &body)
+    {
+      if (body.is_nodal())
+        return;
+      start        = body.dof_position(0);
+      Point<3> end = start;
+      for (DofIndex dof = 0; dof < body.n_dofs(); ++dof)
+        if (body.dof_position(dof).distance(start) > end.distance(start))
+          end = body.dof_position(dof);
+      const double length = end.distance(start);
+      direction           = (end - start) / length;
+      same                = 1e-9 * length;
+    }
+
+    void
+    add(const unsigned int ply, const Point<3> &x, const double value)
+    {
+      if (same == 0.)
+        return;
+      const Key key{ply, std::llround((x - start) * direction / same)};
+      double   &largest = stations.emplace(key, value).first->second;
+      largest           = std::max(largest, value);
+    }
+
+    void
+    leave_out(const unsigned int ply, const Point<3> &x)
+    {
+      add(ply, x, -1.);
+    }
+
+    /// Of all processes, as rows of body @p body. Collective.
+    std::vector<ReserveAlong>
+    rows(const unsigned int body) const
+    {
+      std::map<Key, double> all;
+      for (const auto &of_process :
+           Utilities::MPI::all_gather(communicator(), stations))
+        for (const auto &[key, value] : of_process)
+          {
+            double &largest = all.emplace(key, value).first->second;
+            largest         = std::max(largest, value);
+          }
+      std::vector<ReserveAlong> result;
+      for (const auto &[key, value] : all)
+        {
+          const double s = same * key.second;
+          result.push_back(
+            {body,
+             key.first,
+             s,
+             start + s * direction,
+             value < 0. ? std::nullopt : std::make_optional(value)});
+        }
+      return result;
+    }
+
+  private:
+    /// A ply, and the station in units of `same`.
+    using Key = std::pair<unsigned int, long long>;
+
+    Point<3>              start;
+    Tensor<1, 3>          direction;
+    double                same = 0.;
+    std::map<Key, double> stations;
+  };
+
+
+
   std::vector<std::vector<Point<3>>>
-  StrengthSweep::near_failure(const Swept &swept, const Vector &u) const
+  StrengthSweep::near_failure(const Swept  &swept,
+                              const Vector &u,
+                              Along        &along) const
   {
     struct Candidate
     {
@@ -263,10 +337,16 @@ namespace lamella
           for (unsigned int k = 0; k < cells[c].samples.size(); ++k)
             {
               const Point<3> &x = cells[c].positions[k];
-              if (!looks_at(tasks[t], touched, k) || is_left_out(x))
+              if (!looks_at(tasks[t], touched, k))
                 continue;
+              if (is_left_out(x))
+                {
+                  along.leave_out(tasks[t].ply, x);
+                  continue;
+                }
               const double value = nearness(
                 tasks[t].surface.assess(cells[c].samples[k].ply_stress));
+              along.add(tasks[t].ply, x, value);
               if (value < near * largest[t])
                 continue;
               largest[t] = std::max(largest[t], value);
@@ -390,17 +470,20 @@ namespace lamella
 
 
 
-  std::vector<PlyReserve>
+  StrengthSweep::Found
   StrengthSweep::sweep(const BlockVector &u) const
   {
-    std::vector<PlyReserve> rows;
+    Found found;
     for (const Swept &swept : all)
       {
         const Vector  &displacement = u.block(swept.body);
         StressRecovery recovery(*bodies[swept.body],
                                 displacement,
                                 StressValues::recovered);
-        const auto     points = near_failure(swept, displacement);
+        Along          along(*bodies[swept.body]);
+        const auto     points = near_failure(swept, displacement, along);
+        for (const ReserveAlong &row : along.rows(swept.body))
+          found.along.push_back(row);
         std::vector<std::optional<PlyReserve>> own;
         for (unsigned int t = 0; t < swept.tasks.size(); ++t)
           own.push_back(worst_row(
@@ -409,13 +492,31 @@ namespace lamella
         for (unsigned int t = 0; t < swept.tasks.size(); ++t)
           if (worst[t])
             {
-              rows.push_back(*worst[t]);
-              rows.back().body      = swept.body;
-              rows.back().ply       = swept.tasks[t].ply;
-              rows.back().criterion = name_of(swept.tasks[t].criterion);
+              found.plies.push_back(*worst[t]);
+              PlyReserve &row = found.plies.back();
+              row.body        = swept.body;
+              row.ply         = swept.tasks[t].ply;
+              row.criterion   = name_of(swept.tasks[t].criterion);
             }
       }
-    return rows;
+    return found;
+  }
+
+
+
+  double
+  StrengthSweep::inverse_reserve(const unsigned int body,
+                                 const unsigned int ply,
+                                 const Voigt       &ply_stress) const
+  {
+    double largest = 0.;
+    for (const Swept &swept : all)
+      for (const Task &task : swept.tasks)
+        if (swept.body == body && task.ply == ply &&
+            task.criterion != Criterion::interlaminar)
+          largest =
+            std::max(largest, nearness(task.surface.assess(ply_stress)));
+    return largest;
   }
 
 

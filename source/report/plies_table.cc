@@ -19,12 +19,20 @@ namespace lamella
 
 
 
+  namespace
+  {
+    std::string
+    number(const std::optional<double> &value)
+    {
+      return value ? csv(*value) : std::string();
+    }
+  } // namespace
+
+
+
   std::string
   plies_lines(const Results &results, const StepResults &step)
   {
-    const auto number = [](const std::optional<double> &value) {
-      return value ? csv(*value) : std::string();
-    };
     std::string text;
     for (const PlyReserve &row : step.plies)
       {
@@ -35,6 +43,32 @@ namespace lamella
         for (unsigned int c = 0; c < 3; ++c)
           text += "," + csv(row.position[c]);
         text += "," + number(row.angle) + "\n";
+      }
+    return text;
+  }
+
+
+
+  std::string
+  plies_along_header()
+  {
+    return "step,body,ply,s,x,y,z,inverse_reserve_factor\n";
+  }
+
+
+
+  std::string
+  plies_along_lines(const Results &results, const StepResults &step)
+  {
+    std::string text;
+    for (const ReserveAlong &row : step.plies_along)
+      {
+        text += std::to_string(step.step) + "," +
+                results.bodies[row.body].name + "," +
+                std::to_string(row.ply + 1) + "," + csv(row.s);
+        for (unsigned int c = 0; c < 3; ++c)
+          text += "," + csv(row.position[c]);
+        text += "," + number(row.inverse_reserve) + "\n";
       }
     return text;
   }

@@ -26,7 +26,7 @@ namespace lamella
     {
       static const std::regex form(
         R"re((summary\.json|restart|scene\.prm|contact_.*\.(csv|pvd|vtu))re"
-        R"re(|(probes|history|fields|goals|plies|indicators|passes)\.csv)re"
+        R"re(|(probes|history|fields|goals|plies|plies_along|failure|indicators|passes)\.csv)re"
         R"re(|solution(_.*)?\.(pvd|vtu|pvtu)|(lines|cuts|sections)/.*\.csv)re"
         R"re(|sections/.*\.json)re"
         R"re(|pictures/.*\.png)(\.new)?)re");

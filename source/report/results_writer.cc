@@ -109,7 +109,8 @@ namespace lamella
                                                           step.step,
                                                           step.load_factor,
                                                           scenery.structure,
-                                                          step.state.u));
+                                                          step.state.u,
+                                                          scenery.strength));
     if (!is_speaker())
       return;
     for (unsigned int k = 0; k < surfaces.size(); ++k)
@@ -160,6 +161,8 @@ namespace lamella
         write_file(place.path() + "/goals.csv", goals_csv(results.goals));
         write_file(place.path() + "/indicators.csv", indicators_csv(results));
       }
+    if (results.first_failure)
+      write_file(place.path() + "/failure.csv", failure_table(results));
     if (results.converged)
       {
         // Nothing to go on with: a word that says so.

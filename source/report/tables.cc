@@ -4,6 +4,8 @@
 #include <lamella/report/plies_table.h>
 #include <lamella/report/tables.h>
 
+#include <algorithm>
+
 namespace lamella
 {
   using namespace dealii;
@@ -13,8 +15,8 @@ namespace lamella
     std::string
     history_header(const Results &results)
     {
-      std::string header = "step,load_factor";
-      const auto  add    = [&header](const std::string              &kind,
+      std::string header;
+      const auto  add = [&header](const std::string              &kind,
                                  const std::vector<std::string> &names,
                                  const std::string              &letter) {
         for (const std::string &name : names)
@@ -44,16 +46,17 @@ namespace lamella
 
 
 
+    /// Forces and displacements of @p state, a StepResults or a FailureTrial.
+    template <typename StateOfLoad>
     std::string
-    history_row(const StepResults &step)
+    forces_and_displacements(const StateOfLoad &state)
     {
-      std::string line =
-        std::to_string(step.step) + "," + csv(step.load_factor);
-      for (const Resultant &reaction : step.checks.reactions)
+      std::string line;
+      for (const Resultant &reaction : state.checks.reactions)
         line += components(reaction.force);
-      for (const KuhnTucker &contact : step.checks.contacts)
+      for (const KuhnTucker &contact : state.checks.contacts)
         line += components(contact.force);
-      for (const std::vector<FieldRow> &plies : step.probes)
+      for (const std::vector<FieldRow> &plies : state.probes)
         line += components(plies.front().sample.displacement);
       return line + "\n";
     }
@@ -87,8 +90,9 @@ namespace lamella
   table_headers(const Results &results)
   {
     FileTexts headers;
-    headers["probes.csv"]  = "step,probe," + fields_header() + "\n";
-    headers["history.csv"] = history_header(results) + "\n";
+    headers["probes.csv"] = "step,probe," + fields_header() + "\n";
+    headers["history.csv"] =
+      "step,load_factor" + history_header(results) + "\n";
     for (const std::string &line : results.lines)
       headers["lines/" + line + ".csv"] =
         "s,step,line," + fields_header() + "\n";
@@ -100,7 +104,10 @@ namespace lamella
         "step,x,y,z,x2,y2,z2,nx,ny,nz,area,initial_gap,gap,force,pressure,"
         "active\n";
     if (!results.steps.empty() && !results.last().plies.empty())
-      headers["plies.csv"] = plies_header();
+      {
+        headers["plies.csv"]       = plies_header();
+        headers["plies_along.csv"] = plies_along_header();
+      }
     return headers;
   }
 
@@ -130,8 +137,33 @@ namespace lamella
       rows["contact_" + results.contacts[k].name + ".csv"] =
         contact_rows(step.step, step.contacts[k]);
     if (!step.plies.empty())
-      rows["plies.csv"] = plies_lines(results, step);
-    rows["history.csv"] = history_row(step);
+      {
+        rows["plies.csv"]       = plies_lines(results, step);
+        rows["plies_along.csv"] = plies_along_lines(results, step);
+      }
+    rows["history.csv"] = std::to_string(step.step) + "," +
+                          csv(step.load_factor) +
+                          forces_and_displacements(step);
     return rows;
+  }
+
+
+
+  std::string
+  failure_table(const Results &results)
+  {
+    std::vector<FailureTrial> trials = results.first_failure->trials;
+    std::stable_sort(trials.begin(),
+                     trials.end(),
+                     [](const auto &a, const auto &b) {
+                       return a.load_factor < b.load_factor;
+                     });
+    std::string text =
+      "load_factor,reserve_factor" + history_header(results) + "\n";
+    for (const FailureTrial &trial : trials)
+      text += csv(trial.load_factor) + "," +
+              (trial.reserve ? csv(*trial.reserve) : "") +
+              forces_and_displacements(trial);
+    return text;
   }
 } // namespace lamella

@@ -19,6 +19,12 @@ namespace lamella
     class BodiesOutput : public DataOutInterface<3, 3>
     {
     public:
+      /// With reserve factors by @p strength, unless it is null.
+      explicit BodiesOutput(const StrengthSweep *strength)
+        : strength(strength)
+        , dataset_names(make_names(strength != nullptr))
+      {}
+
       void
       add(const Body &body, const unsigned int number, const Vector &u)
       {
@@ -58,6 +64,9 @@ namespace lamella
         values.pop_back(); // the jump is not known here
         values.push_back(cell.ply + 1);
         values.push_back(body + 1);
+        if (strength != nullptr)
+          values.push_back(
+            strength->inverse_reserve(body, cell.ply, sample.ply_stress));
         for (unsigned int c = 0; c < 3; ++c)
           values.push_back(cell.fibre[c]);
         const Point<3> x = cell.positions[k] + sample.displacement;
@@ -98,16 +107,19 @@ namespace lamella
       }
 
       static std::vector<std::string>
-      make_names()
+      make_names(const bool with_reserve)
       {
         std::vector<std::string> names = field_names();
         names.pop_back();
-        names.insert(names.end(),
-                     {"ply", "body", "fibre_x", "fibre_y", "fibre_z"});
+        names.insert(names.end(), {"ply", "body"});
+        if (with_reserve)
+          names.push_back("inverse_reserve_factor");
+        names.insert(names.end(), {"fibre_x", "fibre_y", "fibre_z"});
         return names;
       }
 
-      const std::vector<std::string>        dataset_names = make_names();
+      const StrengthSweep                  *strength;
+      const std::vector<std::string>        dataset_names;
       std::vector<DataOutBase::Patch<3, 3>> patches;
     };
   } // namespace
@@ -115,13 +127,14 @@ namespace lamella
 
 
   std::string
-  write_vtu(const std::string &directory,
-            const unsigned int step,
-            const double       factor,
-            const Structure   &structure,
-            const BlockVector &u)
+  write_vtu(const std::string   &directory,
+            const unsigned int   step,
+            const double         factor,
+            const Structure     &structure,
+            const BlockVector   &u,
+            const StrengthSweep *strength)
   {
-    BodiesOutput output;
+    BodiesOutput output(strength);
     for (unsigned int b = 0; b < structure.bodies().size(); ++b)
       output.add(*structure.bodies()[b], b, u.block(b));
     output.set_flags(DataOutBase::VtkFlags(

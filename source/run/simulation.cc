@@ -189,8 +189,10 @@ namespace lamella
   {
     if (strength == nullptr)
       return;
-    results.plies           = strength->sweep(results.state.u);
-    const std::string doubt = doubt_of_worst(results.plies,
+    StrengthSweep::Found found = strength->sweep(results.state.u);
+    results.plies              = std::move(found.plies);
+    results.plies_along        = std::move(found.along);
+    const std::string doubt    = doubt_of_worst(results.plies,
                                              scene.supports,
                                              scene.loads,
                                              structure->bodies());
@@ -408,8 +410,16 @@ namespace lamella
       return does;
     };
     const auto fails = [&](const double factor) {
-      solve_state(factor);
-      return judged(factor, strength->sweep(state.u));
+      const Checks checks = solve_state(factor);
+      StepResults  at_factor;
+      sampler->sample(state.u, at_factor);
+      const auto        plies = strength->sweep(state.u).plies;
+      const PlyReserve *worst = worst_of(plies);
+      first.trials.push_back({factor,
+                              worst != nullptr ? worst->reserve : std::nullopt,
+                              checks,
+                              at_factor.probes});
+      return judged(factor, plies);
     };
 
     out << "First failure:" << std::endl;
@@ -534,9 +544,13 @@ namespace lamella
                   const bool          resume,
                   const Afterthought &afterwards)
   {
-    ResultsWriter writer(
-      directory,
-      {*structure, contacts, sections, scene.resolved, scene.write_vtu});
+    ResultsWriter writer(directory,
+                         {*structure,
+                          contacts,
+                          sections,
+                          scene.resolved,
+                          scene.write_vtu,
+                          strength.get()});
     // Steps of an earlier run, which are not looked at again.
     std::size_t earlier = 0;
     if (resume)
@@ -578,10 +592,14 @@ namespace lamella
   {
     found.goals = goals;
     count_costs();
-    ResultsWriter writer(
-      directory,
-      {*structure, contacts, sections, scene.resolved, scene.write_vtu});
-    Results so_far = found;
+    ResultsWriter writer(directory,
+                         {*structure,
+                          contacts,
+                          sections,
+                          scene.resolved,
+                          scene.write_vtu,
+                          strength.get()});
+    Results       so_far = found;
     so_far.steps.clear();
     for (const StepResults &step : found.steps)
       {

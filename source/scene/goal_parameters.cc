@@ -56,8 +56,8 @@ namespace lamella
     std::vector<double>
     parse_tolerances(const Entry &entry, const unsigned int n)
     {
-      // What the loops of contact take for solved, 1e-10 of the displacements.
-      constexpr double    of_rounding = 1e-8;
+      // The floor of every bar (error_bar.h), in per cent.
+      constexpr double    of_rounding = 1e-6;
       std::vector<double> tolerances;
       for (const double per_cent : entry.numbers())
         {
@@ -65,8 +65,8 @@ namespace lamella
             entry.refuse("must be more than 0 and at most 100 per cent");
           if (per_cent < of_rounding)
             entry.refuse("is below what the arithmetic leaves of any number, "
-                         "1e-8 per cent",
-                         "Give 1e-8 or more; 0.1 is a small tolerance.");
+                         "1e-6 per cent",
+                         "Give 1e-6 or more; 0.1 is a small tolerance.");
           tolerances.push_back(per_cent / 100.);
         }
       if (tolerances.size() > 1 && tolerances.size() != n)

@@ -33,6 +33,7 @@ namespace lamella
     lines.clear();
     cuts.clear();
     contacts.clear();
+    plies_along.clear();
     for (KuhnTucker &contact : checks.contacts)
       contact.of_rows.clear();
   }

@@ -42,6 +42,8 @@ is `0.1%` (relative), `abs 1e-9`, `exact`, `below` (|result| <= VALUE), `limit`
                                       has none
     ply:BODY/PLY:CRITERION:COLUMN     of plies.csv at the last step; `mode` is a text,
                                       an empty cell `none`
+    along:BODY/PLY:max                inverse_reserve_factor of plies_along.csv at the
+                                      last step; also min, and count of stations
     exit                              the exit status (0 where not named)
     stdout:REGEX, stderr:REGEX        `present` or `absent`, tolerance `exact`
 """
@@ -194,6 +196,14 @@ def ply_value(run, ply, criterion, column):
     return text or "none" if column == "mode" or not text else float(text)
 
 
+def along_value(run, ply, what):
+    values = [number(row, "inverse_reserve_factor") for row in run.table("plies_along.csv")
+              if f"{row['body']}/{row['ply']}" == ply and row["inverse_reserve_factor"]]
+    if not values or what not in ("min", "max", "count"):
+        raise Fault(f"plies_along.csv has no such rows: {ply} {what}")
+    return {"min": min, "max": max, "count": len}[what](values)
+
+
 def mean(abscissae, values):
     """Trapezoidal: the two sides of a ply interface have no length between."""
     length = abscissae[-1] - abscissae[0]
@@ -281,6 +291,8 @@ def evaluate(key, run, again):
         return probe_value(run, *parts)
     if kind == "ply" and len(parts) == 3:
         return ply_value(run, *parts)
+    if kind == "along" and len(parts) == 2:
+        return along_value(run, *parts)
     if kind == "line" and len(parts) == 3:
         return line_value(run, *parts)
     if kind == "contact" and len(parts) == 3:

@@ -38,11 +38,14 @@ namespace lamella
   /**
    * The bar of a value v_0 from those of two richer models, v_1 and v_2:
    *   estimate  eta = v_2 - v_0
-   *   bar       max(2 |eta|, 1/2 sum |shares|, rounding).
+   *   bar       max(2 |eta|, 1/2 sum |shares|, rounding, 1e-8 scale).
    * With an error that each refinement multiplies by q, v_2 - v_1 is q times
    * v_1 - v_0, and eta is short of the error by q^2 of it; the bar is trusted
    * if q is at most 2/3, or if all three values agree to 1e-2 of the scale
-   * (twice their spread is the bar then). A value that goes on in one direction
+   * (twice their spread is the bar then). Values that agree to more than eight
+   * digits agree by rounding of which nobody keeps count: a slender cantilever
+   * in bending, say, where each model has the exact moments, and conditions of
+   * 1e10 and more. A value that goes on in one direction
    * by as much again is told to grow: there is no limit that could be near.
    * (Estimates of goals from richer spaces: Becker and Rannacher, Acta Numerica
    * 10 (2001) 1-102; here these are solved for.)

@@ -58,6 +58,9 @@ namespace lamella
    * cores alone, all others at what is none, and face wrinkling at plies of a
    * laminate next to a core.
    *
+   * On the way the nearest to failure at each station of a beam's axis is kept,
+   * ply by ply, for pictures (ReserveAlong).
+   *
    * Cost: an element takes 27 samples of its stress and as many assessments by
    * each criterion, and 5 kB while it is looked at; recovery only where failure
    * is near. Each process looks at its own elements; all get the same rows.
@@ -72,10 +75,24 @@ namespace lamella
                   const StrengthParameters            &parameters,
                   const std::vector<std::vector<Ply>> &plies);
 
-    /// The rows of StepResults::plies for the displacements @p u, which have a
-    /// block for each body. Collective.
-    std::vector<PlyReserve>
+    struct Found
+    {
+      std::vector<PlyReserve>   plies;
+      std::vector<ReserveAlong> along;
+    };
+
+    /// The rows of StepResults::plies and plies_along for the displacements
+    /// @p u, which have a block for each body. Collective.
+    Found
     sweep(const BlockVector &u) const;
+
+    /// The largest 1/R of ply @p ply of body @p body under @p ply_stress (its
+    /// own axes), for pictures; 0 where no R is finite or nothing is looked
+    /// at. The interlaminar criterion, which is of interfaces, is left out.
+    double
+    inverse_reserve(const unsigned int body,
+                    const unsigned int ply,
+                    const Voigt       &ply_stress) const;
 
   private:
     /// What is asked of a ply.
@@ -115,9 +132,13 @@ namespace lamella
     bool
     is_left_out(const dealii::Point<3> &x) const;
 
+    /// What is found of a beam along its axis: the largest 1/R by ply and
+    /// station.
+    class Along;
+
     /// Of each task the points of this process that are near to failure.
     std::vector<std::vector<dealii::Point<3>>>
-    near_failure(const Swept &swept, const Vector &u) const;
+    near_failure(const Swept &swept, const Vector &u, Along &along) const;
     /// The worst row of @p task at @p points, recovered.
     std::optional<PlyReserve>
     worst_row(const Swept                         &swept,

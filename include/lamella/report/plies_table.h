@@ -19,6 +19,15 @@ namespace lamella
   std::string
   plies_lines(const Results &results, const StepResults &step);
 
+  /// The first line of `plies_along.csv`, with its end.
+  std::string
+  plies_along_header();
+
+  /// The lines of `plies_along.csv` of @p step, one of the steps of @p results:
+  /// the largest 1/R at each station of the axes of beams, ply by ply.
+  std::string
+  plies_along_lines(const Results &results, const StepResults &step);
+
   /// The ply, criterion and mode that govern each load step, the five rows of
   /// the last step that are nearest to failure, and the load at first failure
   /// if it was sought. Nothing without reserve factors.

@@ -9,6 +9,7 @@
 #ifndef lamella_report_results_writer_h
 #define lamella_report_results_writer_h
 
+#include <lamella/recover/strength_sweep.h>
 #include <lamella/report/contact_surface.h>
 #include <lamella/report/restart.h>
 #include <lamella/report/results_folder.h>
@@ -50,6 +51,8 @@ namespace lamella
       const std::string &resolved;
       /// Whether to write VTU files and their collections.
       bool write_vtu = true;
+      /// What reserve factors in VTU files come from; null for none.
+      const StrengthSweep *strength = nullptr;
     };
 
     /// The results of @p scenery go into the folder @p directory, which is this

@@ -33,6 +33,13 @@ namespace lamella
   /// displacement in history.csv is that of the first.
   FileTexts
   table_rows(const Results &results, const StepResults &step);
+
+  /// The text of failure.csv: the load factors beyond the load steps at which
+  /// the first failure of @p results, which must have been found, was looked
+  /// for, ascending; load_factor, the smallest reserve_factor, and the forces
+  /// and displacements of history.csv.
+  std::string
+  failure_table(const Results &results);
 } // namespace lamella
 
 #endif

@@ -3,6 +3,7 @@
 #ifndef lamella_report_vtu_h
 #define lamella_report_vtu_h
 
+#include <lamella/recover/strength_sweep.h>
 #include <lamella/solve/structure.h>
 
 #include <string>
@@ -19,19 +20,23 @@ namespace lamella
    * discontinuous between elements and so per ply, the ply's number (from 1 at
    * the bottom), the fibre direction, the body's number (from 1). Returns the
    * file's name without the folder. Values in a VTU are single precision:
-   * pictures, not numbers. Cells are of the degree of the body's expansion, 4
-   * at most; @p factor is the time and @p step the cycle that ParaView shows.
+   * pictures, not numbers. With @p strength, which may be null, comes the
+   * largest 1/R of each point by the elements' own stresses
+   * (StrengthSweep::inverse_reserve()). Cells are of the degree of the body's
+   * expansion, 4 at most; @p factor is the time and @p step the cycle that
+   * ParaView shows.
    *
    * Several processes write solution_STEP.PROCESS.vtu each, of their elements,
    * and solution_STEP.pvtu for all of them, whose name is returned: all call
    * this. Throws InputError, on all, if one cannot write.
    */
   std::string
-  write_vtu(const std::string &directory,
-            const unsigned int step,
-            const double       factor,
-            const Structure   &structure,
-            const BlockVector &u);
+  write_vtu(const std::string   &directory,
+            const unsigned int   step,
+            const double         factor,
+            const Structure     &structure,
+            const BlockVector   &u,
+            const StrengthSweep *strength = nullptr);
 
   /// Writes @p name.pvd into @p directory, the collection of (load step, file)
   /// for ParaView, if there are @p files; one of the same name is replaced.

@@ -58,7 +58,7 @@ namespace lamella
     /// From `subsection Goals`. @p of_trade are the quantities that a trade
     /// names. Throws InputError for a quantity that nothing of @p names gives,
     /// a tolerance that is not above 0 and at most 100 per cent or below
-    /// 1e-8 per cent, which is what a solution of contact is good for, and
+    /// 1e-6 per cent, the least that a bar can be (error_bar.h), and
     /// another number of them than one or one for each quantity.
     static GoalParameters
     parse(const Entries                    &in,

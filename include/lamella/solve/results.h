@@ -142,14 +142,18 @@ namespace lamella
     double doubt = 0.;
   };
 
-  /// The load at which the smallest reserve factor is 1.
-  struct FirstFailure
+  /// The nearest to failure that a ply comes at a station of a beam's axis, by
+  /// any criterion and anywhere across the section.
+  struct ReserveAlong
   {
-    /// The load factors between which it is found: no ply fails at the first,
-    /// and one does at the second.
-    double safe = 0., failing = 0.;
-    /// What fails, at `failing`.
-    PlyReserve where;
+    /// The body's number in the scene; the ply from 0 at the bottom.
+    unsigned int body = 0, ply = 0;
+    /// The distance from the axis' start, and the place in the scene.
+    double           s = 0.;
+    dealii::Point<3> position;
+    /// The largest 1/R of the elements' own stresses; 0 where no R is finite,
+    /// none where all of the station is left out.
+    std::optional<double> inverse_reserve;
   };
 
   /**
@@ -182,6 +186,8 @@ namespace lamella
     /// bodies, plies and criteria; without any that the criterion has no point
     /// of (an interlaminar one of a single ply).
     std::vector<PlyReserve> plies;
+    /// Of each ply of the swept bodies that are beams, by body, ply and s.
+    std::vector<ReserveAlong> plies_along;
 
     /// What the user should know of this step, a sentence each.
     std::vector<std::string> warnings;
@@ -192,6 +198,30 @@ namespace lamella
     /// plies and warnings.
     void
     drop_fields();
+  };
+
+  /// A load factor that was looked at for the first failure.
+  struct FailureTrial
+  {
+    double load_factor = 0.;
+    /// The smallest of all plies; none where no factor brings failure.
+    std::optional<double> reserve;
+    Checks                checks;
+    /// As in StepResults.
+    std::vector<std::vector<FieldRow>> probes;
+  };
+
+  /// The load at which the smallest reserve factor is 1.
+  struct FirstFailure
+  {
+    /// The load factors between which it is found: no ply fails at the first,
+    /// and one does at the second.
+    double safe = 0., failing = 0.;
+    /// What fails, at `failing`.
+    PlyReserve where;
+    /// In the order in which they were looked at; load steps are not among
+    /// them.
+    std::vector<FailureTrial> trials;
   };
 
   /// What a body is to those who read results.
