@@ -298,7 +298,7 @@ def load_history(results):
     first = results.summary.get("first_failure")
     if first:
         k = int(np.argmin(np.abs(table["load_factor"] - first["load_factor"])))
-        column = curves[0][0]
+        column = max((c for c, _ in curves), key=lambda c: np.abs(table[c][k]))
         axis.plot(sign * moved(table[x][k]),
                   upwards(table[column])[0] * force(table[column][k]), marker="X",
                   markersize=11, linestyle="none", color=COLOURS[1],
