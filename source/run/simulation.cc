@@ -7,6 +7,7 @@
 #include <lamella/base/processes.h>
 #include <lamella/base/text.h>
 #include <lamella/contact/assumptions.h>
+#include <lamella/recover/named_quantity.h>
 #include <lamella/report/console.h>
 #include <lamella/report/results_writer.h>
 #include <lamella/report/validation.h>
@@ -72,6 +73,8 @@ namespace lamella
         lists.supports.push_back(scene.support_references.at(support.name));
       for (const ContactPair &contact : scene.contacts)
         lists.contacts.push_back(scene.contact_references.at(contact.name));
+      for (const Measure &measure : scene.measures)
+        lists.measures.push_back(measure.references);
       return lists;
     }
   } // namespace
@@ -119,7 +122,8 @@ namespace lamella
     structure = std::make_unique<Structure>(make_bodies_with_fields(),
                                             scene.supports,
                                             scene.loads,
-                                            stabilisations);
+                                            stabilisations,
+                                            scene.gravity);
     for (const auto &body : structure->bodies())
       body->solver_kind(scene.solve.solver);
   }
@@ -133,6 +137,7 @@ namespace lamella
       make_bodies(scene.bodies, sections, scene.solve.memory_limit);
     if (has_fields_to_choose(scene.bodies))
       {
+        apply_heat(scene.loads, bodies);
         std::vector<ContactInterface> touching;
         for (const ContactPair &contact : scene.contacts)
           touching.push_back(make_interface(contact, bodies));
@@ -142,7 +147,9 @@ namespace lamella
           scene.supports,
           scene.loads,
           touching,
-          stress_places(bodies, scene.probes, scene.lines, scene.cuts));
+          stress_places(bodies, scene.probes, scene.lines, scene.cuts),
+          FieldRules(),
+          scene.gravity);
       }
     return bodies;
   }
@@ -189,7 +196,7 @@ namespace lamella
   {
     if (strength == nullptr)
       return;
-    results.plies           = strength->sweep(results.state.u);
+    results.plies           = strength->sweep(results.state.u, cured_state());
     const std::string doubt = doubt_of_worst(results.plies,
                                              scene.supports,
                                              scene.loads,
@@ -222,6 +229,8 @@ namespace lamella
       found.lines.push_back(line.name);
     for (const Cut &cut : scene.cuts)
       found.cuts.push_back(cut.name);
+    for (const Measure &measure : scene.measures)
+      found.measures.push_back(measure.name);
 
     const auto add = [this](const std::vector<std::string> &notes) {
       found.notes.insert(found.notes.end(), notes.begin(), notes.end());
@@ -241,6 +250,8 @@ namespace lamella
   Simulation::solve(const Observer &observer)
   {
     prepare();
+    if (strength != nullptr && structure->is_heated())
+      find_cured_state();
     const std::vector<double> &factors = scene.solve.load_factors;
     while (found.steps.size() < factors.size())
       {
@@ -258,6 +269,18 @@ namespace lamella
     found.converged = true;
     count_costs();
     return found;
+  }
+
+
+
+  void
+  Simulation::find_cured_state()
+  {
+    out << "State without loads, of heat alone" << std::endl;
+    const State before = state;
+    solve_state(0.);
+    cured = state.u;
+    state = before;
   }
 
 
@@ -370,6 +393,7 @@ namespace lamella
     {
       TimerOutput::Scope scope(timer, name_of(Phase::output));
       found.steps.push_back(take_results(step, factor, checks, previous));
+      take_measures();
     }
     if (!observer)
       return;
@@ -378,6 +402,18 @@ namespace lamella
     observer(found);
     if (step > 1)
       found.steps[step - 2].drop_fields();
+  }
+
+
+
+  void
+  Simulation::take_measures()
+  {
+    if (scene.measures.empty())
+      return;
+    const ResultNumbers numbers(found);
+    for (const Measure &measure : scene.measures)
+      found.steps.back().measures.push_back(numbers.value(measure.quantity));
   }
 
 
@@ -409,7 +445,7 @@ namespace lamella
     };
     const auto fails = [&](const double factor) {
       solve_state(factor);
-      return judged(factor, strength->sweep(state.u));
+      return judged(factor, strength->sweep(state.u, cured_state()));
     };
 
     out << "First failure:" << std::endl;

@@ -73,9 +73,11 @@ namespace lamella
                   const std::vector<std::vector<Ply>> &plies);
 
     /// The rows of StepResults::plies for the displacements @p u, which have a
-    /// block for each body. Collective.
+    /// block for each body. Of heated bodies @p cured are those of heat alone:
+    /// their stresses stay, and the reserve factor multiplies what @p u has
+    /// beyond them. Collective.
     std::vector<PlyReserve>
-    sweep(const BlockVector &u) const;
+    sweep(const BlockVector &u, const BlockVector *cured = nullptr) const;
 
   private:
     /// What is asked of a ply.
@@ -115,16 +117,24 @@ namespace lamella
     bool
     is_left_out(const dealii::Point<3> &x) const;
 
+    /// A body's displacements, with those of heat alone or null.
+    struct Displacements
+    {
+      const Vector &u;
+      const Vector *cured;
+    };
     /// Of each task the points of this process that are near to failure.
     std::vector<std::vector<dealii::Point<3>>>
-    near_failure(const Swept &swept, const Vector &u) const;
-    /// The worst row of @p task at @p points, recovered.
+    near_failure(const Swept &swept, const Displacements &at) const;
+    /// The worst row of @p task at @p points, recovered; @p cure recovers the
+    /// stresses of heat alone, if any.
     std::optional<PlyReserve>
     worst_row(const Swept                         &swept,
               const Task                          &task,
               const std::vector<dealii::Point<3>> &points,
               const Vector                        &u,
-              StressRecovery                      &recovery) const;
+              StressRecovery                      &recovery,
+              StressRecovery                      *cure) const;
 
     const Bodies                                &bodies;
     std::vector<Criterion>                       criteria;
