@@ -30,7 +30,8 @@ namespace lamella
 
   FieldsOfSection::FieldsOfSection(std::shared_ptr<const Section> section_,
                                    const Theory                  &theory,
-                                   const FieldRules              &rules)
+                                   const FieldRules              &rules,
+                                   const std::vector<Vector>     &everywhere)
     : section(std::move(section_))
     , theory(theory)
     , rules(rules)
@@ -38,7 +39,19 @@ namespace lamella
     , warping(*section)
     , warpings(saint_venant_warpings(states, warping))
     , modes(warpings)
-  {}
+  {
+    // Responses that differ by less are those of one load.
+    constexpr double    alike = 1e-6;
+    std::vector<Vector> answers;
+    for (const Vector &load : everywhere)
+      if (load.l2_norm() > 0.)
+        answers.push_back(states.response_to_constant(load));
+    if (answers.empty())
+      return;
+    warpings =
+      beside(warpings, warping.basis(answers, warpings, warpings, alike));
+    modes = warpings;
+  }
 
 
 

@@ -373,10 +373,30 @@ namespace lamella
 
 
 
+    /// The section load vectors of @p beam's heat, where it may differ along
+    /// the axis, and of its weight.
+    std::vector<Vector>
+    loads_everywhere(const Beam &beam, const Tensor<1, 3> &gravity)
+    {
+      // An expression is looked at there.
+      constexpr unsigned int n_places = 9;
+      std::vector<Vector>    loads;
+      if (beam.is_heated())
+        for (unsigned int k = 0; k < n_places; ++k)
+          loads.push_back(beam.section_heat(beam.axis().length() *
+                                            (double(k) / (n_places - 1))));
+      if (gravity.norm() > 0.)
+        loads.push_back(beam.section_weight(gravity));
+      return loads;
+    }
+
+
+
     /// Replaces the bodies @p touched of one section and theory.
     void
     replace(Bodies                             &bodies,
             const std::vector<BodyDescription> &descriptions,
+            const Tensor<1, 3>                 &gravity,
             std::vector<TouchedBody>           &touched,
             const FieldRules                   &rules,
             std::vector<std::string>           &notes)
@@ -386,7 +406,12 @@ namespace lamella
       };
       const Theory &theory = descriptions[touched[0].number].theory;
       const auto section = beam_of(touched[0].number).fields().shared_section();
-      FieldsOfSection fields(section, theory, rules);
+      std::vector<Vector> everywhere;
+      for (const TouchedBody &body : touched)
+        for (const Vector &load :
+             loads_everywhere(beam_of(body.number), gravity))
+          everywhere.push_back(load);
+      FieldsOfSection fields(section, theory, rules, everywhere);
       for (TouchedBody &body : touched)
         {
           // A body that is going to keep all fields wants none.
@@ -484,7 +509,8 @@ namespace lamella
                 const std::vector<Load>             &loads,
                 const std::vector<ContactInterface> &contacts,
                 const std::vector<StressPlace>      &asked,
-                const FieldRules                    &rules)
+                const FieldRules                    &rules,
+                const Tensor<1, 3>                  &gravity)
   {
     const auto asked_of = [&asked](const unsigned int body) {
       std::vector<std::pair<double, double>> places;
@@ -516,7 +542,7 @@ namespace lamella
                          contacts,
                          notes);
     for (auto &[key, of_section] : touched)
-      replace(bodies, descriptions, of_section, rules, notes);
+      replace(bodies, descriptions, gravity, of_section, rules, notes);
     // Not before all touches are found, which the fields of whole sections say.
     for (unsigned int b = 0; b < descriptions.size(); ++b)
       if (is_chosen(descriptions[b]) &&

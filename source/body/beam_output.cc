@@ -10,13 +10,18 @@ namespace lamella
   using namespace dealii;
 
   FieldSample
-  Beam::field_sample(const PointState &state, const unsigned int cell) const
+  Beam::field_sample(PointState         state,
+                     const unsigned int cell,
+                     const Point<3>    &x) const
   {
+    const ElasticLaw law = law_at(cell, x);
+    state.strain +=
+      beam_section->completion_of_initial(cell, law.initial_strain());
     return sample_of(state.displacement,
                      state.strain,
                      placement,
                      beam_section->plies()[beam_section->cell_ply(cell)].axes(),
-                     beam_section->law(cell));
+                     law);
   }
 
 
@@ -57,16 +62,19 @@ namespace lamella
         const unsigned int section_cell = place.cell % beam_section->n_cells();
         const SectionPoint point =
           beam_section->evaluate(section_cell, {place.unit[0], place.unit[2]});
-        AxisState state =
-          list_state(beam_axis->evaluate(place.cell / beam_section->n_cells(),
-                                         place.unit[1]),
-                     u);
+        const AxisPoint on_axis =
+          beam_axis->evaluate(place.cell / beam_section->n_cells(),
+                              place.unit[1]);
+        AxisState state = list_state(on_axis, u);
         // Not axis_state(): a point needs some dozens of thousands of fields.
         expand_at(*space, *point.fields, state.value);
         expand_at(*space, *point.fields, state.shear_value);
         expand_at(*space, *point.fields, state.derivative);
         samples.push_back(
-          field_sample(point_state(point, state), section_cell));
+          field_sample(point_state(point, state),
+                       section_cell,
+                       placement.to_scene(
+                         {point.position[0], on_axis.y, point.position[1]})));
       }
     return mean_of(samples);
   }
@@ -104,7 +112,9 @@ namespace lamella
                   cells[cell].positions.push_back(placement.to_scene(
                     {point.position[0], y, point.position[1]}));
                   cells[cell].samples.push_back(
-                    field_sample(point_state(point, state), cell));
+                    field_sample(point_state(point, state),
+                                 cell,
+                                 cells[cell].positions.back()));
                 }
           }
       }

@@ -227,17 +227,25 @@ namespace lamella
     std::vector<std::vector<Row>> result;
     for (const Location &where : locations)
       {
+        const unsigned int cell =
+          where.places[0].cell % beam_section->n_cells();
+        const ElasticLaw law = law_at(cell, position(where.places[0]));
         const FromStrain to_frame =
           from_strain(quantity,
                       frame,
                       placement,
                       beam_section->plies()[where.ply].axes(),
-                      beam_section->law(where.places[0].cell %
-                                        beam_section->n_cells()));
+                      law);
         std::vector<Row> rows(n);
         if (quantity != Quantity::displacement)
-          for (unsigned int c = 0; c < n; ++c)
-            rows[c].add_constant(to_frame.constant[c]);
+          {
+            const Voigt constant =
+              to_frame.constant +
+              to_frame.matrix *
+                beam_section->completion_of_initial(cell, law.initial_strain());
+            for (unsigned int c = 0; c < n; ++c)
+              rows[c].add_constant(constant[c]);
+          }
         for (const Location::Place &place : where.places)
           {
             const AxisPoint axis_point =

@@ -5,6 +5,7 @@
 #include <lamella/base/text.h>
 #include <lamella/body/body.h>
 #include <lamella/linear/factorisation.h>
+#include <lamella/shape/section_mesh.h>
 
 #include <deal.II/base/quadrature_lib.h>
 
@@ -27,6 +28,46 @@ namespace lamella
 
 
   Body::~Body() = default;
+
+
+
+  void
+  Body::heat(const ScalarField &change)
+  {
+    expansions.clear();
+    for (const Ply &ply : plies())
+      {
+        if (!ply.properties.expansion)
+          throw InputError("Material " + ply.material,
+                           "",
+                           "has no Thermal expansion, and body '" + name() +
+                             "', which is made of it, has a Temperature",
+                           "Give it (0 if it does not expand), or leave the "
+                           "body out of the load.");
+        expansions.push_back(ply.expansion());
+      }
+    temperature_change = change;
+  }
+
+
+
+  std::vector<double>
+  Body::densities() const
+  {
+    std::vector<double> rho;
+    for (const Ply &ply : plies())
+      {
+        if (!ply.properties.density)
+          throw InputError("Material " + ply.material,
+                           "",
+                           "has no Density, and body '" + name() +
+                             "', which is made of it, is under Gravity",
+                           "Give it (0 if its weight does not count), or leave "
+                           "out Gravity.");
+        rho.push_back(*ply.properties.density);
+      }
+    return rho;
+  }
 
 
 

@@ -321,4 +321,71 @@ namespace lamella
       Utilities::MPI::max(result.max_rotation, communicator());
     return result;
   }
+
+
+
+  ElasticLaw
+  Solid::law_at(const unsigned int cell, const Point<3> &unit) const
+  {
+    if (!is_heated())
+      return law(cell);
+    const Point<3> middle(0.5, 0.5, 0.5);
+    return ElasticLaw(law(cell).stiffness(),
+                      temperature(
+                        position({cell, degree() == 1 ? middle : unit})) *
+                        expansions[mesh.cells()[cell].ply]);
+  }
+
+
+
+  double
+  Solid::add_heat(Vector &f) const
+  {
+    if (!is_heated())
+      return 0.;
+    Vector share(n_dofs());
+    double energy = 0.;
+    for (const Kind &kind : kinds)
+      if (!kind.own_cells.empty())
+        for (const HexahedronPoint &point :
+             element.quadrature_points(nodes_of(kind.cell)))
+          {
+            const std::vector<Voigt> B = element.strains(point, kind.modes);
+            for (const unsigned int cell : kind.own_cells)
+              {
+                const ElasticLaw            at     = law_at(cell, point.unit);
+                const Voigt                 stress = -1. * at.stress(Voigt());
+                const std::vector<DofIndex> dofs   = dofs_of(cell);
+                for (unsigned int d = 0; d < dofs.size(); ++d)
+                  share[dofs[d]] += point.JxW * (B[d] * stress);
+                energy += point.JxW * at.energy_density(Voigt());
+              }
+          }
+    sum_over_processes(share);
+    f += share;
+    return Utilities::MPI::sum(energy, communicator());
+  }
+
+
+
+  void
+  Solid::add_weight(const Tensor<1, 3> &acceleration, Vector &f) const
+  {
+    const std::vector<double> rho = densities();
+    const Tensor<1, 3>        g   = placement.vector_to_body(acceleration);
+    Vector                    share(n_dofs());
+    for (const Kind &kind : kinds)
+      if (!kind.own_cells.empty())
+        for (const HexahedronPoint &point :
+             element.quadrature_points(nodes_of(kind.cell)))
+          for (const unsigned int cell : kind.own_cells)
+            {
+              const double mass = point.JxW * rho[mesh.cells()[cell].ply];
+              const std::vector<DofIndex> dofs = dofs_of(cell);
+              for (unsigned int d = 0; d < dofs.size(); ++d)
+                share[dofs[d]] += mass * point.N[d / 3] * g[d % 3];
+            }
+    sum_over_processes(share);
+    f += share;
+  }
 } // namespace lamella

@@ -36,7 +36,7 @@ namespace lamella
                      strain,
                      placement,
                      mesh.section().plies[mesh.cells()[place.cell].ply].axes(),
-                     law(place.cell));
+                     law_at(place.cell, place.unit));
   }
 
 

@@ -187,7 +187,7 @@ namespace lamella
                       frame,
                       placement,
                       mesh.section().plies[where.ply].axes(),
-                      laws[where.ply]);
+                      law_at(where.places[0].cell, where.places[0].unit));
         std::vector<Row> rows(n);
         if (quantity != Quantity::displacement)
           for (unsigned int c = 0; c < n; ++c)

@@ -12,6 +12,8 @@
 #include <algorithm>
 #include <cmath>
 #include <deque>
+#include <map>
+#include <memory>
 
 namespace lamella
 {
@@ -50,6 +52,11 @@ namespace lamella
         : path("Load " + load.name)
         , is_pressure(!load.pressure.empty())
       {
+        if (load.couple)
+          {
+            couple = *load.couple;
+            return;
+          }
         const auto &[fx, fy, fz] = load.force;
         const Entry entry =
           is_pressure ?
@@ -97,11 +104,17 @@ namespace lamella
       on_surface(const Region &region,
                  const Body   &body,
                  PointForces  &result) const;
+      /// The couple as its linear tractions.
+      void
+      as_couple(const Region &region,
+                const Body   &body,
+                PointForces  &result) const;
 
-      const std::string      path;
-      const bool             is_pressure;
-      bool                   is_constant = false;
-      std::deque<Expression> expressions;
+      const std::string           path;
+      const bool                  is_pressure;
+      std::optional<Tensor<1, 3>> couple;
+      bool                        is_constant = false;
+      std::deque<Expression>      expressions;
     };
 
 
@@ -249,6 +262,64 @@ namespace lamella
 
 
 
+    /// Points of @p surface of @p body that integrate the trace functions of
+    /// its facets times a linear function: areas are those of the points.
+    std::vector<SurfacePoint>
+    gauss_points(const Body &body, const std::string &surface)
+    {
+      std::vector<SurfacePoint> points;
+      for (const SurfaceFacet &facet : body.surface_facets(surface))
+        {
+          const QGauss<1> s(facet.trace_degree_s + 2),
+            t(facet.trace_degree_t + 2);
+          for (unsigned int j = 0; j < t.size(); ++j)
+            for (unsigned int i = 0; i < s.size(); ++i)
+              {
+                points.push_back(
+                  body.surface_point(facet,
+                                     Point<2>(s.point(i)[0], t.point(j)[0])));
+                points.back().area *= s.weight(i) * t.weight(j);
+              }
+        }
+      return points;
+    }
+
+
+
+    void
+    LoadValues::as_couple(const Region &region,
+                          const Body   &body,
+                          PointForces  &result) const
+    {
+      check_surface(body, region.surface, path + "/On");
+      const auto   points = gauss_points(body, region.surface);
+      double       area   = 0.;
+      Tensor<1, 3> centre;
+      for (const SurfacePoint &point : points)
+        {
+          area += point.area;
+          centre += point.area * point.position;
+        }
+      centre /= area;
+      Tensor<2, 3> J;
+      for (const SurfacePoint &point : points)
+        {
+          const Tensor<1, 3> r = point.position - centre;
+          for (unsigned int c = 0; c < 3; ++c)
+            J[c][c] += point.area * r.norm_square();
+          J -= point.area * outer_product(r, r);
+        }
+      const Tensor<1, 3> theta = invert(J) * *couple;
+      for (const SurfacePoint &point : points)
+        {
+          result.locations.push_back(point.location);
+          result.forces.push_back(
+            point.area * cross_product_3d(theta, point.position - centre));
+        }
+    }
+
+
+
     PointForces
     LoadValues::on(const Region &region, const Body &body) const
     {
@@ -262,7 +333,10 @@ namespace lamella
             along_line(region, body, result);
             break;
           case Region::Kind::surface:
-            on_surface(region, body, result);
+            if (couple)
+              as_couple(region, body, result);
+            else
+              on_surface(region, body, result);
             break;
           default:
             Assert(false, ExcMessage("A load has no such region."));
@@ -356,9 +430,12 @@ namespace lamella
   LoadResultant
   add_load(const Load &load, const Bodies &bodies, BlockVector &f)
   {
-    const LoadValues values(load);
-    LoadResultant    result;
+    LoadResultant result;
     result.name = load.name;
+    // Bodies that are heated have no force of it.
+    if (!load.temperature.empty())
+      return result;
+    const LoadValues values(load);
     for (const Region &region : load.on)
       {
         const Body       &body = *bodies[region.body];
@@ -368,6 +445,67 @@ namespace lamella
         result.moment += at.moment;
         add_torque_note(load.name, at, body, result.notes);
         add_notes(load.name, at, result.notes);
+      }
+    return result;
+  }
+
+
+
+  void
+  apply_heat(const std::vector<Load> &loads, const Bodies &bodies)
+  {
+    std::map<unsigned int, std::string> heated;
+    for (const Load &load : loads)
+      if (!load.temperature.empty())
+        {
+          const Entry entry("Load " + load.name + "/Temperature",
+                            load.temperature.text());
+          const auto  change =
+            std::make_shared<const Expression>(entry.text(), entry);
+          const double value =
+            change->is_constant() ? (*change)(Point<3>()) : 0.;
+          const ScalarField field =
+            change->is_constant() ?
+              ScalarField([value](const Point<3> &) { return value; }) :
+              ScalarField([change](const Point<3> &x) { return (*change)(x); });
+          for (const Region &region : load.on)
+            {
+              const auto [other, is_new] =
+                heated.emplace(region.body, load.name);
+              if (!is_new)
+                entry.refuse("body '" + bodies[region.body]->name() +
+                               "' has the Temperature of load " +
+                               other->second + " already",
+                             "Add the two up in one of them.");
+              bodies[region.body]->heat(field);
+            }
+        }
+  }
+
+
+
+  LoadResultant
+  add_weight(const Tensor<1, 3> &acceleration,
+             const Bodies       &bodies,
+             BlockVector        &f)
+  {
+    LoadResultant result;
+    result.name = name_of_weight;
+    for (unsigned int b = 0; b < bodies.size(); ++b)
+      {
+        const Body &body = *bodies[b];
+        Vector      own(body.n_dofs());
+        body.add_weight(acceleration, own);
+        f.block(b) += own;
+        const std::vector<Vector> rigid = body.rigid_motions();
+        Tensor<1, 3>              force, moment;
+        for (unsigned int c = 0; c < 3; ++c)
+          {
+            force[c]  = own * rigid[c];
+            moment[c] = own * rigid[3 + c];
+          }
+        result.force += force;
+        result.moment += moment + cross_product_3d(body.centre(), force);
       }
     return result;
   }

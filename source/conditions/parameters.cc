@@ -276,7 +276,69 @@ namespace lamella
                       Anything(),
                       "On a surface, against its outward normal, an expression "
                       "of x, y, z [force/length^2].");
+    prm.declare_entry("Couple",
+                      "",
+                      patterns::numbers(),
+                      "On a surface, start or end say: the three scene "
+                      "components of a moment [force x length], as tractions "
+                      "that are linear over the surface, without a resultant "
+                      "force.");
+    prm.declare_entry("Temperature",
+                      "",
+                      Anything(),
+                      "On whole bodies (BODY: body): by how much they are "
+                      "warmer than without stress, an expression of x, y, z "
+                      "[K]. It acts in full in each step, whatever the load "
+                      "factor.");
   }
+
+
+
+  namespace
+  {
+    /// Throws InputError unless the regions of @p load, which the entry @p on
+    /// gives, suit what the entry @p what puts there.
+    void
+    check_regions(const Entry &on, const Entry &what, const Load &load)
+    {
+      const bool heats         = !load.temperature.empty(),
+                 needs_surface = load.couple || !load.pressure.empty();
+      for (const Region &region : load.on)
+        {
+          const bool is_body = region.kind == Region::Kind::body;
+          if (heats && !is_body)
+            on.refuse("a Temperature is of whole bodies",
+                      "Write On = BODY: body; where it varies its expression "
+                      "says.");
+          if (!heats && is_body)
+            on.refuse("a load acts on a point, a line or a surface, not on a "
+                      "whole body",
+                      "Only a Temperature does; weight is Gravity, at the top "
+                      "of the scene.");
+          if (needs_surface && region.kind != Region::Kind::surface)
+            what.refuse("acts on a surface only",
+                        "Use Force at a point or along a line.");
+          if (load.couple &&
+              (region.surface == "ends" || region.surface == "all"))
+            on.refuse("'" + region.surface +
+                        "' is several surfaces, and a couple has one centre",
+                      "Name one: start, end, or a side.");
+        }
+    }
+
+
+
+    /// The three components of a moment.
+    dealii::Tensor<1, 3>
+    parse_couple(const Entry &entry)
+    {
+      const std::vector<double> n = entry.numbers();
+      if (n.size() != 3)
+        entry.refuse("must be three numbers, mx, my, mz; there are " +
+                     std::to_string(n.size()));
+      return dealii::Point<3>(n[0], n[1], n[2]);
+    }
+  } // namespace
 
 
 
@@ -285,27 +347,35 @@ namespace lamella
                         const std::string              &name,
                         const std::vector<std::string> &bodies)
   {
-    const Entry on = in["On"], force = in["Force"], pressure = in["Pressure"];
+    const std::vector<std::string> kinds{"Force",
+                                         "Pressure",
+                                         "Couple",
+                                         "Temperature"};
+    std::vector<std::string>       given;
+    for (const std::string &kind : kinds)
+      if (!in[kind].is_empty())
+        given.push_back(kind);
+    if (given.size() != 1)
+      in.refuse("give one of Force, Pressure, Couple and Temperature; " +
+                (given.empty() ? "none is" : joined(given, " and ") + " are") +
+                " set");
+    const Entry on = in["On"], what = in[given.front()];
     Load        load;
-    load.name     = name;
-    load.on       = parse_regions(on, in["At"], bodies);
-    load.pressure = pressure.text();
-    const std::vector<std::string> components = force.items();
-    if (pressure.is_empty() == components.empty())
-      in.refuse("give either Force or Pressure");
-    if (!components.empty() && components.size() != 3)
-      force.refuse("must be three expressions between commas");
-    std::copy(components.begin(), components.end(), load.force.begin());
-    check_no_overlap(on, load.on, bodies);
-    for (const Region &region : load.on)
+    load.name        = name;
+    load.on          = parse_regions(on, in["At"], bodies);
+    load.pressure    = in["Pressure"].text();
+    load.temperature = in["Temperature"].text();
+    if (given.front() == "Couple")
+      load.couple = parse_couple(what);
+    if (given.front() == "Force")
       {
-        if (region.kind == Region::Kind::body)
-          on.refuse("a load acts on a point, a line or a surface, not on a "
-                    "whole body");
-        if (!pressure.is_empty() && region.kind != Region::Kind::surface)
-          pressure.refuse("acts on a surface only",
-                          "Use Force at a point or along a line.");
+        const std::vector<std::string> components = what.items();
+        if (components.size() != 3)
+          what.refuse("must be three expressions between commas");
+        std::copy(components.begin(), components.end(), load.force.begin());
       }
+    check_no_overlap(on, load.on, bodies);
+    check_regions(on, what, load);
     return load;
   }
 } // namespace lamella

@@ -175,6 +175,8 @@ namespace lamella
           return of_support(goal);
         case Of::contact:
           return of_contact(goal);
+        case Of::measure:
+          return of_measure(goal);
         default:
           return std::nullopt;
       }
@@ -231,9 +233,27 @@ namespace lamella
     w                 = on_fine(w);
     Derivative result = zero();
     // K w, with the springs.
-    result.u.add(-1., fine.solved_structure().residual(w, 0.));
+    result.u.add(1., fine.solved_structure().internal_forces(w));
     for (unsigned int k = 0; k < active.size(); ++k)
       result.force[k] = -fine.rows()[active[k]].opening(w);
+    return result;
+  }
+
+
+
+  std::optional<Localisation::Derivative>
+  Localisation::of_measure(const NamedQuantity &goal) const
+  {
+    Derivative result = zero();
+    double     sign   = 1.;
+    for (const NamedQuantity &term : goal.terms)
+      {
+        const auto part = at_probe(term);
+        if (!part)
+          return std::nullopt;
+        result.u.add(sign / goal.over, part->u);
+        sign = -1.;
+      }
     return result;
   }
 
@@ -275,7 +295,7 @@ namespace lamella
         for (unsigned int k = 0; k < active.size(); ++k)
           result.force[k] += correction.force[k];
         left = derivative.u;
-        left += fine.solved_structure().residual(result.u, 0.);
+        left -= fine.solved_structure().internal_forces(result.u);
         for (unsigned int k = 0; k < active.size(); ++k)
           {
             const GapRow &row = fine.rows()[active[k]];

@@ -52,11 +52,34 @@ namespace lamella
 
 
 
+  namespace
+  {
+    /// What acts in volumes the deck does not say.
+    void
+    check_no_volume_loads(const Scene &scene)
+    {
+      for (const Load &load : scene.loads)
+        if (!load.temperature.empty())
+          throw InputError("Load " + load.name + "/Temperature",
+                           load.temperature.text(),
+                           "heat is not exported",
+                           "Leave the load out of Loads.");
+      if (scene.gravity.norm() > 0.)
+        throw InputError("Gravity",
+                         to_text(scene.gravity),
+                         "weight is not exported",
+                         "Set it to 0, 0, 0.");
+    }
+  } // namespace
+
+
+
   CalculixConditions::CalculixConditions(const Scene        &scene,
                                          const CalculixMesh &mesh)
     : scene(scene)
     , held(scene.supports.size())
   {
+    check_no_volume_loads(scene);
     for (unsigned int s = 0; s < scene.supports.size(); ++s)
       add_support(s, mesh);
     check_bodies_are_held(scene, mesh);

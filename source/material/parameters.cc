@@ -69,6 +69,18 @@ namespace lamella
                       patterns::numbers(),
                       "E, nu of an isotropic material, E in the scene's "
                       "stresses.");
+    prm.declare_entry("Density",
+                      "",
+                      patterns::optional(patterns::number()),
+                      "Mass per volume, for Gravity, in the mass that the "
+                      "scene's force and length make with seconds: kg/m^3 of "
+                      "m, N; t/mm^3 of mm, N.");
+    prm.declare_entry("Thermal expansion",
+                      "",
+                      patterns::numbers(),
+                      "Strain per kelvin, for the Temperature of a load: one "
+                      "number, or three along the material's axes 1, 2 and 3. "
+                      "They may be negative.");
     declare_strengths(prm);
   }
 
@@ -147,6 +159,33 @@ namespace lamella
       if (n.empty())
         return {};
       return Strengths{n[0], n[1], n[2], n[3], n[4], n[5], n[6], n[7], n[8]};
+    }
+
+
+
+    /// alpha_1, alpha_2, alpha_3 of three numbers, or of one for all.
+    std::optional<dealii::Tensor<1, 3>>
+    parse_expansion(const Entry &entry)
+    {
+      const std::vector<double> n = entry.numbers();
+      if (n.empty())
+        return {};
+      if (n.size() != 1 && n.size() != 3)
+        entry.refuse("must be one number, or three along the axes 1, 2 and 3; "
+                     "there are " +
+                     std::to_string(n.size()));
+      // A strain of a tenth a kelvin is none of a solid.
+      constexpr double     most = 0.1;
+      dealii::Tensor<1, 3> alpha;
+      for (unsigned int k = 0; k < 3; ++k)
+        {
+          alpha[k] = n[n.size() == 1 ? 0 : k];
+          if (!(std::abs(alpha[k]) < most))
+            entry.refuse("is a strain per kelvin, and " + to_text(alpha[k]) +
+                           " of it is none of a solid",
+                         "Steel has 12e-6.");
+        }
+      return alpha;
     }
 
 
@@ -241,6 +280,13 @@ namespace lamella
   MaterialParameters::parse(const Entries &in, const Units &units)
   {
     Material material = parse_elasticity(in, units);
+    if (const Entry density = in["Density"]; !density.is_empty())
+      {
+        material.density = density.number();
+        if (*material.density < 0.)
+          density.refuse("must not be negative");
+      }
+    material.expansion = parse_expansion(in["Thermal expansion"]);
     parse_strengths(in, material);
     return material;
   }

@@ -113,6 +113,8 @@ namespace lamella
       std::vector<std::string> all;
       for (const Probe &probe : names.probes)
         all.push_back(probe.name);
+      for (const Measure &measure : names.measures)
+        all.push_back(measure.name);
       for (const auto *resultants : {&names.supports, &names.contacts})
         for (const auto &resultant : *resultants)
           all.push_back(resultant.first);
@@ -194,6 +196,28 @@ namespace lamella
 
 
   NamedQuantity
+  parse_of_probe(const Entry &text, const std::vector<Probe> &probes)
+  {
+    const auto parts = text.items(':');
+    if (parts.size() != 2)
+      text.refuse("write PROBE: COLUMN, as in tip: uz");
+    const auto               place = split(parts[0], '/');
+    std::vector<std::string> names;
+    for (const Probe &probe : probes)
+      {
+        if (!place.empty() && probe.name == place[0])
+          return find_column(text, probe, place, parts[1]);
+        names.push_back(probe.name);
+      }
+    text.refuse("no probe is called '" + parts[0] + "'",
+                names.empty() ?
+                  "Add it to Probes." :
+                  "The nearest is '" + nearest_name(parts[0], names) + "'.");
+  }
+
+
+
+  NamedQuantity
   parse_quantity(const Entry &text, const QuantityNames &names)
   {
     const auto parts = text.items(':');
@@ -203,10 +227,21 @@ namespace lamella
     for (const Probe &probe : names.probes)
       if (!place.empty() && probe.name == place[0])
         return find_column(text, probe, place, parts[1]);
+    for (const Measure &measure : names.measures)
+      if (measure.name == parts[0])
+        {
+          if (parts[1] != measure.quantity.column)
+            text.refuse(measure.name + " is a measure: its only quantity is " +
+                        measure.quantity.column);
+          NamedQuantity quantity = measure.quantity;
+          quantity.path          = text.path();
+          return quantity;
+        }
     const NamedQuantity resultant =
       find_resultant(text, parts[0], parts[1], names);
     if (resultant.of == NamedQuantity::Of::undefined)
-      text.refuse("no probe, support or contact is called '" + parts[0] + "'",
+      text.refuse("no probe, measure, support or contact is called '" +
+                    parts[0] + "'",
                   "The nearest is '" +
                     nearest_name(parts[0], all_names(names)) + "'.");
     return resultant;
@@ -265,6 +300,9 @@ namespace lamella
         if (probe.references.empty())
           others.push_back(probe.name);
       }
+    for (const Measure &measure : names.measures)
+      if (!measure.references.empty())
+        quantities.push_back(measure.quantity);
     for (const auto &[name, references] : names.supports)
       add(NamedQuantity::Of::support, name, references);
     for (const auto &[name, references] : names.contacts)
@@ -419,6 +457,9 @@ namespace lamella
   double
   ResultNumbers::value(const NamedQuantity &quantity) const
   {
+    if (quantity.of == NamedQuantity::Of::measure)
+      return (value(quantity.terms[0]) - value(quantity.terms[1])) /
+             quantity.over;
     if (quantity.of != NamedQuantity::Of::probe)
       return value_of_resultant(quantity);
     const Entry              entry(quantity.path, quantity.label());
@@ -482,6 +523,10 @@ namespace lamella
   double
   ResultNumbers::largest_of_kind(const NamedQuantity &quantity) const
   {
+    if (quantity.of == NamedQuantity::Of::measure)
+      return std::max(largest_of_kind(quantity.terms[0]),
+                      largest_of_kind(quantity.terms[1])) /
+             std::abs(quantity.over);
     // Kinds are told by the first letter: u, e, s of a probe, f, m of a
     // resultant, p and w of a contact.
     const char kind    = quantity.column[0];

@@ -313,19 +313,22 @@ namespace lamella
 
 
   std::vector<std::vector<Point<3>>>
-  StrengthSweep::near_failure(const Swept  &swept,
-                              const Vector &u,
-                              Along        &along) const
+  StrengthSweep::near_failure(const Swept         &swept,
+                              const Displacements &at,
+                              Along               &along) const
   {
     struct Candidate
     {
       Point<3> x;
       double   nearness;
     };
-    const Body                         &body  = *bodies[swept.body];
-    const auto                          cells = body.output_cells(intervals, u);
-    const auto                         &tasks = swept.tasks;
-    std::vector<double>                 largest(tasks.size(), 0.);
+    const Body         &body  = *bodies[swept.body];
+    const auto          cells = body.output_cells(intervals, at.u);
+    const auto          cured = at.cured == nullptr ?
+                                  std::vector<OutputCell>() :
+                                  body.output_cells(intervals, *at.cured);
+    const auto         &tasks = swept.tasks;
+    std::vector<double> largest(tasks.size(), 0.);
     std::vector<std::vector<Candidate>> points(tasks.size());
     for (unsigned int c = 0; c < cells.size(); ++c)
       for (unsigned int t = 0; t < tasks.size(); ++t)
@@ -344,8 +347,11 @@ namespace lamella
                   along.leave_out(tasks[t].ply, x);
                   continue;
                 }
-              const double value = nearness(
-                tasks[t].surface.assess(cells[c].samples[k].ply_stress));
+              const Voigt &stress = cells[c].samples[k].ply_stress;
+              const Voigt  stays =
+                cured.empty() ? Voigt() : cured[c].samples[k].ply_stress;
+              const double value =
+                nearness(tasks[t].surface.assess(stress - stays, stays));
               along.add(tasks[t].ply, x, value);
               if (value < near * largest[t])
                 continue;
@@ -377,7 +383,8 @@ namespace lamella
                            const Task                  &task,
                            const std::vector<Point<3>> &points,
                            const Vector                &u,
-                           StressRecovery              &recovery) const
+                           StressRecovery              &recovery,
+                           StressRecovery              *cure) const
   {
     const Body               &body = *bodies[swept.body];
     std::optional<PlyReserve> worst;
@@ -386,9 +393,11 @@ namespace lamella
         {
           if (location.ply != task.ply)
             continue;
-          const Voigt      stress  = recovery.sample(location).ply_stress;
-          const Voigt      element = body.sample(location, u).ply_stress;
-          const auto       found   = task.surface.assess(stress);
+          const Voigt stress  = recovery.sample(location).ply_stress;
+          const Voigt element = body.sample(location, u).ply_stress;
+          const Voigt stays =
+            cure == nullptr ? Voigt() : cure->sample(location).ply_stress;
+          const auto       found = task.surface.assess(stress - stays, stays);
           const PlyReserve row{swept.body,
                                task.ply,
                                name_of(task.criterion),
@@ -471,23 +480,34 @@ namespace lamella
 
 
   StrengthSweep::Found
-  StrengthSweep::sweep(const BlockVector &u) const
+  StrengthSweep::sweep(const BlockVector &u, const BlockVector *cured) const
   {
     Found found;
     for (const Swept &swept : all)
       {
-        const Vector  &displacement = u.block(swept.body);
-        StressRecovery recovery(*bodies[swept.body],
+        const Vector       &displacement = u.block(swept.body);
+        StressRecovery      recovery(*bodies[swept.body],
                                 displacement,
                                 StressValues::recovered);
-        Along          along(*bodies[swept.body]);
-        const auto     points = near_failure(swept, displacement, along);
+        const Vector *const of_heat =
+          cured == nullptr ? nullptr : &cured->block(swept.body);
+        std::unique_ptr<StressRecovery> cure;
+        if (of_heat != nullptr)
+          cure = std::make_unique<StressRecovery>(*bodies[swept.body],
+                                                  *of_heat,
+                                                  StressValues::recovered);
+        Along      along(*bodies[swept.body]);
+        const auto points = near_failure(swept, {displacement, of_heat}, along);
         for (const ReserveAlong &row : along.rows(swept.body))
           found.along.push_back(row);
         std::vector<std::optional<PlyReserve>> own;
         for (unsigned int t = 0; t < swept.tasks.size(); ++t)
-          own.push_back(worst_row(
-            swept, swept.tasks[t], points[t], displacement, recovery));
+          own.push_back(worst_row(swept,
+                                  swept.tasks[t],
+                                  points[t],
+                                  displacement,
+                                  recovery,
+                                  cure.get()));
         const auto worst = worst_of_processes(own);
         for (unsigned int t = 0; t < swept.tasks.size(); ++t)
           if (worst[t])

@@ -112,7 +112,8 @@ namespace lamella
         if (n > 0)
           out << ", " << n << " points of " << side << " have no partner";
       out << "\n    force on '" << contact.second_name << "' "
-          << to_text(kkt.force) << force;
+          << to_text(kkt.force) << force << ", moment " << to_text(kkt.moment)
+          << work << " about the origin";
       if (kkt.active > 0)
         out << ", its line of action through "
             << to_text(kkt.centre_of_pressure);
@@ -141,7 +142,11 @@ namespace lamella
               << to_text(reaction.force) << unit(results.units.force)
               << ", moment " << to_text(reaction.moment)
               << unit(results.units.force, results.units.length) << " about "
-              << to_text(reaction.about) << "\n";
+              << to_text(reaction.about);
+          if (reaction.centre_of_pressure)
+            out << ", its line of action through "
+                << to_text(*reaction.centre_of_pressure);
+          out << "\n";
         }
       for (unsigned int k = 0; k < checks.contacts.size(); ++k)
         print_contact(out, results, k);
@@ -191,6 +196,12 @@ namespace lamella
                     step.probes[p].front().sample)[place - names.begin()],
                   reference);
         }
+    for (unsigned int m = 0; m < step.measures.size(); ++m)
+      for (const Reference &reference : references.measures[m])
+        add_row(table,
+                "measure " + results.measures[m],
+                step.measures[m],
+                reference);
     const auto add_resultant = [&](const std::string            &what,
                                    const Tensor<1, 3>           &force,
                                    const std::vector<Reference> &of) {
@@ -220,7 +231,11 @@ namespace lamella
     const Checks      &checks = step.checks;
     out << "\nForces and checks at the last load step:\n";
     print_resultants(out, results);
+    for (unsigned int m = 0; m < step.measures.size(); ++m)
+      out << "  measure " << results.measures[m] << ": "
+          << to_text(step.measures[m], 6) << "\n";
     out << "  force balance " << to_text(checks.force_balance, 2)
+        << ", moment balance " << to_text(checks.moment_balance, 2)
         << ", residual " << to_text(checks.residual, 2) << ", energy balance "
         << to_text(checks.energy_balance, 2) << ", largest rotation "
         << to_text(checks.max_rotation, 3) << " rad\n";

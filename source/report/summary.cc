@@ -159,6 +159,19 @@ namespace lamella
 
 
 
+    Json
+    support_json(const Resultant &reaction)
+    {
+      Json json{{"reaction", to_json(reaction.force)},
+                {"moment", to_json(reaction.moment)},
+                {"about", to_json(reaction.about)}};
+      if (reaction.centre_of_pressure)
+        json["centre_of_pressure"] = to_json(*reaction.centre_of_pressure);
+      return json;
+    }
+
+
+
     /// Resultants and checks of the last load step.
     void
     add_last_step(const Results &results, Json &json)
@@ -168,11 +181,12 @@ namespace lamella
       for (unsigned int k = 0; k < results.contacts.size(); ++k)
         json["contacts"][results.contacts[k].name] = contact_json(results, k);
       for (unsigned int s = 0; s < results.supports.size(); ++s)
-        json["supports"][results.supports[s]] = {
-          {"reaction", to_json(checks.reactions[s].force)},
-          {"moment", to_json(checks.reactions[s].moment)},
-          {"about", to_json(checks.reactions[s].about)}};
+        json["supports"][results.supports[s]] =
+          support_json(checks.reactions[s]);
+      for (unsigned int m = 0; m < results.measures.size(); ++m)
+        json["measures"][results.measures[m]] = last.measures[m];
       json["force_balance"]        = checks.force_balance;
+      json["moment_balance"]       = checks.moment_balance;
       json["residual"]             = checks.residual;
       json["max_rotation"]         = checks.max_rotation;
       json["energy"]               = checks.energy;
@@ -202,9 +216,10 @@ namespace lamella
   std::string
   summary_text(const Results &results)
   {
-    Json json        = run_json(results);
-    json["contacts"] = json["supports"] = json["loads"] = Json::object();
-    json["iterations"]                                  = Json::array();
+    Json json = run_json(results);
+    for (const char *const kind : {"contacts", "supports", "loads", "measures"})
+      json[kind] = Json::object();
+    json["iterations"] = Json::array();
     for (const StepResults &step : results.steps)
       json["iterations"].push_back(step.state.iterations);
     for (const LoadResultant &load : results.loads)

@@ -29,6 +29,10 @@ namespace lamella
       add("support", results.supports, "f");
       add("contact", contacts, "f");
       add("probe", results.probes, "u");
+      add("support", results.supports, "m");
+      add("contact", contacts, "m");
+      for (const std::string &name : results.measures)
+        header += ",measure:" + name;
       return header;
     }
 
@@ -58,6 +62,12 @@ namespace lamella
         line += components(contact.force);
       for (const std::vector<FieldRow> &plies : state.probes)
         line += components(plies.front().sample.displacement);
+      for (const Resultant &reaction : step.checks.reactions)
+        line += components(reaction.moment);
+      for (const KuhnTucker &contact : step.checks.contacts)
+        line += components(contact.moment);
+      for (const double measure : step.measures)
+        line += "," + csv(measure);
       return line + "\n";
     }
 

@@ -7,6 +7,7 @@
 #include <lamella/base/processes.h>
 #include <lamella/base/text.h>
 #include <lamella/contact/assumptions.h>
+#include <lamella/recover/named_quantity.h>
 #include <lamella/report/console.h>
 #include <lamella/report/results_writer.h>
 #include <lamella/report/validation.h>
@@ -72,6 +73,8 @@ namespace lamella
         lists.supports.push_back(scene.support_references.at(support.name));
       for (const ContactPair &contact : scene.contacts)
         lists.contacts.push_back(scene.contact_references.at(contact.name));
+      for (const Measure &measure : scene.measures)
+        lists.measures.push_back(measure.references);
       return lists;
     }
   } // namespace
@@ -119,7 +122,8 @@ namespace lamella
     structure = std::make_unique<Structure>(make_bodies_with_fields(),
                                             scene.supports,
                                             scene.loads,
-                                            stabilisations);
+                                            stabilisations,
+                                            scene.gravity);
     for (const auto &body : structure->bodies())
       body->solver_kind(scene.solve.solver);
   }
@@ -133,6 +137,7 @@ namespace lamella
       make_bodies(scene.bodies, sections, scene.solve.memory_limit);
     if (has_fields_to_choose(scene.bodies))
       {
+        apply_heat(scene.loads, bodies);
         std::vector<ContactInterface> touching;
         for (const ContactPair &contact : scene.contacts)
           touching.push_back(make_interface(contact, bodies));
@@ -142,7 +147,9 @@ namespace lamella
           scene.supports,
           scene.loads,
           touching,
-          stress_places(bodies, scene.probes, scene.lines, scene.cuts));
+          stress_places(bodies, scene.probes, scene.lines, scene.cuts),
+          FieldRules(),
+          scene.gravity);
       }
     return bodies;
   }
@@ -189,10 +196,11 @@ namespace lamella
   {
     if (strength == nullptr)
       return;
-    StrengthSweep::Found found = strength->sweep(results.state.u);
-    results.plies              = std::move(found.plies);
-    results.plies_along        = std::move(found.along);
-    const std::string doubt    = doubt_of_worst(results.plies,
+    StrengthSweep::Found found =
+      strength->sweep(results.state.u, cured_state());
+    results.plies           = std::move(found.plies);
+    results.plies_along     = std::move(found.along);
+    const std::string doubt = doubt_of_worst(results.plies,
                                              scene.supports,
                                              scene.loads,
                                              structure->bodies());
@@ -224,6 +232,8 @@ namespace lamella
       found.lines.push_back(line.name);
     for (const Cut &cut : scene.cuts)
       found.cuts.push_back(cut.name);
+    for (const Measure &measure : scene.measures)
+      found.measures.push_back(measure.name);
 
     const auto add = [this](const std::vector<std::string> &notes) {
       found.notes.insert(found.notes.end(), notes.begin(), notes.end());
@@ -239,10 +249,20 @@ namespace lamella
 
 
 
+  const StrengthSweep *
+  Simulation::strength_of_pictures() const
+  {
+    return structure->is_heated() ? nullptr : strength.get();
+  }
+
+
+
   const Results &
   Simulation::solve(const Observer &observer)
   {
     prepare();
+    if (strength != nullptr && structure->is_heated())
+      find_cured_state();
     const std::vector<double> &factors = scene.solve.load_factors;
     while (found.steps.size() < factors.size())
       {
@@ -260,6 +280,18 @@ namespace lamella
     found.converged = true;
     count_costs();
     return found;
+  }
+
+
+
+  void
+  Simulation::find_cured_state()
+  {
+    out << "State without loads, of heat alone" << std::endl;
+    const State before = state;
+    solve_state(0.);
+    cured = state.u;
+    state = before;
   }
 
 
@@ -372,6 +404,7 @@ namespace lamella
     {
       TimerOutput::Scope scope(timer, name_of(Phase::output));
       found.steps.push_back(take_results(step, factor, checks, previous));
+      take_measures();
     }
     if (!observer)
       return;
@@ -380,6 +413,18 @@ namespace lamella
     observer(found);
     if (step > 1)
       found.steps[step - 2].drop_fields();
+  }
+
+
+
+  void
+  Simulation::take_measures()
+  {
+    if (scene.measures.empty())
+      return;
+    const ResultNumbers numbers(found);
+    for (const Measure &measure : scene.measures)
+      found.steps.back().measures.push_back(numbers.value(measure.quantity));
   }
 
 
@@ -413,7 +458,7 @@ namespace lamella
       const Checks checks = solve_state(factor);
       StepResults  at_factor;
       sampler->sample(state.u, at_factor);
-      const auto        plies = strength->sweep(state.u).plies;
+      const auto        plies = strength->sweep(state.u, cured_state()).plies;
       const PlyReserve *worst = worst_of(plies);
       first.trials.push_back({factor,
                               worst != nullptr ? worst->reserve : std::nullopt,
@@ -550,7 +595,7 @@ namespace lamella
                           sections,
                           scene.resolved,
                           scene.write_vtu,
-                          strength.get()});
+                          strength_of_pictures()});
     // Steps of an earlier run, which are not looked at again.
     std::size_t earlier = 0;
     if (resume)
@@ -598,7 +643,7 @@ namespace lamella
                           sections,
                           scene.resolved,
                           scene.write_vtu,
-                          strength.get()});
+                          strength_of_pictures()});
     Results       so_far = found;
     so_far.steps.clear();
     for (const StepResults &step : found.steps)

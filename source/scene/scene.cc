@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <lamella/base/entry.h>
+#include <lamella/base/patterns.h>
 #include <lamella/conditions/parameters.h>
 #include <lamella/contact/parameters.h>
 #include <lamella/material/parameters.h>
@@ -40,7 +41,8 @@ namespace lamella
         {"Contacts", "Contact"},
         {"Probes", "Probe"},
         {"Lines", "Line"},
-        {"Cuts", "Cut"}};
+        {"Cuts", "Cut"},
+        {"Measures", "Measure"}};
       return all;
     }
 
@@ -68,6 +70,13 @@ namespace lamella
         "section's own Saint-Venant fields and its responses to what touches "
         "it at N wave numbers; SV is SV-0), solid-N (no beams but hexahedra of "
         "degree N, 1 or 2, on the same meshes).");
+      prm.declare_entry("Gravity",
+                        "0, 0, 0",
+                        patterns::numbers(3),
+                        "Acceleration along the scene's x, y and z "
+                        "[length/s^2], 0, 0, -9.81 in m: the weight of all "
+                        "bodies, whose materials then need a Density. A load, "
+                        "times the load factor.");
       SolveParameters::declare(prm);
       prm.declare_entry(
         "Write VTU",
@@ -133,6 +142,8 @@ namespace lamella
               LineParameters::declare(prm);
             else if (kind == "Cut")
               CutParameters::declare(prm);
+            else if (kind == "Measure")
+              MeasureParameters::declare(prm);
             if (kind == "Support" || kind == "Contact")
               declare_references(prm);
             prm.leave_subsection();
@@ -308,6 +319,10 @@ namespace lamella
       });
       subsections.each("Loads", "Load", [&](const auto &name, auto in) {
         scene.loads.push_back(LoadParameters::parse(in, name, bodies));
+        if (name == name_of_weight && scene.gravity.norm() > 0.)
+          in.refuse("Gravity is what the weight of the bodies is called among "
+                    "the loads",
+                    "Rename the load.");
       });
       subsections.each("Obstacles", "Obstacle", [&](const auto &name, auto in) {
         scene.obstacles.push_back(ObstacleParameters::parse(in, name));
@@ -357,13 +372,19 @@ namespace lamella
       subsections.each("Cuts", "Cut", [&](const auto &name, auto in) {
         scene.cuts.push_back(CutParameters::parse(in, name, bodies));
       });
+      subsections.each("Measures", "Measure", [&](const auto &name, auto in) {
+        scene.measures.push_back(
+          MeasureParameters::parse(in, name, scene.probes));
+      });
       prm.enter_subsection("Strength");
       scene.strength =
         StrengthParameters::parse(Entries(prm, "Strength"), bodies);
       prm.leave_subsection();
       const QuantityNames names{scene.probes,
                                 scene.support_references,
-                                scene.contact_references};
+                                scene.contact_references,
+                                scene.measures};
+      check_names_of_measures(names);
       prm.enter_subsection("Trade");
       scene.trade =
         TradeParameters::parse(Entries(prm, "Trade"), {bodies, names});
@@ -390,6 +411,7 @@ namespace lamella
       Scene         scene;
       scene.title     = in["Title"].text();
       scene.units     = Units::parse(in["Units"]);
+      scene.gravity   = in["Gravity"].point();
       scene.solve     = SolveParameters::parse(in);
       scene.write_vtu = in["Write VTU"].truth();
 

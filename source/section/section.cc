@@ -188,6 +188,44 @@ namespace lamella
 
 
 
+  Voigt
+  Section::completion_of_initial(const unsigned int cell,
+                                 const Voigt       &initial) const
+  {
+    return completion == nullptr ? Voigt() :
+                                   completion->of_initial(cell, initial);
+  }
+
+
+
+  bool
+  Section::completes_by_modes() const
+  {
+    return completion != nullptr && !section_theory.is_classical();
+  }
+
+
+
+  void
+  Section::for_each_point(const UseOfPoint &use) const
+  {
+    if (!spans_the_section())
+      {
+        for (unsigned int k = 0; k < points.size(); ++k)
+          use(points[k], weights[k]);
+        return;
+      }
+    const QGauss<2> quadrature(expansion->n_gauss_points());
+    for (unsigned int cell = 0; cell < n_cells(); ++cell)
+      for (unsigned int q = 0; q < quadrature.size(); ++q)
+        {
+          const SectionPoint point = evaluate(cell, quadrature.point(q));
+          use(point, quadrature.weight(q) * point.jacobian);
+        }
+  }
+
+
+
   bool
   Section::spans_the_section() const
   {

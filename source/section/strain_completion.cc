@@ -61,6 +61,15 @@ namespace lamella
 
 
 
+  Voigt
+  FreeContraction::of_initial(const unsigned int cell,
+                              const Voigt       &initial) const
+  {
+    return initial - completion[ply_of_cell[cell]] * initial;
+  }
+
+
+
   ContractionModes::ContractionModes(
     std::shared_ptr<const SectionMesh> mesh,
     const std::vector<SectionPoint>   &points,

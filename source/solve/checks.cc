@@ -33,19 +33,45 @@ namespace lamella
 
 
 
-    /// The forces on one body, summed, and the largest single resultant: a
-    /// force, or a couple over half the body's length.
-    struct Resultants
+    /// The forces on one body, summed, with their moments about its centre, and
+    /// the largest single resultant: a force, or a couple over half the body's
+    /// length.
+    class Resultants
     {
-      Tensor<1, 3> sum;
-      double       largest = 0.;
+    public:
+      explicit Resultants(const Body &body)
+        : size(body.size())
+      {}
 
       void
-      add(const Tensor<1, 3> &force, const double couple = 0.)
+      add(const Tensor<1, 3> &force, const Tensor<1, 3> &moment)
       {
-        sum += force;
-        largest = std::max({largest, force.norm(), couple});
+        forces += force;
+        moments += moment;
+        at_least(std::max(force.norm(), moment.norm() / size));
       }
+
+      /// Forces are compared with no less than that.
+      void
+      at_least(const double force)
+      {
+        largest = std::max(largest, force);
+      }
+
+      /// What is left of forces and of moments, as shares of the largest.
+      std::pair<double, double>
+      unbalanced() const
+      {
+        const auto share = [this](const double left) {
+          return left == 0. ? 0. : left / largest;
+        };
+        return {share(forces.norm()), share(moments.norm() / size)};
+      }
+
+    private:
+      double       size;
+      Tensor<1, 3> forces, moments;
+      double       largest = 0.;
     };
 
 
@@ -68,13 +94,16 @@ namespace lamella
 
 
 
-    /// Fills reactions and their work; adds them to the bodies' resultants.
+    /// Fills reactions and their work; adds them to the bodies' resultants,
+    /// with the moments that the bodies' theories feel: the work of the rows on
+    /// the @p rigid motions.
     double
-    add_reactions(const Structure         &structure,
-                  const BlockVector       &unbalanced,
-                  const double             factor,
-                  Checks                  &checks,
-                  std::vector<Resultants> &on_body)
+    add_reactions(const Structure                        &structure,
+                  const std::vector<std::vector<Vector>> &rigid,
+                  const BlockVector                      &unbalanced,
+                  const double                            factor,
+                  Checks                                 &checks,
+                  std::vector<Resultants>                &on_body)
     {
       double work = 0.;
       for (unsigned int b = 0; b < structure.bodies().size(); ++b)
@@ -83,7 +112,7 @@ namespace lamella
           // hide in a sum of zero.
           const Body               &body = *structure.bodies()[b];
           std::vector<Tensor<1, 3>> of_support(checks.reactions.size()),
-            moment(checks.reactions.size());
+            moment(checks.reactions.size()), felt(checks.reactions.size());
           for (const auto &[row, force] :
                structure.reduction(b).multipliers(unbalanced.block(b)))
             {
@@ -91,6 +120,8 @@ namespace lamella
               of_support[p.support] += force * p.direction;
               moment[p.support] += cross_product_3d(p.position - body.centre(),
                                                     force * p.direction);
+              for (unsigned int c = 0; c < 3; ++c)
+                felt[p.support][c] += force * p.row.row(rigid[b][3 + c]);
               work += 0.5 * force * factor * p.value;
             }
           for (unsigned int s = 0; s < of_support.size(); ++s)
@@ -100,7 +131,7 @@ namespace lamella
               reaction.moment +=
                 moment[s] +
                 cross_product_3d(body.centre() - reaction.about, of_support[s]);
-              on_body[b].add(of_support[s], moment[s].norm() / body.size());
+              on_body[b].add(of_support[s], felt[s]);
             }
         }
       return work;
@@ -108,11 +139,25 @@ namespace lamella
 
 
 
-    /// Adds what the load vector @p f does as a whole, by its work on the
-    /// @p rigid motions of @p body.
+    /// Where each of @p reactions acts.
     void
-    add_load_resultant(const Body                &body,
-                       const std::vector<Vector> &rigid,
+    find_centres(std::vector<Resultant> &reactions, const double size)
+    {
+      // Of the moment over the size of the scene.
+      constexpr double rounding = 1e-9;
+      for (Resultant &reaction : reactions)
+        if (reaction.force.norm() * size > rounding * reaction.moment.norm())
+          reaction.centre_of_pressure =
+            reaction.about + cross_product_3d(reaction.force, reaction.moment) /
+                               reaction.force.norm_square();
+    }
+
+
+
+    /// Adds what the load vector @p f does as a whole, by its work on the
+    /// @p rigid motions of its body.
+    void
+    add_load_resultant(const std::vector<Vector> &rigid,
                        const Vector              &f,
                        const double               factor,
                        Resultants                &on_body)
@@ -123,7 +168,7 @@ namespace lamella
           force[c]  = factor * (f * rigid[c]);
           couple[c] = factor * (f * rigid[3 + c]);
         }
-      on_body.add(force, couple.norm() / body.size());
+      on_body.add(force, couple);
     }
 
 
@@ -137,7 +182,6 @@ namespace lamella
                 const State               &state,
                 Resultants                &on_body)
     {
-      const Body   &body   = *structure.bodies()[b];
       const Vector &u      = state.u.block(b);
       double        energy = 0.;
       for (unsigned int k = 0; k < structure.springs(b).size(); ++k)
@@ -147,7 +191,7 @@ namespace lamella
             spring.row(u) - (state.rest.empty() ? 0. : state.rest[b][k]);
           Vector f(u.size());
           spring.row.add_to(f, -spring.stiffness * length);
-          add_load_resultant(body, rigid, f, 1., on_body);
+          add_load_resultant(rigid, f, 1., on_body);
           energy += 0.5 * spring.stiffness * length * length;
         }
       return energy;
@@ -286,10 +330,16 @@ namespace lamella
       };
       const auto [force_1, moment_1] = on(first);
       const auto [force_2, moment_2] = on(second);
-      on_body[first].add(force_1);
+      const auto about_centre        = [&](const unsigned int  b,
+                                    const Tensor<1, 3> &force,
+                                    const Tensor<1, 3> &moment) {
+        return moment -
+               cross_product_3d(structure.bodies()[b]->centre(), force);
+      };
+      on_body[first].add(force_1, about_centre(first, force_1, moment_1));
       const bool second_deforms = contact.second_body.has_value();
       if (second_deforms)
-        on_body[second].add(force_2);
+        on_body[second].add(force_2, about_centre(second, force_2, moment_2));
       // A theory without a turn about its axis sees no torque about it.
       const bool from_second =
         second_deforms &&
@@ -330,23 +380,36 @@ namespace lamella
 
 
 
-    /// Clapeyron's theorem, with @p contact_work half the contact forces times
-    /// their displacements. Energies below @p rounding are none.
+    /// Clapeyron's theorem, with @p elastic the energy of the whole strains and
+    /// @p other_work half the work of contact forces and heat. Energies below
+    /// @p rounding are none.
     void
-    check_energy(const double contact_work,
+    check_energy(const double elastic,
+                 const double other_work,
                  const double rounding,
                  Checks      &checks)
     {
-      const double stored = checks.energy + checks.stabilisation_energy;
+      const double stored = elastic + checks.stabilisation_energy;
       if (stored <= rounding)
         return;
-      const double size = std::max({std::abs(checks.energy),
+      const double size = std::max({std::abs(elastic),
                                     std::abs(checks.external_work),
                                     checks.stabilisation_energy});
       checks.energy_balance =
-        std::abs(stored - checks.external_work - contact_work) / size;
+        std::abs(stored - checks.external_work - other_work) / size;
       if (checks.stabilisation_energy > rounding)
         checks.stabilisation_share = checks.stabilisation_energy / stored;
+    }
+
+
+
+    /// Keeps the larger of @p largest and @p error; what is not a number must
+    /// not be lost in a maximum.
+    void
+    keep_larger(double &largest, const double error)
+    {
+      if (error > largest || !std::isfinite(error))
+        largest = error;
     }
 
 
@@ -362,13 +425,20 @@ namespace lamella
                  std::vector<Resultants>                &on_body,
                  Checks                                 &checks)
     {
-      double rounding = 0.;
+      // Reactions below that share of what heat would do to a body that is held
+      // are rounding.
+      constexpr double of_heat  = 1e-6;
+      double           rounding = 0.;
       for (unsigned int b = 0; b < structure.bodies().size(); ++b)
         {
           const Body   &body = *structure.bodies()[b];
           const Vector &u    = state.u.block(b);
-          add_load_resultant(
-            body, rigid[b], structure.load().block(b), factor, on_body[b]);
+          add_load_resultant(rigid[b],
+                             structure.load().block(b),
+                             factor,
+                             on_body[b]);
+          on_body[b].at_least(of_heat *
+                              structure.heat_load().block(b).linfty_norm());
           checks.stabilisation_energy +=
             add_springs(structure, b, rigid[b], state, on_body[b]);
           const Deformation deformation = body.deformation(u);
@@ -378,13 +448,11 @@ namespace lamella
           const double noise =
             rounding_energy(structure.largest_stiffness(b), u);
           rounding += noise;
-          // What is not a number must not be lost in a maximum.
-          const double unbalanced = on_body[b].sum.norm();
-          if (deformation.energy <= noise || unbalanced == 0.)
+          if (deformation.energy <= noise)
             continue;
-          const double error = unbalanced / on_body[b].largest;
-          if (error > checks.force_balance || !std::isfinite(error))
-            checks.force_balance = error;
+          const auto [forces, moments] = on_body[b].unbalanced();
+          keep_larger(checks.force_balance, forces);
+          keep_larger(checks.moment_balance, moments);
         }
       return rounding;
     }
@@ -403,11 +471,13 @@ namespace lamella
     for (const Point<3> &middle :
          middles_of_supports(structure.prescribed(), n_supports))
       checks.reactions.push_back({{}, {}, middle});
-    std::vector<Resultants> on_body(structure.bodies().size());
-
+    std::vector<Resultants>          on_body;
     std::vector<std::vector<Vector>> rigid;
     for (const auto &body : structure.bodies())
-      rigid.push_back(body->rigid_motions());
+      {
+        on_body.emplace_back(*body);
+        rigid.push_back(body->rigid_motions());
+      }
 
     checks.max_displacement = state.u.linfty_norm();
     for (const ContactInterface &contact : contacts)
@@ -434,19 +504,27 @@ namespace lamella
     // What the residual was made of: t f less the internal forces.
     BlockVector internal = structure.load();
     internal.sadd(factor, -1., r);
+    internal += structure.heat_load();
     r += contact_load;
     BlockVector reaction = r;
     reaction *= -1.;
     checks.external_work =
-      add_reactions(structure, reaction, factor, checks, on_body) +
+      add_reactions(structure, rigid, reaction, factor, checks, on_body) +
       0.5 * factor * (structure.load() * state.u);
+    find_centres(checks.reactions, structure.size());
 
     const double rounding =
       check_bodies(structure, rigid, state, factor, on_body, checks);
     structure.condense(r);
     if (checks.energy > rounding && r.l2_norm() != 0.)
       checks.residual = r.linfty_norm() / internal.linfty_norm();
-    check_energy(0.5 * (contact_load * state.u), rounding, checks);
+    const double elastic = checks.energy,
+                 of_heat = structure.heat_load() * state.u;
+    check_energy(elastic,
+                 0.5 * (contact_load * state.u + of_heat),
+                 rounding,
+                 checks);
+    checks.energy += structure.heat_energy() - of_heat;
     return checks;
   }
 
@@ -478,6 +556,8 @@ namespace lamella
     for (const auto &[what, error] :
          {std::make_pair("forces on a body do not balance",
                          checks.force_balance),
+          std::make_pair("moments on a body do not balance",
+                         checks.moment_balance),
           std::make_pair("unbalanced forces do not vanish", checks.residual),
           std::make_pair("strain energy is not the work done",
                          checks.energy_balance)})
@@ -581,8 +661,10 @@ namespace lamella
         " % of the energy; a smaller Stabilisation falsifies less");
     const double first =
       state.free_corrections.empty() ? 0. : state.free_corrections.front();
-    const double forces =
-      std::max({checks.force_balance, checks.residual, checks.energy_balance});
+    const double forces = std::max({checks.force_balance,
+                                    checks.moment_balance,
+                                    checks.residual,
+                                    checks.energy_balance});
     if (forces > worth_telling)
       warnings.push_back("reactions and contact forces hold to " +
                          to_text(forces, 2) +

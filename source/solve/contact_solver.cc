@@ -65,7 +65,9 @@ namespace lamella
               force =
                 std::max(force, structure.springs(b)[k].stiffness * moved);
             }
-        double forces = std::abs(factor) * structure.load().linfty_norm();
+        double forces =
+          std::max(std::abs(factor) * structure.load().linfty_norm(),
+                   structure.heat_load().linfty_norm());
         for (const double lambda : state.force)
           forces = std::max(forces, std::abs(lambda));
         if (change <= at_rest * size_of(state, factor) ||

@@ -11,10 +11,12 @@ namespace lamella
   Structure::Structure(Bodies                            bodies,
                        const std::vector<Support>       &supports,
                        const std::vector<Load>          &loads,
-                       const std::vector<Stabilisation> &stabilisations)
+                       const std::vector<Stabilisation> &stabilisations,
+                       const dealii::Tensor<1, 3>       &gravity)
     : all_bodies(std::move(bodies))
     , rows(prescribed_rows(supports, all_bodies))
     , unit_load(zero())
+    , initial_load(zero())
   {
     check_held(stabilisations);
     std::vector<std::string> names;
@@ -33,6 +35,11 @@ namespace lamella
       }
     for (const Load &load : loads)
       resultants.push_back(add_load(load, all_bodies, unit_load));
+    if (gravity.norm() > 0.)
+      resultants.push_back(add_weight(gravity, all_bodies, unit_load));
+    apply_heat(loads, all_bodies);
+    for (unsigned int b = 0; b < all_bodies.size(); ++b)
+      initial_energy += all_bodies[b]->add_heat(initial_load.block(b));
   }
 
 
@@ -190,10 +197,18 @@ namespace lamella
 
 
 
+  bool
+  Structure::is_heated() const
+  {
+    return std::any_of(all_bodies.begin(),
+                       all_bodies.end(),
+                       [](const auto &body) { return body->is_heated(); });
+  }
+
+
+
   BlockVector
-  Structure::residual(const BlockVector &u,
-                      const double       factor,
-                      const SpringRest  &rest) const
+  Structure::internal_forces(const BlockVector &u, const SpringRest &rest) const
   {
     BlockVector r = zero();
     for (unsigned int b = 0; b < all_bodies.size(); ++b)
@@ -208,7 +223,19 @@ namespace lamella
                                  (rest.empty() ? 0. : rest[b][k])));
           }
       }
+    return r;
+  }
+
+
+
+  BlockVector
+  Structure::residual(const BlockVector &u,
+                      const double       factor,
+                      const SpringRest  &rest) const
+  {
+    BlockVector r = internal_forces(u, rest);
     r.sadd(-1., factor, unit_load);
+    r += initial_load;
     return r;
   }
 

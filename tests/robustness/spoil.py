@@ -62,7 +62,7 @@ LARGEST_FILE = 2 << 30
 # ---- what entries are
 
 LISTS = ("Materials", "Sections", "Bodies", "Supports", "Loads", "Obstacles", "Contacts",
-         "Probes", "Lines", "Cuts")
+         "Probes", "Lines", "Cuts", "Measures")
 POSITIVE = {"Width", "Height", "Ply thickness", "Radius", "Finest cell", "Wall thickness",
             "Web thickness", "Flange thickness", "Length", "Scale", "Rotation limit"}
 COUNTS = {"Cells per ply", "Cells across", "Cells per wall", "Cells along wall", "Sectors",

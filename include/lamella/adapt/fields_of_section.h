@@ -26,11 +26,14 @@ namespace lamella
   class FieldsOfSection
   {
   public:
-    /// Makes the states and warpings of @p section. Throws NumericsError if its
+    /// Makes the states and warpings of @p section, and beside these its
+    /// responses to the section load vectors @p everywhere, which act all along
+    /// the axis (heat, weight) and little changed. Throws NumericsError if its
     /// matrices cannot be factorised.
     FieldsOfSection(std::shared_ptr<const Section> section,
                     const Theory                  &theory,
-                    const FieldRules              &rules);
+                    const FieldRules              &rules,
+                    const std::vector<Vector>     &everywhere = {});
 
     /// The group of @p touch.
     unsigned int

@@ -92,11 +92,13 @@ namespace lamella
    *   highest_wave / h_e in equal ratios;
    * - elsewhere the responses to the mean and the linear part of all that
    *   touches it, also to what is constant along the axis.
-   * Beside what holds the section as a whole nodes carry end fields
-   * (end_fields()). Fields are cut to what is independent. In `Theories` pieces
-   * of SV have none of these, and nodes of LE-q carry the section's fields of
-   * degree q and less (Section::field_degree()): at the end of such a piece
-   * those of the higher degree, and where it ends at SV all of them.
+   * All nodes of a body that is heated, or under @p gravity (scene axes,
+   * length / s^2), carry how the section answers that where it is constant
+   * along the axis. Beside what holds the section as a whole nodes carry end
+   * fields (end_fields()). Fields are cut to what is independent. In `Theories`
+   * pieces of SV have none of these, and nodes of LE-q carry the section's
+   * fields of degree q and less (Section::field_degree()): at the end of such a
+   * piece those of the higher degree, and where it ends at SV all of them.
    *
    * The stress in an element is as poor as the poorest of its nodes, so where
    * one of @p asked lies in an element some of whose nodes are near something,
@@ -113,8 +115,9 @@ namespace lamella
                 const std::vector<Support>          &supports,
                 const std::vector<Load>             &loads,
                 const std::vector<ContactInterface> &contacts,
-                const std::vector<StressPlace>      &asked = {},
-                const FieldRules                    &rules = {});
+                const std::vector<StressPlace>      &asked   = {},
+                const FieldRules                    &rules   = {},
+                const dealii::Tensor<1, 3>          &gravity = {});
 
   /// Whether choose_fields() would change any of the bodies.
   bool

@@ -155,6 +155,27 @@ namespace lamella
     Deformation
     deformation(const Vector &u) const override;
 
+    void
+    heat(const ScalarField &change) override;
+    double
+    add_heat(Vector &f) const override;
+    void
+    add_weight(const dealii::Tensor<1, 3> &acceleration,
+               Vector                     &f) const override;
+    const std::vector<Ply> &
+    plies() const override
+    {
+      return beam_section->plies();
+    }
+
+    /// integral D_s^T C epsilon_0 dA over the section at @p y of the axis, and
+    /// integral of rho g . Phi dA, in the fields of the section: what heat and
+    /// weight load a section with.
+    Vector
+    section_heat(const double y) const;
+    Vector
+    section_weight(const dealii::Tensor<1, 3> &acceleration) const;
+
     /// Within 1e-10 of the length along the axis and 1e-8 of the section's
     /// reference length across. The axis is searched element by element, the
     /// section by a tree of boxes.
@@ -408,10 +429,30 @@ namespace lamella
     static PointState
     point_state(const SectionPoint &point, const AxisState &state);
 
+    /// The law of the section cell @p cell at @p x (scene axes), with the
+    /// initial strain of heat.
+    ElasticLaw
+    law_at(const unsigned int cell, const dealii::Point<3> &x) const;
+
     /// The body frame's fields in scene and ply axes, with the stress that the
-    /// law of the section cell @p cell makes of the strain.
+    /// law of the section cell @p cell makes of the strain at @p x (scene
+    /// axes).
     FieldSample
-    field_sample(const PointState &state, const unsigned int cell) const;
+    field_sample(PointState              state,
+                 const unsigned int      cell,
+                 const dealii::Point<3> &x) const;
+
+    /// Of a point of the section the forces that a stress does work with there,
+    /// integrated over the section for each point of the axis: what
+    /// add_section_force() takes, of the fields of the section only.
+    using SectionWork = std::array<std::vector<double>, 3>;
+
+    /// Adds what the work @p work of each of the points of the axis from
+    /// @p begin on comes to, modes among it, to @p share.
+    void
+    add_section_works(std::vector<SectionWork> work,
+                      const unsigned int       begin,
+                      Vector                  &share) const;
 
     /// The elements of one axis element, a section cell each, with grids of
     /// (n + 1) x m x (n + 1) samples, one layer for each of the m places @p

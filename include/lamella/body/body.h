@@ -23,6 +23,7 @@
 #include <deal.II/base/point.h>
 
 #include <array>
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -167,7 +168,11 @@ namespace lamella
     unsigned int trace_degree_s = 0, trace_degree_t = 0;
   };
 
+  struct Ply;
   struct SurfaceTopology;
+
+  /// A number at each point of the scene.
+  using ScalarField = std::function<double(const dealii::Point<3> &)>;
 
   /**
    * An element of a body for pictures: fields on a regular grid of its unit
@@ -193,9 +198,10 @@ namespace lamella
   /// energy balance, one for the limits of geometrical linearity.
   struct Deformation
   {
-    /// The strain energy, integral (epsilon - epsilon_0) . C (epsilon -
-    /// epsilon_0) / 2 dV (force times length): by Clapeyron's theorem half the
-    /// work of all forces on a linear body that has no initial strain.
+    /// integral epsilon . C epsilon / 2 dV (force times length): the strain
+    /// energy where no heat strains the body, and by Clapeyron's theorem half
+    /// the work of all forces on it, those of heat (Body::add_heat()) among
+    /// them.
     double energy = 0.;
     /// The largest |curl u| / 2 at the integration points, in rad. The theory
     /// is that of small rotations; solve/checks.h warns or fails beyond them.
@@ -364,6 +370,41 @@ namespace lamella
     deformation(const Vector &u) const = 0;
 
     /**
+     * From now on the body is warmer than without stress by @p change [K], a
+     * function of the scene, in the place of what it was before: each ply has
+     * the initial strain epsilon_0 = alpha T, alpha its Ply::expansion(), which
+     * samples and rows know. It is part of the body, as its materials are, and
+     * does not grow with the load factor. Throws InputError for a ply whose
+     * material has no expansion and for a theory that cannot be heated.
+     */
+    virtual void
+    heat(const ScalarField &change);
+
+    bool
+    is_heated() const
+    {
+      return bool(temperature_change);
+    }
+
+    /// f += integral B^T C epsilon_0 dV: what heat does, as the load that makes
+    /// the same displacements; no resultant. By the points that integrate the
+    /// stiffness. Returns integral epsilon_0 . C epsilon_0 / 2 dV, the energy
+    /// of the body when it is heated and held. Zero if nobody heats it.
+    /// Collective.
+    virtual double
+    add_heat(Vector &f) const = 0;
+
+    /// f += integral of rho g . u dV, g = @p acceleration in scene axes
+    /// [length/s^2]. Throws InputError for a ply whose material has no density.
+    /// Collective.
+    virtual void
+    add_weight(const dealii::Tensor<1, 3> &acceleration, Vector &f) const = 0;
+
+    /// The homogeneous parts of the body's section.
+    virtual const std::vector<Ply> &
+    plies() const = 0;
+
+    /**
      * The places of each point, by point and by ply: one location a ply, plies
      * ascending, and none for a point outside of the body. @p points are of the
      * undeformed scene.
@@ -382,7 +423,8 @@ namespace lamella
      * strains and stresses, order of Eq. 4, in the axes of @p frame, which
      * displacements ignore. Of a location with several places they are the
      * means of those of the places. The rows of a stress have the constant
-     * -C epsilon_0 of the ply's law; all others have none.
+     * -C epsilon_0 of the ply's law where heat strains it (and those of a
+     * strain what the theory completes there); all others have none.
      *
      * Entries are sorted by DoF. Shape functions that vanish but for rounding,
      * as those of all other nodes do at a node, have none, so that rows there
@@ -574,6 +616,20 @@ namespace lamella
       const bool                                         with_values,
       const std::function<void(const StiffnessBlock &)> &use) const = 0;
 
+    /// T at @p x (scene axes) [K]; zero where nobody heats the body.
+    double
+    temperature(const dealii::Point<3> &x) const
+    {
+      return temperature_change ? temperature_change(x) : 0.;
+    }
+
+    /// Of each ply the density. Throws InputError for one without.
+    std::vector<double>
+    densities() const;
+
+    /// Of each ply alpha in the body's axes [1/K]; empty before heat().
+    std::vector<Voigt> expansions;
+
     /// Throws @p error again, as a NumericsError that says as well where in the
     /// scene its DoF is.
     [[noreturn]] void
@@ -581,6 +637,7 @@ namespace lamella
 
   private:
     std::string body_name;
+    ScalarField temperature_change;
   };
 
   /// The bodies of a scene, in the order of its list: a body's number

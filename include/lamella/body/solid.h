@@ -86,6 +86,16 @@ namespace lamella
     add_internal_forces(const Vector &u, Vector &f) const override;
     Deformation
     deformation(const Vector &u) const override;
+    double
+    add_heat(Vector &f) const override;
+    void
+    add_weight(const dealii::Tensor<1, 3> &acceleration,
+               Vector                     &f) const override;
+    const std::vector<Ply> &
+    plies() const override
+    {
+      return mesh.section().plies;
+    }
 
     std::vector<std::vector<Location>>
     locate(const std::vector<dealii::Point<3>> &points) const override;
@@ -176,6 +186,12 @@ namespace lamella
     {
       return laws[mesh.cells()[cell].ply];
     }
+
+    /// The law of @p cell with the initial strain of heat at @p unit. Of
+    /// degree 1 the temperature is that of the middle of the cell: one that
+    /// varies in it would strain its incompatible modes, too.
+    ElasticLaw
+    law_at(const unsigned int cell, const dealii::Point<3> &unit) const;
 
     /// The displacements of @p cell less those of its first node, so that a
     /// rigid translation has no strain, to the last bit.

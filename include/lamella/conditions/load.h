@@ -7,6 +7,7 @@
 #include <lamella/conditions/region.h>
 
 #include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,15 +16,17 @@ namespace lamella
   /**
    * A given force, as numbers or functions of the scene's x, y, z. Dead loads
    * of linear theory: position and normal are those of the undeformed body, and
-   * all of it is multiplied by the load factor of the step. Either force or
-   * pressure counts.
+   * all of it is multiplied by the load factor of the step. One of force,
+   * pressure, couple and temperature counts. A temperature is no force but what
+   * its bodies are (Body::heat()); no load factor multiplies it.
    */
   struct Load
   {
     /// As in `subsection Load NAME`.
     std::string name;
-    /// Points, lines and surfaces, on one body or several; never a whole body.
-    /// Each carries the load anew: a force at two points is there twice.
+    /// Points, lines and surfaces, on one body or several; of a temperature,
+    /// and of nothing else, whole bodies. Each carries the load anew: a force
+    /// at two points is there twice.
     std::vector<Region> on;
     /// Scene components: a force at a point, a force per length along a line, a
     /// force per area on a surface. In [force], [force/length],
@@ -32,6 +35,18 @@ namespace lamella
     /// On a surface, force per area against its outward normal. So a positive
     /// one pushes into the body. Empty if the load is a force.
     Formula pressure;
+    /**
+     * On a surface, a moment [force x length], scene components, as tractions
+     * that are linear over it,
+     *   t(X) = theta x (X - c),   J theta = M,
+     *   J = integral of (r^2 1 - r r) dA,   r = X - c,
+     * c the surface's own centre of area: those of least square that have the
+     * moment M, and no force. On an end a bending moment gives the axial
+     * traction of Navier, a torque that of a round shaft.
+     */
+    std::optional<dealii::Tensor<1, 3>> couple = {};
+    /// By how much bodies are warmer than without stress [K].
+    Formula temperature = {};
   };
 
   /**
@@ -104,6 +119,23 @@ namespace lamella
    */
   LoadResultant
   add_load(const Load &load, const Bodies &bodies, BlockVector &f);
+
+  /// Heats the bodies of @p bodies that a temperature among @p loads is on, as
+  /// often as it is called. Throws InputError as Body::heat() does, for an
+  /// expression that does not parse, and for a body that two loads heat.
+  void
+  apply_heat(const std::vector<Load> &loads, const Bodies &bodies);
+
+  /// What the weight of all bodies is called among the loads.
+  constexpr const char *name_of_weight = "Gravity";
+
+  /// f += the weight of all bodies under @p acceleration (scene axes, length /
+  /// s^2) at load factor 1. Throws InputError for a material without density.
+  /// Collective.
+  LoadResultant
+  add_weight(const dealii::Tensor<1, 3> &acceleration,
+             const Bodies               &bodies,
+             BlockVector                &f);
 } // namespace lamella
 
 #endif

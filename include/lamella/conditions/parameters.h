@@ -55,8 +55,8 @@ namespace lamella
           const std::vector<std::string> &bodies);
   };
 
-  /// The entries of a `subsection Load NAME`. `On`, `At`, and either `Force` or
-  /// `Pressure`.
+  /// The entries of a `subsection Load NAME`. `On`, `At`, and one of `Force`,
+  /// `Pressure`, `Couple` and `Temperature`.
   struct LoadParameters
   {
     /// Declares them in the subsection that @p prm is in.
@@ -66,8 +66,9 @@ namespace lamella
     /// The load @p name on bodies with the names @p bodies, its expressions not
     /// yet parsed. Throws InputError. Regions of which one is part of another
     /// on the same body (`all`, `ends`) are refused: the load would act twice
-    /// there. So are loads on a whole body, and pressure on anything but a
-    /// surface.
+    /// there. So are forces on a whole body, temperatures on anything else, and
+    /// pressure and couples on anything but a surface, couples on several at
+    /// once (`ends`, `all`), too.
     static Load
     parse(const Entries                  &in,
           const std::string              &name,

@@ -74,6 +74,8 @@ namespace lamella
     of_support(const NamedQuantity &goal) const;
     std::optional<Derivative>
     of_contact(const NamedQuantity &goal) const;
+    std::optional<Derivative>
+    of_measure(const NamedQuantity &goal) const;
 
     /// The elements' part of the errors, r . (z - I z).
     LocalErrors

@@ -77,10 +77,11 @@ namespace lamella
 
     /// Zero, and so no material, until set.
     EngineeringConstants elastic;
-    /// Mass per volume. No entry of a scene sets it as yet.
+    /// Mass per volume, in the mass that force and length make:
+    /// [force s^2 / length^4], kg/m^3 of m and N, t/mm^3 of mm and N.
     std::optional<double> density;
     /// alpha_1, alpha_2, alpha_3: strain per kelvin. In the material's own
-    /// axes. No entry of a scene sets them as yet.
+    /// axes.
     std::optional<dealii::Tensor<1, 3>> expansion;
     /// Stresses, and strains, at which it fails.
     std::optional<Strengths> strengths, ultimate_strains;

@@ -17,9 +17,10 @@
 namespace lamella
 {
   /// A number of a run's results that can be asked for by name, at the last
-  /// load step: a column of probes.csv at a probe, a component of the resultant
-  /// of a support or a contact, or the mean pressure or a width of what presses
-  /// of a contact, all of it or a strip (PressedPatch).
+  /// load step: a column of probes.csv at a probe, a difference of two of them
+  /// (a measure), a component of the resultant of a support or a contact, or
+  /// the mean pressure or a width of what presses of a contact, all of it or a
+  /// strip (PressedPatch).
   struct NamedQuantity
   {
     /// What it is a number of.
@@ -28,16 +29,17 @@ namespace lamella
       undefined,
       probe,
       support, ///< the reaction on the bodies
-      contact  ///< the resultant on the second side
+      contact, ///< the resultant on the second side
+      measure  ///< a difference of two quantities of probes
     };
     Of of = Of::undefined;
-    /// Of the probe, support or contact.
+    /// Of the probe, support, contact or measure.
     std::string name;
     /// Of a probe on a ply interface, from 1 at the bottom; 0: not said.
     unsigned int ply = 0;
     /// `uz`, `syy`, ... of a probe; of a resultant `fx`, `fy`, `fz` or its
     /// moments `mx`, `my`, `mz`; of a contact also `pressure`, `width`, and
-    /// `width x`, `width y`, `width z`.
+    /// `width x`, `width y`, `width z`. Of a measure `value`.
     std::string column;
     /// The first of the scene's References of this quantity.
     std::optional<double> given;
@@ -45,11 +47,27 @@ namespace lamella
     std::string path = {};
     /// Of a contact what it is restricted to, if anything.
     std::optional<ContactStrip> strip = {};
+    /// Of a measure its two terms, of which it is the difference of the first
+    /// less the second, over a number that is not zero.
+    std::vector<NamedQuantity> terms = {};
+    double                     over  = 1.;
 
     /// `upper_top: uz`, with a ply `middle/2: syz`, with a strip `roller: fz in
     /// y 40 60`, as the scene says it.
     std::string
     label() const;
+  };
+
+  /// The difference of a column at two probes, over a number or over their
+  /// distance: a twist, an indentation, an opening.
+  struct Measure
+  {
+    /// As in `subsection Measure NAME`.
+    std::string name;
+    /// With its terms, and the first of the references as what is given.
+    NamedQuantity quantity;
+    /// Of `value`.
+    std::vector<Reference> references;
   };
 
   /// What the names in a quantity can mean: the names of a scene, with the
@@ -58,15 +76,21 @@ namespace lamella
   {
     std::vector<Probe>                            probes;
     std::map<std::string, std::vector<Reference>> supports, contacts;
+    std::vector<Measure>                          measures = {};
   };
 
   /// The quantity that @p text says, NAME: COLUMN, of a contact also NAME:
-  /// COLUMN in AXIS FROM TO. Throws InputError unless a probe, a support or a
-  /// contact has that name, and only one of the latter two, and has such a
-  /// number, for another form of the strip, and unless FROM is less than TO.
-  /// Whether the strip is in the contact check_strip() says.
+  /// COLUMN in AXIS FROM TO. Throws InputError unless a probe, a measure, a
+  /// support or a contact has that name, and only one of the latter two, and
+  /// has such a number, for another form of the strip, and unless FROM is less
+  /// than TO. Whether the strip is in the contact check_strip() says.
   NamedQuantity
   parse_quantity(const Entry &text, const QuantityNames &names);
+
+  /// The column of one of @p probes that @p text says, PROBE: COLUMN or
+  /// PROBE/PLY: COLUMN. Throws InputError if it says anything else.
+  NamedQuantity
+  parse_of_probe(const Entry &text, const std::vector<Probe> &probes);
 
   /// Throws InputError, with the path of @p quantity, which is of a contact,
   /// unless the contact with @p points has such a strip and such a width:
@@ -119,7 +143,8 @@ namespace lamella
     /// The largest magnitude of what is of the same kind as @p quantity: any
     /// displacement, strain or stress of any probe, any force or any moment of
     /// supports and contacts, the pressure at any point of any contact, the
-    /// width of any contact along any axis.
+    /// width of any contact along any axis. Of a measure the largest of the
+    /// kind of its terms over what these are divided by.
     double
     largest_of_kind(const NamedQuantity &quantity) const;
 

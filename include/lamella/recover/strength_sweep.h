@@ -82,9 +82,11 @@ namespace lamella
     };
 
     /// The rows of StepResults::plies and plies_along for the displacements
-    /// @p u, which have a block for each body. Collective.
+    /// @p u, which have a block for each body. Of heated bodies @p cured are
+    /// those of heat alone: their stresses stay, and the reserve factor
+    /// multiplies what @p u has beyond them. Collective.
     Found
-    sweep(const BlockVector &u) const;
+    sweep(const BlockVector &u, const BlockVector *cured = nullptr) const;
 
     /// The largest 1/R of ply @p ply of body @p body under @p ply_stress (its
     /// own axes), for pictures; 0 where no R is finite or nothing is looked
@@ -136,16 +138,26 @@ namespace lamella
     /// station.
     class Along;
 
+    /// A body's displacements, with those of heat alone or null.
+    struct Displacements
+    {
+      const Vector &u;
+      const Vector *cured;
+    };
     /// Of each task the points of this process that are near to failure.
     std::vector<std::vector<dealii::Point<3>>>
-    near_failure(const Swept &swept, const Vector &u, Along &along) const;
-    /// The worst row of @p task at @p points, recovered.
+    near_failure(const Swept         &swept,
+                 const Displacements &at,
+                 Along               &along) const;
+    /// The worst row of @p task at @p points, recovered; @p cure recovers the
+    /// stresses of heat alone, if any.
     std::optional<PlyReserve>
     worst_row(const Swept                         &swept,
               const Task                          &task,
               const std::vector<dealii::Point<3>> &points,
               const Vector                        &u,
-              StressRecovery                      &recovery) const;
+              StressRecovery                      &recovery,
+              StressRecovery                      *cure) const;
 
     const Bodies                                &bodies;
     std::vector<Criterion>                       criteria;

@@ -23,9 +23,9 @@ namespace lamella
   /// another program.
   struct ReferenceLists
   {
-    /// Of each probe, support and contact, in the order of Results; empty lists
-    /// of those without any.
-    std::vector<std::vector<Reference>> probes, supports, contacts;
+    /// Of each probe, support, contact and measure, in the order of Results;
+    /// empty lists of those without any.
+    std::vector<std::vector<Reference>> probes, supports, contacts, measures;
   };
 
   /// Prints the results that have references, a row each: what, the result, the

@@ -26,6 +26,7 @@
 #include <functional>
 #include <iosfwd>
 #include <memory>
+#include <optional>
 #include <string>
 
 namespace lamella
@@ -170,6 +171,20 @@ namespace lamella
     /// strategy that finds which rows are active.
     void
     prepare();
+    /// The state at load factor zero of heated bodies: what stays of the
+    /// stresses when loads grow.
+    void
+    find_cured_state();
+    /// What VTU files have reserve factors from: null where bodies are heated,
+    /// since points of pictures do not know which of their stress stays.
+    const StrengthSweep *
+    strength_of_pictures() const;
+    /// That of find_cured_state(), or null where nothing is heated.
+    const BlockVector *
+    cured_state() const
+    {
+      return cured ? &*cured : nullptr;
+    }
     /// Load step number @p step, from 1, at load factor @p factor: `state` and
     /// one more element of the results' steps.
     void
@@ -194,6 +209,9 @@ namespace lamella
                  const double       factor,
                  const Checks      &checks,
                  const State       &previous) const;
+    /// The measures of the last of the steps found, into it.
+    void
+    take_measures();
     /// Reserve factors of plies of the present state, and warnings of places
     /// that tell nothing, into @p results.
     void
@@ -246,6 +264,8 @@ namespace lamella
     /// Of the last load step; empty before the first.
     State   state;
     Results found;
+    /// What find_cured_state() has found.
+    std::optional<BlockVector> cured;
   };
   /// The simulation of @p scene, out of @p text: faults that show when bodies
   /// are built are InputErrors with the line of the text, too. @p text is not

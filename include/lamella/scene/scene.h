@@ -17,6 +17,7 @@
 #include <lamella/conditions/load.h>
 #include <lamella/conditions/support.h>
 #include <lamella/contact/parameters.h>
+#include <lamella/recover/measure.h>
 #include <lamella/recover/requests.h>
 #include <lamella/recover/strength_sweep.h>
 #include <lamella/scene/goal_parameters.h>
@@ -66,8 +67,11 @@ namespace lamella
 
     /// Prescribed displacements, at load factor 1.
     std::vector<Support> supports;
-    /// Forces, at load factor 1.
+    /// Forces, at load factor 1, and temperatures.
     std::vector<Load> loads;
+    /// The acceleration that makes a weight of each density, at load factor 1
+    /// [length / s^2].
+    dealii::Tensor<1, 3> gravity;
     /// Rigid bodies that contacts refer to.
     Obstacles obstacles;
     /// Pairs of surfaces that may touch; those with an obstacle share it.
@@ -79,6 +83,8 @@ namespace lamella
     std::vector<Probe> probes;
     std::vector<Line>  lines;
     std::vector<Cut>   cuts;
+    /// Differences of what probes give.
+    std::vector<Measure> measures;
     /// Which plies are looked at for failure, by which criteria.
     StrengthParameters strength;
     /// Whether the load at first failure is sought after the load factors.

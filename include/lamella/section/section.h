@@ -21,6 +21,7 @@
 
 #include <deal.II/numerics/rtree.h>
 
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -170,6 +171,27 @@ namespace lamella
     /// made of these. Refers to this object by SectionPoint::fields.
     SectionPoint
     evaluate(const unsigned int cell, const dealii::Point<2> &unit) const;
+
+    /// What an initial strain @p initial of @p cell, as heat makes it, adds to
+    /// the strains of all fields (StrainCompletion::of_initial()): zero for
+    /// theories that complete no strains.
+    Voigt
+    completion_of_initial(const unsigned int cell, const Voigt &initial) const;
+
+    /// Whether the theory completes strains by modes of the whole section
+    /// (TE-1): what these make of an initial strain is not known at a point.
+    bool
+    completes_by_modes() const;
+
+    /// A point of the section, its strains completed, and what it stands for in
+    /// integrals over the section [length^2].
+    using UseOfPoint = std::function<void(const SectionPoint &, const double)>;
+
+    /// Calls @p use with n_gauss_points()^2 points a cell, cell by cell:
+    /// integration_points() where these have weights, so that what they
+    /// integrate fits the S_pq to the last bit.
+    void
+    for_each_point(const UseOfPoint &use) const;
 
     /**
      * Whether the theory's fields live on the whole section with strains of

@@ -36,6 +36,15 @@ namespace lamella
     /// be called once a point.
     virtual void
     complete(SectionPoint &point) const = 0;
+
+    /// What an initial strain @p initial of the section cell @p cell adds to
+    /// the strains of all fields, whatever they are: heat widens a section,
+    /// too. None by default.
+    virtual Voigt
+    of_initial(const unsigned int /*cell*/, const Voigt & /*initial*/) const
+    {
+      return {};
+    }
   };
 
   /**
@@ -59,6 +68,11 @@ namespace lamella
     /// eps becomes P eps, whatever xx, zz and xz had been.
     void
     complete(SectionPoint &point) const override;
+
+    /// eps_0 - P eps_0: with it sigma = C (P eps + (eps_0 - P eps_0) - eps_0)
+    /// has no xx, zz and xz either.
+    Voigt
+    of_initial(const unsigned int cell, const Voigt &initial) const override;
 
   private:
     /// P of each ply: eps = P eps with the kept strains as they are.

@@ -53,6 +53,18 @@ namespace lamella
     {
       return rotated(properties.elastic.stiffness(), axes());
     }
+
+    /// The strain per kelvin in the body frame, alpha = sum_k alpha_k e_k e_k,
+    /// in the order of Eq. 4 with engineering shear strains [1/K]. The material
+    /// must have its Thermal expansion.
+    Voigt
+    expansion() const
+    {
+      Voigt alpha;
+      for (unsigned int k = 0; k < 3; ++k)
+        alpha[k] = properties.expansion.value()[k];
+      return strain_rotation(transpose(axes())) * alpha;
+    }
   };
 
   /**

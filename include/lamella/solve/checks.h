@@ -7,6 +7,7 @@
 
 #include <deal.II/base/tensor.h>
 
+#include <optional>
 #include <vector>
 
 namespace lamella
@@ -68,6 +69,9 @@ namespace lamella
     dealii::Tensor<1, 3> force, moment;
     /// The point, in the scene; not where the force acts.
     dealii::Point<3> about;
+    /// Where it acts: of its line of action the point nearest to `about`. None
+    /// without a force, or with one that is rounding beside the moment.
+    std::optional<dealii::Point<3>> centre_of_pressure = {};
   };
 
   /**
@@ -89,19 +93,25 @@ namespace lamella
     /// reaction, contacts, springs) over the largest single one of them there:
     /// a force, or a couple over the size of the body.
     double force_balance = 0.;
+    /// The largest sum of all their moments about the body's centre, over the
+    /// size of the body and that same single force: what arms, and turns that
+    /// the rows of a support or a contact do not follow, spoil.
+    double moment_balance = 0.;
     /// |G^T (t f + B^T lambda - internal)| / |internal|, maximum norms, with
     /// the springs' forces in `internal`.
     double residual = 0.;
-    /// Strain energy 1/2 integral strain^T C strain dV, and half the sum of
-    /// loads and reactions times their displacements (the work done on the
-    /// scene if all forces grow in proportion).
+    /// Strain energy, 1/2 integral (strain - that of heat)^T C (strain - that
+    /// of heat) dV, and half the sum of loads and reactions times their
+    /// displacements (the work done on the scene if all forces grow in
+    /// proportion).
     double energy = 0., external_work = 0.;
     /// In stabilising springs, over all bodies, and its share of all energy.
     /// Zero, but for rounding, once the state is released from them.
     double stabilisation_energy = 0., stabilisation_share = 0.;
     /// |energy - external_work - half the contact forces times their
     /// displacements| over the larger of the first two, with what the springs
-    /// hold: zero by Clapeyron's theorem.
+    /// hold: zero by Clapeyron's theorem. With heat, energy is that of the
+    /// whole strains here, and its load f_0 does work, too.
     double energy_balance = 0.;
     /// The largest rotation, in rad, over all bodies. The linear strain (Eq. 5)
     /// misses about half its square.
@@ -128,11 +138,11 @@ namespace lamella
   /**
    * Throws NumericsError if the state is not to be trusted, looked at in this
    * order: stabilising springs that hold more than a tenth of the energy, last
-   * corrections above 1e-6 of the displacements, balance of forces, residual or
-   * balance of energy above 1e-3, a contact force below zero or gaps off the
-   * contact law by more than 1e-6 of the displacements, numbers that are none,
-   * or a rotation above @p rotation_limit (rad). A check that is not a number
-   * counts as failed.
+   * corrections above 1e-6 of the displacements, balance of forces or moments,
+   * residual or balance of energy above 1e-3, a contact force below zero or
+   * gaps off the contact law by more than 1e-6 of the displacements, numbers
+   * that are none, or a rotation above @p rotation_limit (rad). A check that is
+   * not a number counts as failed.
    */
   void
   require_sound(const State  &state,

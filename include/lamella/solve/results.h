@@ -178,6 +178,8 @@ namespace lamella
     std::vector<std::vector<CutRow>>   cuts;
     /// Of each line.
     std::vector<InterfaceJump> jumps;
+    /// Of each measure its value.
+    std::vector<double> measures;
     /// Of each contact its pairs, in the order of its rows.
     std::vector<std::vector<ContactRow>> contacts;
     /// Of each contact.
@@ -194,8 +196,8 @@ namespace lamella
 
     /// Drops the state's vectors, the strategy's memory and all rows (those of
     /// the checks, too), which is nearly all of its memory. What stays: number,
-    /// load factor, iterations, checks, jumps, changes, reserve factors of
-    /// plies and warnings.
+    /// load factor, iterations, checks, jumps, measures, changes, reserve
+    /// factors of plies and warnings.
     void
     drop_fields();
   };
@@ -321,7 +323,7 @@ namespace lamella
     /// In the order of the scene, as are all names here.
     std::vector<BodyFacts>    bodies;
     std::vector<ContactFacts> contacts;
-    std::vector<std::string>  supports, probes, lines, cuts;
+    std::vector<std::string>  supports, probes, lines, cuts, measures;
     /// Of each load, at load factor 1.
     std::vector<LoadResultant> loads;
     /// The diagonal of the box around all bodies.

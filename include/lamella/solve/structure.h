@@ -55,12 +55,15 @@ namespace lamella
      * @p stabilisations has one for each body, or is empty: none. Throws
      * InputError if a region is not in its body, if supports contradict each
      * other, or if a body can still move and has no stabilisation (the message
-     * names how).
+     * names how). Bodies are heated by the temperatures among @p loads, and
+     * their weight under @p gravity (scene axes, length / s^2) is one more
+     * load, the last, if that is not zero. Collective.
      */
     Structure(Bodies                            bodies,
               const std::vector<Support>       &supports,
               const std::vector<Load>          &loads,
-              const std::vector<Stabilisation> &stabilisations = {});
+              const std::vector<Stabilisation> &stabilisations = {},
+              const dealii::Tensor<1, 3>       &gravity        = {});
 
     /// In the order of the scene, which is that of the blocks of vectors.
     const Bodies &
@@ -93,7 +96,8 @@ namespace lamella
     }
 
     /// Of each load what it is in all, at load factor 1: force and moment
-    /// about the scene's origin, scene axes, in the order of the loads.
+    /// about the scene's origin, scene axes, in the order of the loads, weight
+    /// after them.
     const std::vector<LoadResultant> &
     load_resultants() const
     {
@@ -116,6 +120,26 @@ namespace lamella
     load() const
     {
       return unit_load;
+    }
+
+    /// The load vector f_0 of heat (Body::add_heat()), which no load factor
+    /// multiplies; zero where nothing is heated.
+    const BlockVector &
+    heat_load() const
+    {
+      return initial_load;
+    }
+
+    /// Whether any body is.
+    bool
+    is_heated() const;
+
+    /// integral epsilon_0 . C epsilon_0 / 2 dV over all bodies: what they would
+    /// store if they were heated and held everywhere.
+    double
+    heat_energy() const
+    {
+      return initial_energy;
     }
 
     /// DoFs of all bodies, those that supports prescribe among them.
@@ -173,8 +197,10 @@ namespace lamella
 
     /**
      * The unbalanced forces without those of contact,
-     *   r = t f - integral B^T C (B u) dV - sum_k s_k (r_k(u) - r_0k) r_k^T,
-     * t = @p factor; not condensed. The springs are without force at @p rest.
+     *   r = t f + f_0 - integral B^T C (B u) dV
+     *       - sum_k s_k (r_k(u) - r_0k) r_k^T,
+     * t = @p factor, f_0 = heat_load(); not condensed. The springs are without
+     * force at @p rest.
      * Strain first: at each quadrature point the strains B u are formed from
      * @p u and the stresses C (B u) integrated, instead of K u with an
      * assembled K. Where a slender body's K loses digits to cancellation this
@@ -185,6 +211,11 @@ namespace lamella
     residual(const BlockVector &u,
              const double       factor,
              const SpringRest  &rest = {}) const;
+
+    /// integral B^T C (B u) dV + sum_k s_k (r_k(u) - r_0k) r_k^T, likewise:
+    /// linear in @p u without a @p rest.
+    BlockVector
+    internal_forces(const BlockVector &u, const SpringRest &rest = {}) const;
 
     /// G^T r in place, zero in the eliminated DoFs: the residual that
     /// equilibrium sets to zero. (What is left in the eliminated ones before
@@ -207,7 +238,8 @@ namespace lamella
     std::vector<std::unique_ptr<LinearSolver>> solvers;
     /// largest_stiffness() where no solver knows it, once asked for.
     mutable std::vector<double> stiffest;
-    BlockVector                 unit_load;
+    BlockVector                 unit_load, initial_load;
+    double                      initial_energy = 0.;
     std::vector<LoadResultant>  resultants;
   };
 } // namespace lamella

@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <lamella/recover/measure.h>
+
+#include <algorithm>
+
+namespace lamella
+{
+  using dealii::ParameterHandler;
+  using dealii::Patterns::Anything;
+
+  void
+  MeasureParameters::declare(ParameterHandler &prm)
+  {
+    prm.declare_entry(
+      "Of",
+      "",
+      Anything(),
+      "PROBE: COLUMN - PROBE: COLUMN, blanks around the minus: the difference "
+      "of two columns of probes.csv of one kind; PROBE/PLY on an interface.");
+    prm.declare_entry("Over",
+                      "1",
+                      Anything(),
+                      "What the difference is divided by: a number, or "
+                      "distance, that of the two probes before they move "
+                      "[length].");
+    prm.declare_entry("References",
+                      "",
+                      Anything(),
+                      "Values to print beside the result, value: NUMBER: "
+                      "source, between '|'.");
+  }
+
+
+
+  namespace
+  {
+    const std::string difference = " - ";
+
+
+
+    /// What is subtracted from what: the two sides of the only minus between
+    /// blanks (names have some without).
+    std::vector<Entry>
+    sides_of(const Entry &entry)
+    {
+      if (entry.is_empty())
+        entry.is_missing("write PROBE: COLUMN - PROBE: COLUMN.");
+      const std::string &text  = entry.text();
+      const auto         minus = text.find(difference);
+      if (minus == std::string::npos ||
+          text.find(difference, minus + 1) != std::string::npos)
+        entry.refuse("must be the difference of two columns, with one minus "
+                     "between blanks, as in tip: uz - root: uz");
+      return {Entry(entry.path(), trimmed(text.substr(0, minus))),
+              Entry(entry.path(),
+                    trimmed(text.substr(minus + difference.size())))};
+    }
+
+
+
+    /// Columns of one kind have one unit: their first letters tell, those of
+    /// shear strains but for.
+    char
+    kind_of(const NamedQuantity &quantity)
+    {
+      const char letter = quantity.column[0];
+      return letter == 'g' ? 'e' : letter;
+    }
+
+
+
+    /// What @p entry, Over, divides by, with @p distance between the probes.
+    double
+    parse_over(const Entry &entry, const double distance)
+    {
+      if (entry.text() == "distance")
+        {
+          if (distance == 0.)
+            entry.refuse("the two probes are at the same place",
+                         "Move one of them, or give a number.");
+          return distance;
+        }
+      const double over = entry.number();
+      if (over == 0.)
+        entry.refuse("must not be zero", "Give a number, or distance.");
+      return over;
+    }
+  } // namespace
+
+
+
+  Measure
+  MeasureParameters::parse(const Entries            &in,
+                           const std::string        &name,
+                           const std::vector<Probe> &probes)
+  {
+    const Entry   of = in["Of"];
+    NamedQuantity quantity;
+    quantity.of     = NamedQuantity::Of::measure;
+    quantity.name   = name;
+    quantity.column = "value";
+    quantity.path   = of.path();
+    std::vector<dealii::Point<3>> places;
+    for (const Entry &side : sides_of(of))
+      {
+        const NamedQuantity term = parse_of_probe(side, probes);
+        for (const Probe &probe : probes)
+          if (probe.name == term.name)
+            places.push_back(probe.position);
+        quantity.terms.push_back(term);
+      }
+    const NamedQuantity &a = quantity.terms[0], &b = quantity.terms[1];
+    if (kind_of(a) != kind_of(b))
+      of.refuse(a.column + " and " + b.column +
+                  " are of different kinds and have no difference",
+                "Take two displacements, two strains or two stresses.");
+    if (a.label() == b.label())
+      of.refuse("is zero whatever happens", "Name two probes, or two columns.");
+    quantity.over =
+      parse_over(in["Over"], places.front().distance(places.back()));
+    const std::vector<Reference> references =
+      parse_references(in["References"], {quantity.column});
+    if (!references.empty())
+      quantity.given = references.front().value;
+    return {name, quantity, references};
+  }
+
+
+
+  void
+  check_names_of_measures(const QuantityNames &names)
+  {
+    for (const Measure &measure : names.measures)
+      {
+        const auto refuse = [&measure](const std::string &kind) {
+          Entry("Measures", measure.name)
+            .refuse("'" + measure.name + "' is the name of a " + kind + ", too",
+                    "Rename one of the two.");
+        };
+        if (std::any_of(names.probes.begin(),
+                        names.probes.end(),
+                        [&measure](const Probe &probe) {
+                          return probe.name == measure.name;
+                        }))
+          refuse("probe");
+        if (names.supports.count(measure.name) > 0)
+          refuse("support");
+        if (names.contacts.count(measure.name) > 0)
+          refuse("contact");
+      }
+  }
+} // namespace lamella
