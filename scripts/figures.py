@@ -12,11 +12,12 @@ active pairs gives its pressure, over a patch also as a map, and over the width 
 long patch beside the Hertz ellipse where the materials in scene.prm are isotropic;
 cuts through the patch give contours around it. Nodes that carry different lists of
 fields give a strip along each body, goals their error bars, a run to a tolerance its
-passes, and a sweep for strength how near each ply comes to failure along its body.
+passes, and a sweep for strength how near each ply comes to failure along its body. The
+bodies for ParaView give the deformed shape.
 
 figures_data.py reads, figures_style.py holds what all figures share, and
-figures_lines.py, figures_sections.py, figures_contact.py, figures_goals.py and
-figures_strength.py draw.
+figures_lines.py, figures_sections.py, figures_contact.py, figures_goals.py,
+figures_strength.py and figures_shape.py draw.
 """
 
 import sys
@@ -29,12 +30,14 @@ from figures_goals import fields_of_nodes, goals_with_bars, passes_of_a_toleranc
 from figures_lines import (across_the_width, along_the_axis, load_history,
                            through_the_thickness)
 from figures_sections import section_cuts, section_meshes
+from figures_shape import deformed_shape
 from figures_strength import ply_stacks
 from figures_style import plt
 
-FIGURES = (along_the_axis, through_the_thickness, across_the_width, section_cuts,
-           load_history, contact_pressure, around_the_contact, section_meshes,
-           fields_of_nodes, goals_with_bars, passes_of_a_tolerance, ply_stacks)
+FIGURES = (deformed_shape, along_the_axis, through_the_thickness, across_the_width,
+           section_cuts, load_history, contact_pressure, around_the_contact,
+           section_meshes, fields_of_nodes, goals_with_bars, passes_of_a_tolerance,
+           ply_stacks)
 
 
 def main():

@@ -87,7 +87,7 @@ class Line:
 
 class Results:
     def __init__(self, folder):
-        folder = Path(folder)
+        self.folder = folder = Path(folder)
         summary = folder / "summary.json"
         self.summary = json.loads(summary.read_text()) if summary.exists() else {}
         self.title = self.summary.get("title", "")

@@ -6,6 +6,7 @@
 #include <lamella/base/version.h>
 #include <lamella/estimate/tolerance_run.h>
 #include <lamella/export/calculix_deck.h>
+#include <lamella/handout/handout.h>
 #include <lamella/run/command_line.h>
 #include <lamella/run/simulation.h>
 #include <lamella/scene/scene.h>
@@ -30,13 +31,21 @@ namespace
 
 
 
+  /// Throws InputError if several processes are to do the work of one.
+  void
+  require_one_process(const CommandLine &command)
+  {
+    if (command.task != CommandLine::Task::run && n_processes() > 1)
+      throw InputError("trade, export and report are the work of one process: "
+                       "start lamella without mpirun.");
+  }
+
+
+
   /// What @p command asks of @p scene.
   void
   run(const CommandLine &command, const SceneText &text, const Scene &scene)
   {
-    if (command.task != CommandLine::Task::run && n_processes() > 1)
-      throw InputError("trade and export are the work of one process: start "
-                       "lamella without mpirun.");
     if (command.task == CommandLine::Task::trade)
       return Trade(command.scene,
                    command.overrides,
@@ -85,6 +94,9 @@ namespace
         output() << (command.help ? usage() : "lamella " + version() + "\n");
         return;
       }
+    require_one_process(command);
+    if (command.task == CommandLine::Task::report)
+      return write_handout(command.scene, command.output, output());
     if (command.scene.empty())
       {
         output() << parameter_documentation();
@@ -133,9 +145,11 @@ int
 main(int argc, char **argv)
 {
   const auto all = [&] { run(CommandLine::parse({argv + 1, argv + argc})); };
-  if (argc > 1 && std::string(argv[1]) == "trade" && n_launched() == 1)
+  const std::string task = argc > 1 ? argv[1] : "";
+  if ((task == "trade" || task == "report") && n_launched() == 1)
     {
-      // Each rung starts an MPI of its own, in its own process.
+      // Each rung starts an MPI of its own, in its own process; a report needs
+      // none.
       survive_failed_writes();
       const auto [status, message] = outcome_of(all);
       if (status != 0)

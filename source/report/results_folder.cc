@@ -20,13 +20,14 @@ namespace lamella
 
   namespace
   {
-    /// What a run writes, and `scripts/plot` after it, also half finished.
+    /// What a run writes, and `scripts/plot` and `lamella report` after it,
+    /// also half finished.
     bool
     is_result(const std::string &name)
     {
       static const std::regex form(
-        R"re((summary\.json|restart|scene\.prm|contact_.*\.(csv|pvd|vtu))re"
-        R"re(|(probes|history|fields|goals|plies|plies_along|failure|indicators|passes)\.csv)re"
+        R"re((summary\.json|restart|scene\.prm|report\.html|contact_.*\.(csv|pvd|vtu))re"
+        R"re(|(probes|history|fields|goals|plies|indicators|passes|plies_along|failure)\.csv)re"
         R"re(|solution(_.*)?\.(pvd|vtu|pvtu)|(lines|cuts|sections)/.*\.csv)re"
         R"re(|sections/.*\.json)re"
         R"re(|pictures/.*\.png)(\.new)?)re");

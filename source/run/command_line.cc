@@ -16,12 +16,15 @@ namespace lamella
     return R"(usage: lamella SCENE.prm [options]
        lamella trade SCENE.prm [options]
        lamella export --calculix SCENE.prm [options]
+       lamella report DIR [--output FILE.html]
 
 runs the scene; or a ladder of theories and meshes on it, what each costs and how
-far it is off; or writes it as an input deck of CalculiX.
+far it is off; or writes it as an input deck of CalculiX; or makes one page of HTML,
+to hand on, of what a run has left in DIR.
 
   --output DIR          where results go (default: results/SCENE, of a trade
-                        results/SCENE-trade; of an export the deck, SCENE.inp)
+                        results/SCENE-trade; of an export the deck, SCENE.inp;
+                        of a report the page, DIR/report.html)
   --set PATH=VALUE      override an entry, as in
                         --set "Body upper/Kinematics/Theory=LE-3"; repeatable
   --resume              go on with a run that did not come to its end, after the
@@ -53,6 +56,22 @@ Exit status: 0 done, 1 a fault of the input, 2 a failure of the numerics.
 
 
 
+    /// Throws InputError for options that a report does not have.
+    void
+    check_report(const CommandLine &command)
+    {
+      if (!command.overrides.empty() || command.validate ||
+          command.print_parameters || command.resume)
+        throw InputError(
+          "report tells what a run has left and takes --output only: --set, "
+          "--validate, --print-parameters and --resume belong to a run.");
+      if (!command.version && !command.help && command.scene.empty())
+        throw InputError("no folder is given: name the one that a run has left "
+                         "its results in, lamella report DIR.");
+    }
+
+
+
     /// Throws InputError for options that belong to another task.
     void
     check_task(const CommandLine &command, const bool calculix)
@@ -66,6 +85,8 @@ Exit status: 0 done, 1 a fault of the input, 2 a failure of the numerics.
                          !command.contact_stiffness.empty()))
         throw InputError("--calculix, --element and --contact-stiffness belong "
                          "to lamella export.");
+      if (command.task == Task::report)
+        return check_report(command);
       if (command.task != Task::run &&
           (command.validate || command.print_parameters || command.resume))
         throw InputError(
@@ -95,6 +116,8 @@ Exit status: 0 done, 1 a fault of the input, 2 a failure of the numerics.
             return "results/" + name + "-trade";
           case CommandLine::Task::export_calculix:
             return name + ".inp";
+          case CommandLine::Task::report:
+            return command.scene + "/report.html";
           default:
             return "results/" + name;
         }
@@ -154,8 +177,10 @@ Exit status: 0 done, 1 a fault of the input, 2 a failure of the numerics.
         else if (result.scene.empty())
           result.scene = word;
         else
-          throw InputError("one scene at a time: both '" + result.scene +
-                           "' and '" + word + "' are given.");
+          throw InputError((result.task == Task::report ?
+                              "one folder at a time: both '" :
+                              "one scene at a time: both '") +
+                           result.scene + "' and '" + word + "' are given.");
       }
     check_task(result, calculix);
     if (result.output.empty())

@@ -30,6 +30,7 @@ ARROWS = {
     "report": ("base", "shape", "section", "body", "contact", "solve", "recover"),
     "scene": ("base", "material", "strength", "shape", "section", "axis", "body", "conditions",
               "contact", "solve", "recover"),
+    "handout": ("base", "scene"),
     "run": ("base", "contact", "solve", "recover", "adapt", "report", "scene"),
     "estimate": ("base", "section", "axis", "body", "contact", "solve", "recover", "report", "scene", "run"),
     "trade": ("base", "section", "body", "solve", "report", "scene", "run", "estimate"),
@@ -45,7 +46,7 @@ FRONT_DOORS = {
     "shape": "section_mesh", "section": "section", "axis": "axis", "body": "body",
     "conditions": "region", "contact": "gap_rows", "solve": "structure",
     "recover": "recovery", "adapt": "node_fields", "report": "results_writer", "scene": "scene",
-    "run": "simulation", "estimate": "estimation", "trade": "trade", "export": "calculix_deck",
+    "handout": "handout", "run": "simulation", "estimate": "estimation", "trade": "trade", "export": "calculix_deck",
 }
 
 # These see bodies through their interface alone.

@@ -10,19 +10,24 @@ half-width a = sqrt(4 F' R* / (pi E*)) and the peak p0 = 2 F' / (pi a) must come
 to 0.1 % up to a / R* = 0.3, where a parabola through the gap is percents off and the
 forces point apart; what Hertz does not describe must give no ellipse.
 
+Bodies: bricks of which some sides lie inside, moved by known displacements.
+
 Lines and cuts: tables of known numbers, and the figures of them before they become
 pictures: their panels, titles, labels, ticks and how much of a panel the data fill.
 Exit status 77 (skipped) without numpy or matplotlib.
 """
 
+import base64
 import csv
 import importlib
 import json
 import math
 import re
 import shutil
+import struct
 import subprocess
 import sys
+import zlib
 from pathlib import Path
 
 FORCE, LENGTH, NU = 0.3, 2., 0.3
@@ -118,6 +123,28 @@ class Run:
              "z": corner[1] + low + (high - low) * j / 2, **field(low, ply)}
             for cell, (ply, low, high, left) in enumerate(cells)
             for i in range(3) for j in range(3)))
+
+    def bodies(self, cells, moved):
+        """The VTU of cells of 2 x 2 x 2 points, a body's number and its points each, x
+        fastest; moved(point) is the displacement."""
+        points = [point for _, corners in cells for point in corners]
+        shifts = [moved(point) for point in points]
+        arrays = {"": ("Float32", "f", [x + u for p, s in zip(points, shifts)
+                                        for x, u in zip(p, s)]),
+                  "displacement": ("Float32", "f", [u for s in shifts for u in s]),
+                  "body": ("Float32", "f", [b for b, _ in cells for _ in range(8)]),
+                  "offsets": ("Int32", "i", [8 * k + 8 for k in range(len(cells))])}
+        text = "".join(
+            f'<DataArray type="{kind}"' + (f' Name="{name}"' if name else "") +
+            f">{packed(values, form)}</DataArray>"
+            for name, (kind, form, values) in arrays.items())
+        (self.folder / "solution_0001.vtu").write_text(
+            f'<VTKFile><UnstructuredGrid><Piece NumberOfPoints="{len(points)}" '
+            f'NumberOfCells="{len(cells)}">{text}</Piece></UnstructuredGrid></VTKFile>')
+        (self.folder / "solution.pvd").write_text(
+            '<VTKFile><Collection><DataSet file="solution_0001.vtu"/></Collection>'
+            "</VTKFile>")
+        return self
 
     def section(self, name, width, height):
         """A mesh of one cell."""
@@ -599,9 +626,64 @@ class Figures:
 
     def __init__(self, path):
         sys.path.insert(0, str(path.parent))
-        for part in ("data", "style", "lines", "sections", "contact", "goals"):
+        for part in ("data", "style", "lines", "sections", "contact", "goals",
+                     "shape"):
             setattr(self, part, importlib.import_module(f"figures_{part}"))
         self.FIGURES = importlib.import_module(path.stem).FIGURES
+
+
+def packed(values, form):
+    """One block of zlib, in base64, after its header: the VTK XML format."""
+    data = struct.pack(f"<{len(values)}{form}", *values)
+    block = zlib.compress(data)
+    header = struct.pack("<4I", 1, len(data), len(data), len(block))
+    return (base64.b64encode(header) + base64.b64encode(block)).decode()
+
+
+def brick(body, low, size):
+    return body, [tuple(a + b * k for a, b, k in zip(low, size, (i, j, m)))
+                  for m in (0, 1) for j in (0, 1) for i in (0, 1)]
+
+
+def check_deformed(figures, folder):
+    """Two bodies of 4 x 100 x 2, one upon the other; the lower one is of two cells.
+    The side that they share within a body is inside, those between bodies are not."""
+    cells = [brick(1, (0., 0., 0.), (4., 50., 2.)), brick(1, (0., 50., 0.), (4., 50., 2.)),
+             brick(2, (0., 0., 2.), (4., 100., 2.))]
+    for end, factor in ((-2., 1), (-0.01, 20)):
+        run = Run(folder).bodies(cells, lambda p: (0., 0., end * (p[1] / 100.) ** 2))
+        results = figures.data.Results(run.folder)
+        places, moved, bodies = figures.shape.outer_surface(
+            figures.shape.last_files(run.folder))
+        areas = 0.5 * figures.shape.np.linalg.norm(figures.shape.np.cross(
+            places[:, 2] - places[:, 0], places[:, 3] - places[:, 1]), axis=1)
+        check([round(float(areas[bodies == b].sum()), 3) for b in (1, 2)] ==
+              [2 * (400 + 200 + 8)] * 2 and (bodies == 1).sum() == 10,
+              "the outer surface of each body, without what is inside")
+        check(abs(moved[:, :, 2].min() - end) < 1e-6 * abs(end), "with displacements")
+        (name, figure), = figures.shape.deformed_shape(results)
+        panel = figure.axes[0]
+        check(name == "deformed" and panel.get_xlabel().startswith("y [mm]") and
+              panel.get_ylabel().startswith("z [mm]"), "slender: from the side alone")
+        now = figures.shape.np.concatenate([
+            path.vertices for path in panel.collections[1].get_paths()])
+        check(abs(now[:, 1].min() - factor * end) < 1e-4 * factor * abs(end),
+              f"displacements drawn {factor} times as large")
+        check((f"{factor} times as large" in title_of(figure)) == (factor > 1),
+              f"the title says so: {title_of(figure)}")
+    # The gap closes by a half: drawn twice as large the bodies meet.
+    run.write("contact_arcs.csv", PAIR, [
+        {"step": 1, "initial_gap": 0.02, "gap": 0.01, "area": 1.}])
+    results = figures.data.Results(run.folder)
+    (_, figure), = figures.shape.deformed_shape(results)
+    check(" 2 times as large" in title_of(figure),
+          f"no further than bodies meet: {title_of(figure)}")
+    run.bodies([brick(1, (0., 0., 0.), (4., 4., 4.))], lambda p: (0., 0., 1e-3 * p[2]))
+    check([name for name, _ in figures.shape.deformed_shape(figures.data.Results(
+        run.folder))] == ["deformed", "deformed_from_the_other_side"],
+        "compact: from two sides")
+    (folder / "solution.pvd").unlink()
+    check(not list(figures.shape.deformed_shape(results)), "nothing without a VTU")
 
 
 def main():
@@ -616,7 +698,7 @@ def main():
     figures, folder = Figures(Path(sys.argv[1])), Path(sys.argv[2])
     for part in (check_hertz, check_noise_of_contact, check_plies,
                  check_titles_and_ticks, check_components, check_levels, check_shapes,
-                 check_fields_of_nodes, check_goals, check_passes):
+                 check_fields_of_nodes, check_goals, check_passes, check_deformed):
         part(figures, folder)
         figures.style.plt.close("all")
 

@@ -15,15 +15,17 @@ namespace lamella
   {
     enum class Task
     {
-      run,            ///< solves the scene (Simulation)
-      trade,          ///< a ladder of theories and meshes on it (Trade)
-      export_calculix ///< needs --calculix, the one format that there is
+      run,             ///< solves the scene (Simulation)
+      trade,           ///< a ladder of theories and meshes on it (Trade)
+      export_calculix, ///< needs --calculix, the one format that there is
+      report           ///< a page of what a run has left (write_handout)
     };
     Task task = Task::run;
-    /// The scene's file; may be empty with --help, --version and
-    /// --print-parameters only.
+    /// The scene's file, of a report the folder of results; may be empty with
+    /// --help, --version and --print-parameters only.
     std::string scene;
-    /// As given, or the default of the task: a folder, of an export the deck.
+    /// As given, or the default of the task: a folder, of an export the deck,
+    /// of a report the page.
     std::string output;
     /// Of CalculiX; empty if not given.
     std::string element, contact_stiffness;
@@ -55,7 +57,8 @@ namespace lamella
   {
     static constexpr NameOf<CommandLine::Task> all[] = {
       {CommandLine::Task::trade, "trade"},
-      {CommandLine::Task::export_calculix, "export"}};
+      {CommandLine::Task::export_calculix, "export"},
+      {CommandLine::Task::report, "report"}};
   };
 
   /// The text of --help, with what the exit status means: 0 done, 1 a fault of
