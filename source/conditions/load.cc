@@ -4,14 +4,13 @@
 #include <lamella/base/text.h>
 #include <lamella/body/facet_map.h>
 #include <lamella/conditions/adaptive_moments.h>
-#include <lamella/conditions/expression.h>
 #include <lamella/conditions/load.h>
+#include <lamella/conditions/traction.h>
 
 #include <deal.II/base/quadrature_lib.h>
 
 #include <algorithm>
 #include <cmath>
-#include <deque>
 
 namespace lamella
 {
@@ -42,47 +41,26 @@ namespace lamella
 
 
 
-    /// The expressions of a load.
+    /// A load that is integrated.
     class LoadValues
     {
     public:
       explicit LoadValues(const Load &load)
         : path("Load " + load.name)
-        , is_pressure(!load.pressure.empty())
-      {
-        const auto &[fx, fy, fz] = load.force;
-        const Entry entry =
-          is_pressure ?
-            Entry(path + "/Pressure", load.pressure.text()) :
-            Entry(path + "/Force", joined({fx.text(), fy.text(), fz.text()}));
-        if (is_pressure)
-          expressions.emplace_back(entry.text(), entry);
-        else
-          for (const Formula &component : load.force)
-            expressions.emplace_back(component.text(), entry);
-        is_constant =
-          std::all_of(expressions.begin(),
-                      expressions.end(),
-                      [](const Expression &e) { return e.is_constant(); });
-      }
+        , traction(load)
+        , is_constant(traction.is_constant())
+      {}
 
       /// The load on @p region of @p body, integrated.
       PointForces
       on(const Region &region, const Body &body) const;
 
     private:
+      /// Of a line or a point, which have no normal.
       Tensor<1, 3>
       force_at(const Point<3> &x) const
       {
-        return Point<3>(expressions[0](x),
-                        expressions[1](x),
-                        expressions[2](x));
-      }
-
-      Tensor<1, 3>
-      traction(const Point<3> &x, const Tensor<1, 3> &normal) const
-      {
-        return is_pressure ? -expressions[0](x) * normal : force_at(x);
+        return traction(x, Tensor<1, 3>());
       }
 
       void
@@ -98,10 +76,9 @@ namespace lamella
                  const Body   &body,
                  PointForces  &result) const;
 
-      const std::string      path;
-      const bool             is_pressure;
-      bool                   is_constant = false;
-      std::deque<Expression> expressions;
+      const std::string path;
+      const Traction    traction;
+      const bool        is_constant;
     };
 
 

@@ -3,6 +3,7 @@
 #include <lamella/base/exceptions.h>
 #include <lamella/base/processes.h>
 #include <lamella/base/text.h>
+#include <lamella/recover/interlaminar.h>
 #include <lamella/recover/strength_sweep.h>
 
 #include <algorithm>
@@ -93,9 +94,13 @@ namespace lamella
     : bodies(bodies)
     , criteria(parameters.criteria)
     , leave_out(parameters.leave_out)
+    , stress(parameters.stress)
+    , plies(plies)
   {
     for (const unsigned int b : parameters.bodies)
       {
+        if (stress == StressValues::equilibrium)
+          laminate_box(*bodies[b], "Strength/Stress");
         Swept swept{b, tasks_of(*bodies[b], plies[b]), {}};
         if (std::count(criteria.begin(),
                        criteria.end(),
@@ -297,7 +302,7 @@ namespace lamella
                            const Task                  &task,
                            const std::vector<Point<3>> &points,
                            const Vector                &u,
-                           StressRecovery              &recovery) const
+                           const Fields                &recovered) const
   {
     const Body               &body = *bodies[swept.body];
     std::optional<PlyReserve> worst;
@@ -306,7 +311,7 @@ namespace lamella
         {
           if (location.ply != task.ply)
             continue;
-          const Voigt      stress  = recovery.sample(location).ply_stress;
+          const Voigt      stress  = recovered(location).ply_stress;
           const Voigt      element = body.sample(location, u).ply_stress;
           const auto       found   = task.surface.assess(stress);
           const PlyReserve row{swept.body,
@@ -391,20 +396,31 @@ namespace lamella
 
 
   std::vector<PlyReserve>
-  StrengthSweep::sweep(const BlockVector &u) const
+  StrengthSweep::sweep(const BlockVector   &u,
+                       const FaceTractions &tractions) const
   {
     std::vector<PlyReserve> rows;
     for (const Swept &swept : all)
       {
-        const Vector  &displacement = u.block(swept.body);
-        StressRecovery recovery(*bodies[swept.body],
-                                displacement,
-                                StressValues::recovered);
-        const auto     points = near_failure(swept, displacement);
+        const Vector                    &displacement = u.block(swept.body);
+        const Body                      &body         = *bodies[swept.body];
+        std::optional<EquilibriumStress> columns;
+        if (stress == StressValues::equilibrium)
+          columns.emplace(body,
+                          swept.body,
+                          plies[swept.body],
+                          displacement,
+                          tractions,
+                          "Strength/Stress");
+        StressRecovery patches(body, displacement, StressValues::recovered);
+        const auto     recovered = [&](const Location &location) {
+          return columns ? columns->sample(location) : patches.sample(location);
+        };
+        const auto points = near_failure(swept, displacement);
         std::vector<std::optional<PlyReserve>> own;
         for (unsigned int t = 0; t < swept.tasks.size(); ++t)
           own.push_back(worst_row(
-            swept, swept.tasks[t], points[t], displacement, recovery));
+            swept, swept.tasks[t], points[t], displacement, recovered));
         const auto worst = worst_of_processes(own);
         for (unsigned int t = 0; t < swept.tasks.size(); ++t)
           if (worst[t])
