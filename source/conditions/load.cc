@@ -4,16 +4,16 @@
 #include <lamella/base/text.h>
 #include <lamella/body/facet_map.h>
 #include <lamella/conditions/adaptive_moments.h>
-#include <lamella/conditions/expression.h>
 #include <lamella/conditions/load.h>
+#include <lamella/conditions/traction.h>
 
 #include <deal.II/base/quadrature_lib.h>
 
 #include <algorithm>
 #include <cmath>
-#include <deque>
 #include <map>
 #include <memory>
+#include <optional>
 
 namespace lamella
 {
@@ -44,33 +44,18 @@ namespace lamella
 
 
 
-    /// The expressions of a load.
+    /// A load that is integrated.
     class LoadValues
     {
     public:
       explicit LoadValues(const Load &load)
         : path("Load " + load.name)
-        , is_pressure(!load.pressure.empty())
+        , couple(load.couple)
       {
-        if (load.couple)
-          {
-            couple = *load.couple;
-            return;
-          }
-        const auto &[fx, fy, fz] = load.force;
-        const Entry entry =
-          is_pressure ?
-            Entry(path + "/Pressure", load.pressure.text()) :
-            Entry(path + "/Force", joined({fx.text(), fy.text(), fz.text()}));
-        if (is_pressure)
-          expressions.emplace_back(entry.text(), entry);
-        else
-          for (const Formula &component : load.force)
-            expressions.emplace_back(component.text(), entry);
-        is_constant =
-          std::all_of(expressions.begin(),
-                      expressions.end(),
-                      [](const Expression &e) { return e.is_constant(); });
+        if (couple)
+          return;
+        traction.emplace(load);
+        is_constant = traction->is_constant();
       }
 
       /// The load on @p region of @p body, integrated.
@@ -78,18 +63,11 @@ namespace lamella
       on(const Region &region, const Body &body) const;
 
     private:
+      /// Of a line or a point, which have no normal.
       Tensor<1, 3>
       force_at(const Point<3> &x) const
       {
-        return Point<3>(expressions[0](x),
-                        expressions[1](x),
-                        expressions[2](x));
-      }
-
-      Tensor<1, 3>
-      traction(const Point<3> &x, const Tensor<1, 3> &normal) const
-      {
-        return is_pressure ? -expressions[0](x) * normal : force_at(x);
+        return (*traction)(x, Tensor<1, 3>());
       }
 
       void
@@ -111,10 +89,10 @@ namespace lamella
                 PointForces  &result) const;
 
       const std::string           path;
-      const bool                  is_pressure;
       std::optional<Tensor<1, 3>> couple;
-      bool                        is_constant = false;
-      std::deque<Expression>      expressions;
+      /// That of forces and pressures.
+      std::optional<Traction> traction;
+      bool                    is_constant = false;
     };
 
 
@@ -224,7 +202,7 @@ namespace lamella
             const FacetMap::Place place = map(st);
             const Tensor<1, 3>    n     = map.outward(place);
             const double          area  = n.norm();
-            return area * traction(place.position, n / area);
+            return area * (*traction)(place.position, n / area);
           };
           if (is_constant && map.is_affine())
             {

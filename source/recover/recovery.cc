@@ -55,7 +55,8 @@ namespace lamella
     , kind(values)
     , degrees(body.recovery_degrees())
   {
-    Assert(kind != StressValues::undefined, ExcInternalError());
+    Assert(kind != StressValues::undefined && kind != StressValues::equilibrium,
+           ExcInternalError());
     for (unsigned int d = 0; d < 3; ++d)
       if (degrees[d] > 0)
         {

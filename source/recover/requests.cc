@@ -66,7 +66,9 @@ namespace lamella
         "mean, elsewhere the element's own. nodal: means at nodes, "
         "interpolated. recovered: superconvergent patch recovery, an order "
         "more accurate on smooth fields. All within a ply, never across an "
-        "interface.");
+        "interface. equilibrium: recovered, with transverse stresses "
+        "integrated through the thickness of a laminate, continuous across "
+        "interfaces.");
     }
   } // namespace
 

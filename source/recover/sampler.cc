@@ -2,6 +2,7 @@
 
 #include <lamella/base/exceptions.h>
 #include <lamella/base/text.h>
+#include <lamella/recover/interlaminar.h>
 #include <lamella/recover/sampler.h>
 
 #include <algorithm>
@@ -11,22 +12,52 @@ namespace lamella
 {
   using namespace dealii;
 
-  Sampler::Sampler(const Bodies             &bodies,
-                   const std::vector<Probe> &probes,
-                   const std::vector<Line>  &lines,
-                   const std::vector<Cut>   &cuts)
+  namespace
+  {
+    /// Where the scene asks for the stresses of @p request.
+    template <typename Request>
+    std::string
+    entry_of(const char *kind, const Request &request)
+    {
+      return std::string(kind) + " " + request.name + "/Stress";
+    }
+  } // namespace
+
+
+
+  Sampler::Sampler(const Bodies                        &bodies,
+                   const std::vector<Probe>            &probes,
+                   const std::vector<Line>             &lines,
+                   const std::vector<Cut>              &cuts,
+                   const std::vector<std::vector<Ply>> &plies)
     : bodies(bodies)
     , probes(probes)
     , lines(lines)
     , cuts(cuts)
+    , plies(plies)
   {
+    const auto check_stress = [&bodies](const char *kind, const auto &request) {
+      if (request.stress == StressValues::equilibrium)
+        laminate_box(*bodies[request.body], entry_of(kind, request));
+    };
     for (const Probe &probe : probes)
-      probe_points.push_back(box_points(
-        *bodies[probe.body], probe.position, probe.box, "Probe " + probe.name));
+      {
+        probe_points.push_back(box_points(*bodies[probe.body],
+                                          probe.position,
+                                          probe.box,
+                                          "Probe " + probe.name));
+        check_stress("Probe", probe);
+      }
     for (const Line &line : lines)
-      line_places.push_back(places_of(line));
+      {
+        line_places.push_back(places_of(line));
+        check_stress("Line", line);
+      }
     for (const Cut &cut : cuts)
-      check_cut(cut);
+      {
+        check_cut(cut);
+        check_stress("Cut", cut);
+      }
   }
 
 
@@ -102,49 +133,100 @@ namespace lamella
   class Sampler::Recoveries
   {
   public:
-    Recoveries(const Bodies &bodies, const BlockVector &u)
-      : bodies(bodies)
+    Recoveries(const Sampler       &sampler,
+               const BlockVector   &u,
+               const FaceTractions &tractions)
+      : sampler(sampler)
       , u(u)
+      , tractions(tractions)
     {}
 
-    StressRecovery &
-    operator()(const unsigned int body, const StressValues values)
+    /// What samples the fields of @p body; @p entry is where it is asked for.
+    Fields
+    operator()(const unsigned int body,
+               const StressValues values,
+               const std::string &entry)
     {
+      if (values == StressValues::equilibrium)
+        return [&of = columns_of(body, entry)](const Location &location) {
+          return of.sample(location);
+        };
       std::unique_ptr<StressRecovery> &recovery = all[{body, values}];
       if (recovery == nullptr)
-        recovery = std::make_unique<StressRecovery>(*bodies[body],
+        recovery = std::make_unique<StressRecovery>(*sampler.bodies[body],
                                                     u.block(body),
                                                     values);
-      return *recovery;
+      return [&of = *recovery](const Location &location) {
+        return of.sample(location);
+      };
+    }
+
+    /// What has been left of equilibrium since the last call; none where it
+    /// was not asked for.
+    std::optional<double>
+    closure(const unsigned int body, const StressValues values)
+    {
+      if (values != StressValues::equilibrium)
+        return std::nullopt;
+      return columns.at(body).take_closure().relative();
     }
 
   private:
-    const Bodies      &bodies;
-    const BlockVector &u;
+    EquilibriumStress &
+    columns_of(const unsigned int body, const std::string &entry)
+    {
+      return columns
+        .try_emplace(body,
+                     *sampler.bodies[body],
+                     body,
+                     sampler.plies.at(body),
+                     u.block(body),
+                     tractions,
+                     entry)
+        .first->second;
+    }
+
+    const Sampler       &sampler;
+    const BlockVector   &u;
+    const FaceTractions &tractions;
     std::map<std::pair<unsigned int, StressValues>,
              std::unique_ptr<StressRecovery>>
-      all;
+                                              all;
+    std::map<unsigned int, EquilibriumStress> columns;
   };
 
 
 
   void
-  Sampler::sample(const BlockVector &u, StepResults &results) const
+  Sampler::sample(const BlockVector   &u,
+                  StepResults         &results,
+                  const FaceTractions &tractions) const
   {
-    Recoveries recoveries(bodies, u);
+    Recoveries recoveries(*this, u, tractions);
     results.probes.resize(probes.size());
     for (unsigned int p = 0; p < probes.size(); ++p)
-      for (const BoxPoints &points : probe_points[p])
-        results.probes[p].push_back(
-          mean_row(p, points, recoveries(probes[p].body, probes[p].stress)));
+      {
+        const auto &[body, stress] = std::tie(probes[p].body, probes[p].stress);
+        const Fields fields =
+          recoveries(body, stress, entry_of("Probe", probes[p]));
+        for (const BoxPoints &points : probe_points[p])
+          results.probes[p].push_back(mean_row(p, points, fields));
+        results.closures.probes.push_back(recoveries.closure(body, stress));
+      }
     for (unsigned int l = 0; l < lines.size(); ++l)
       {
         results.lines.push_back(line_rows(l, recoveries));
         results.jumps.push_back(
           interface_jump(results.lines.back(), lines[l].to - lines[l].from));
+        results.closures.lines.push_back(
+          recoveries.closure(lines[l].body, lines[l].stress));
       }
     for (const Cut &cut : cuts)
-      results.cuts.push_back(cut_rows(cut, u, recoveries));
+      {
+        results.cuts.push_back(cut_rows(cut, u, recoveries));
+        results.closures.cuts.push_back(
+          recoveries.closure(cut.body, cut.stress));
+      }
   }
 
 
@@ -152,17 +234,17 @@ namespace lamella
   FieldRow
   Sampler::mean_row(const unsigned int p,
                     const BoxPoints   &points,
-                    StressRecovery    &recovery) const
+                    const Fields      &fields) const
   {
     if (points.size() == 1)
-      return row_at(probes[p].body, points[0].second, recovery);
+      return row_at(probes[p].body, points[0].second, fields);
     FieldRow row{bodies[probes[p].body]->name(),
                  points[0].second.ply,
                  probes[p].position,
                  {}};
     for (const auto &[weight, location] : points)
       {
-        const FieldSample sample = recovery.sample(location);
+        const FieldSample sample = fields(location);
         row.sample.displacement += weight * sample.displacement;
         row.sample.strain += weight * sample.strain;
         row.sample.stress += weight * sample.stress;
@@ -179,12 +261,12 @@ namespace lamella
   FieldRow
   Sampler::row_at(const unsigned int body,
                   const Location    &location,
-                  StressRecovery    &recovery) const
+                  const Fields      &fields) const
   {
     return {bodies[body]->name(),
             location.ply,
             location.position,
-            recovery.sample(location)};
+            fields(location)};
   }
 
 
@@ -192,10 +274,11 @@ namespace lamella
   std::vector<LineRow>
   Sampler::line_rows(const unsigned int l, Recoveries &recoveries) const
   {
-    StressRecovery      &recovery = recoveries(lines[l].body, lines[l].stress);
+    const Fields fields =
+      recoveries(lines[l].body, lines[l].stress, entry_of("Line", lines[l]));
     std::vector<LineRow> rows;
     for (const auto &[s, location] : line_places[l])
-      rows.push_back({s, row_at(lines[l].body, location, recovery)});
+      rows.push_back({s, row_at(lines[l].body, location, fields)});
     return rows;
   }
 
@@ -206,9 +289,10 @@ namespace lamella
                     const BlockVector &u,
                     Recoveries        &recoveries) const
   {
-    const Body         &body     = *bodies[cut.body];
-    StressRecovery     &recovery = recoveries(cut.body, cut.stress);
-    const unsigned int  n        = cut.samples + 1;
+    const Body  &body = *bodies[cut.body];
+    const Fields fields =
+      recoveries(cut.body, cut.stress, entry_of("Cut", cut));
+    const unsigned int  n = cut.samples + 1;
     std::vector<CutRow> rows;
     auto cells = body.cut(cut.position, cut.samples, u.block(cut.body));
     for (unsigned int c = 0; c < cells.size(); ++c)
@@ -224,7 +308,7 @@ namespace lamella
               const auto here = body.locate({x});
               for (const Location &location : here.front())
                 if (location.ply == cells[c].ply)
-                  row.fields.sample = recovery.sample(location);
+                  row.fields.sample = fields(location);
             }
           rows.push_back(row);
         }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <lamella/base/patterns.h>
 #include <lamella/recover/strength_sweep.h>
 
 #include <deal.II/base/patterns.h>
@@ -29,6 +30,12 @@ namespace lamella
                       "Boxes that are not looked at, for singular places: two "
                       "opposite corners in scene coordinates, x, y, z: x, y, "
                       "z, between '|'.");
+    prm.declare_entry("Stress",
+                      name_of(StressValues::recovered),
+                      selection<StressValues>(),
+                      "What the places that are nearest to failure are judged "
+                      "by: recovered, or equilibrium, of laminates, as in a "
+                      "Probe.");
   }
 
 
@@ -111,6 +118,12 @@ namespace lamella
     result.bodies   = parse_bodies(in["Bodies"], bodies);
     for (const std::string &item : in["Leave out"].items('|'))
       result.leave_out.push_back(parse_box(in["Leave out"], item));
+    result.stress = in["Stress"].choice<StressValues>();
+    if (result.stress != StressValues::recovered &&
+        result.stress != StressValues::equilibrium)
+      in["Stress"].refuse("places near failure are judged by better stresses "
+                          "than the elements' own",
+                          "Write recovered or equilibrium.");
     if (result.criteria.empty())
       for (const char *name : {"Bodies", "Leave out"})
         if (!in[name].is_empty())

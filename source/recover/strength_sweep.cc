@@ -3,6 +3,7 @@
 #include <lamella/base/exceptions.h>
 #include <lamella/base/processes.h>
 #include <lamella/base/text.h>
+#include <lamella/recover/interlaminar.h>
 #include <lamella/recover/strength_sweep.h>
 
 #include <algorithm>
@@ -94,9 +95,13 @@ namespace lamella
     : bodies(bodies)
     , criteria(parameters.criteria)
     , leave_out(parameters.leave_out)
+    , stress(parameters.stress)
+    , plies(plies)
   {
     for (const unsigned int b : parameters.bodies)
       {
+        if (stress == StressValues::equilibrium)
+          laminate_box(*bodies[b], "Strength/Stress");
         Swept swept{b, tasks_of(*bodies[b], plies[b]), {}};
         if (std::count(criteria.begin(),
                        criteria.end(),
@@ -383,7 +388,7 @@ namespace lamella
                            const Task                  &task,
                            const std::vector<Point<3>> &points,
                            const Vector                &u,
-                           StressRecovery              &recovery,
+                           const Fields                &recovered,
                            StressRecovery              *cure) const
   {
     const Body               &body = *bodies[swept.body];
@@ -393,7 +398,7 @@ namespace lamella
         {
           if (location.ply != task.ply)
             continue;
-          const Voigt stress  = recovery.sample(location).ply_stress;
+          const Voigt stress  = recovered(location).ply_stress;
           const Voigt element = body.sample(location, u).ply_stress;
           const Voigt stays =
             cure == nullptr ? Voigt() : cure->sample(location).ply_stress;
@@ -480,23 +485,35 @@ namespace lamella
 
 
   StrengthSweep::Found
-  StrengthSweep::sweep(const BlockVector &u, const BlockVector *cured) const
+  StrengthSweep::sweep(const BlockVector   &u,
+                       const FaceTractions &tractions,
+                       const BlockVector   *cured) const
   {
     Found found;
     for (const Swept &swept : all)
       {
-        const Vector       &displacement = u.block(swept.body);
-        StressRecovery      recovery(*bodies[swept.body],
-                                displacement,
-                                StressValues::recovered);
+        const Vector                    &displacement = u.block(swept.body);
+        const Body                      &body         = *bodies[swept.body];
+        std::optional<EquilibriumStress> columns;
+        if (stress == StressValues::equilibrium)
+          columns.emplace(body,
+                          swept.body,
+                          plies[swept.body],
+                          displacement,
+                          tractions,
+                          "Strength/Stress");
+        StressRecovery patches(body, displacement, StressValues::recovered);
+        const auto     recovered = [&](const Location &location) {
+          return columns ? columns->sample(location) : patches.sample(location);
+        };
         const Vector *const of_heat =
           cured == nullptr ? nullptr : &cured->block(swept.body);
         std::unique_ptr<StressRecovery> cure;
         if (of_heat != nullptr)
-          cure = std::make_unique<StressRecovery>(*bodies[swept.body],
+          cure = std::make_unique<StressRecovery>(body,
                                                   *of_heat,
                                                   StressValues::recovered);
-        Along      along(*bodies[swept.body]);
+        Along      along(body);
         const auto points = near_failure(swept, {displacement, of_heat}, along);
         for (const ReserveAlong &row : along.rows(swept.body))
           found.along.push_back(row);
@@ -506,7 +523,7 @@ namespace lamella
                                   swept.tasks[t],
                                   points[t],
                                   displacement,
-                                  recovery,
+                                  recovered,
                                   cure.get()));
         const auto worst = worst_of_processes(own);
         for (unsigned int t = 0; t < swept.tasks.size(); ++t)

@@ -173,6 +173,28 @@ namespace lamella
           out << "Solver of " << body.name << ": "
               << lamella::to_text(*body.solver) << "\n";
     }
+
+
+
+    /// Of stresses by equilibrium.
+    void
+    print_closures(std::ostream &out, const Results &results)
+    {
+      const Closures &closures = results.last().closures;
+      const auto      add      = [&](const char                     *kind,
+                           const std::vector<std::string> &names,
+                           const auto                     &shares) {
+        for (unsigned int k = 0; k < shares.size(); ++k)
+          if (shares[k])
+            out << "  " << kind << " " << names[k]
+                << ": equilibrium misses the upper face's traction by "
+                << percent(100. * *shares[k])
+                << " of the largest, which is distributed\n";
+      };
+      add("probe", results.probes, closures.probes);
+      add("line", results.lines, closures.lines);
+      add("cut", results.cuts, closures.cuts);
+    }
   } // namespace
 
 
@@ -248,6 +270,7 @@ namespace lamella
         out << "  line " << results.lines[l] << ": tractions jump by "
             << percent(100. * step.jumps[l].relative)
             << " of the largest at ply interfaces\n";
+    print_closures(out, results);
     print_reserves(out, results);
     print_goals(out, results.goals);
     print_cost(out, results);

@@ -172,6 +172,24 @@ namespace lamella
 
 
 
+    /// By kind and name; nothing where no stress is by equilibrium.
+    void
+    add_closures(const Results &results, const Closures &closures, Json &json)
+    {
+      const auto add = [&](const char                               *kind,
+                           const std::vector<std::string>           &names,
+                           const std::vector<std::optional<double>> &shares) {
+        for (unsigned int k = 0; k < shares.size(); ++k)
+          if (shares[k])
+            json["equilibrium_closure"][kind][names[k]] = *shares[k];
+      };
+      add("probes", results.probes, closures.probes);
+      add("lines", results.lines, closures.lines);
+      add("cuts", results.cuts, closures.cuts);
+    }
+
+
+
     /// Resultants and checks of the last load step.
     void
     add_last_step(const Results &results, Json &json)
@@ -208,6 +226,7 @@ namespace lamella
       for (unsigned int l = 0; l < results.lines.size(); ++l)
         if (last.jumps[l].interfaces > 0)
           json["interface_jumps"][results.lines[l]] = last.jumps[l].relative;
+      add_closures(results, last.closures, json);
     }
   } // namespace
 

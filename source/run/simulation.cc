@@ -63,6 +63,33 @@ namespace lamella
 
 
 
+    /// What is to be said of stresses whose equilibrium does not close.
+    std::vector<std::string>
+    closure_warnings(const Closures &closures, const Results &found)
+    {
+      constexpr double         much = 0.05;
+      std::vector<std::string> warnings;
+      const auto               add = [&](const std::string                        &kind,
+                           const std::vector<std::string>           &names,
+                           const std::vector<std::optional<double>> &shares) {
+        for (unsigned int k = 0; k < shares.size(); ++k)
+          if (shares[k] && *shares[k] > much)
+            warnings.push_back(
+              kind + " " + names[k] +
+              ": transverse stresses by equilibrium miss the traction on the "
+                            "upper face by " +
+              to_text(100. * *shares[k], 2) +
+              " % of the largest; put more elements along the axis there, or "
+                            "look further away from supports, edges and concentrated loads");
+      };
+      add("probe", found.probes, closures.probes);
+      add("line", found.lines, closures.lines);
+      add("cut", found.cuts, closures.cuts);
+      return warnings;
+    }
+
+
+
     ReferenceLists
     references_of(const Scene &scene)
     {
@@ -95,10 +122,10 @@ namespace lamella
       build_contacts();
     }
     TimerOutput::Scope scope(timer, name_of(Phase::setup));
-    sampler = std::make_unique<Sampler>(structure->bodies(),
-                                        scene.probes,
-                                        scene.lines,
-                                        scene.cuts);
+    for (const BodyDescription &body : scene.bodies)
+      plies.push_back(sections.at(body.section)->plies);
+    sampler = std::make_unique<Sampler>(
+      structure->bodies(), scene.probes, scene.lines, scene.cuts, plies);
     build_strength();
     describe();
   }
@@ -181,9 +208,6 @@ namespace lamella
   {
     if (scene.strength.criteria.empty())
       return;
-    std::vector<std::vector<Ply>> plies;
-    for (const BodyDescription &body : scene.bodies)
-      plies.push_back(sections.at(body.section)->plies);
     strength = std::make_unique<StrengthSweep>(structure->bodies(),
                                                scene.strength,
                                                plies);
@@ -191,13 +215,28 @@ namespace lamella
 
 
 
+  FaceTractions
+  Simulation::tractions_at(const double factor) const
+  {
+    FaceTractions tractions(scene.loads, factor);
+    for (unsigned int c = 0; c < contacts.size(); ++c)
+      tractions.add_contact(contacts[c].first_body,
+                            contacts[c].second_body,
+                            contacts[c].points,
+                            gap_rows.of_contact(c, state.force));
+    return tractions;
+  }
+
+
+
   void
-  Simulation::take_strength(StepResults &results) const
+  Simulation::take_strength(StepResults         &results,
+                            const FaceTractions &tractions) const
   {
     if (strength == nullptr)
       return;
     StrengthSweep::Found found =
-      strength->sweep(results.state.u, cured_state());
+      strength->sweep(results.state.u, tractions, cured_state());
     results.plies           = std::move(found.plies);
     results.plies_along     = std::move(found.along);
     const std::string doubt = doubt_of_worst(results.plies,
@@ -455,10 +494,12 @@ namespace lamella
       return does;
     };
     const auto fails = [&](const double factor) {
-      const Checks checks = solve_state(factor);
-      StepResults  at_factor;
-      sampler->sample(state.u, at_factor);
-      const auto        plies = strength->sweep(state.u, cured_state()).plies;
+      const Checks        checks    = solve_state(factor);
+      const FaceTractions tractions = tractions_at(factor);
+      StepResults         at_factor;
+      sampler->sample(state.u, at_factor, tractions);
+      const auto plies =
+        strength->sweep(state.u, tractions, cured_state()).plies;
       const PlyReserve *worst = worst_of(plies);
       first.trials.push_back({factor,
                               worst != nullptr ? worst->reserve : std::nullopt,
@@ -512,14 +553,17 @@ namespace lamella
                            const State       &previous) const
   {
     StepResults results;
-    results.step        = step;
-    results.load_factor = factor;
-    results.state       = state;
-    results.checks      = checks;
-    results.memory      = solver->memory();
-    results.warnings    = warnings_of_step(factor, checks);
-    sampler->sample(state.u, results);
-    take_strength(results);
+    results.step                  = step;
+    results.load_factor           = factor;
+    results.state                 = state;
+    results.checks                = checks;
+    results.memory                = solver->memory();
+    results.warnings              = warnings_of_step(factor, checks);
+    const FaceTractions tractions = tractions_at(factor);
+    sampler->sample(state.u, results, tractions);
+    for (const std::string &warning : closure_warnings(results.closures, found))
+      results.warnings.push_back(warning);
+    take_strength(results, tractions);
     for (unsigned int c = 0; c < contacts.size(); ++c)
       {
         const ContactInterface &contact = contacts[c];

@@ -402,6 +402,27 @@ namespace lamella
 
 
     /// The second pass, over what @p prm has parsed.
+    /// Weight is a force in the volume, of which the integration of
+    /// equilibrium through the thickness does not know.
+    void
+    check_equilibrium(const Scene &scene, const Entry &gravity)
+    {
+      if (scene.gravity.norm() == 0.)
+        return;
+      const auto by_equilibrium = [](const auto &request) {
+        return request.stress == StressValues::equilibrium;
+      };
+      const auto any = [&](const auto &requests) {
+        return std::any_of(requests.begin(), requests.end(), by_equilibrium);
+      };
+      if (any(scene.probes) || any(scene.lines) || any(scene.cuts) ||
+          (by_equilibrium(scene.strength) && !scene.strength.criteria.empty()))
+        gravity.refuse("Stress = equilibrium does not know of weight",
+                       "Take recovered stresses, or leave out Gravity.");
+    }
+
+
+
     Scene
     resolve(ParameterHandler &prm,
             const NameLists  &names,
@@ -422,6 +443,7 @@ namespace lamella
       scene.find_first_failure =
         finds_first_failure(in["Find"], scene.strength);
       check_sizes(scene);
+      check_equilibrium(scene, in["Gravity"]);
       return scene;
     }
   } // namespace

@@ -5,12 +5,7 @@
 // satisfy, published values, its thin limit. Then Lamella's theories: the
 // tables that this prints with --log_level=message.
 
-#include "pagano.h"
-
-#include "fixtures.h"
-
-#include <lamella/solve/checks.h>
-#include <lamella/solve/multiplier_loop.h>
+#include "pagano_strip.h"
 
 #include <boost/test/unit_test.hpp>
 
@@ -25,27 +20,7 @@ using dealii::Tensor;
 
 namespace
 {
-  constexpr double pi = dealii::numbers::PI;
-
-  // Pagano's graphite-epoxy. Height and traction are 1 throughout, so that the
-  // length is the slenderness S = L / h.
-  const EngineeringConstants
-    graphite_epoxy{25., 1., 1., 0.5, 0.5, 0.2, 0.25, 0.25, 0.25};
-
   const std::vector<std::vector<double>> layups{{0.}, {0., 90.}, {0., 90., 0.}};
-
-
-
-  /// Plies of equal thickness, height 1.
-  PaganoSolution
-  exact_solution(const std::vector<double> &angles, const double slenderness)
-  {
-    return PaganoSolution(graphite_epoxy,
-                          angles,
-                          std::vector<double>(angles.size(),
-                                              1. / angles.size()),
-                          slenderness);
-  }
 
 
 
@@ -213,51 +188,6 @@ namespace
   {
     double u_z = 0., sigma_yy = 0., sigma_yz = 0.;
   };
-
-
-
-  /// Half of the strip, to mid-span, with @p section and @p elements B4, held
-  /// and loaded as PaganoSolution says: u_y, antisymmetric, vanishes at
-  /// mid-span.
-  Structure
-  half_strip(std::shared_ptr<const Section> section,
-             const double                   length,
-             const unsigned int             elements)
-  {
-    Bodies bodies;
-    bodies.push_back(std::make_unique<Beam>("strip",
-                                            std::move(section),
-                                            make_axis(0.5 * length, elements),
-                                            Placement()));
-    const std::nullopt_t       free_ = std::nullopt;
-    const std::vector<Support> supports{
-      {"plane strain", {{0, Region::Kind::body, "", {}}}, {{0., free_, free_}}},
-      {"support",
-       {{0, Region::Kind::surface, "start", {}}},
-       {{free_, free_, 0.}}},
-      {"mid-span",
-       {{0, Region::Kind::surface, "end", {}}},
-       {{free_, 0., free_}}}};
-    std::ostringstream pressure;
-    pressure << std::setprecision(17) << "-sin(pi*y/" << length << ")";
-    const Load load{"top",
-                    {{0, Region::Kind::surface, "top", {}}},
-                    {},
-                    pressure.str()};
-    return Structure(std::move(bodies), supports, {load});
-  }
-
-
-
-  Vector
-  solution(Structure &structure)
-  {
-    structure.make_solvers();
-    const std::vector<GapRow> no_rows;
-    const State state = MultiplierLoop(structure, no_rows).solve_free(1.);
-    require_sound(state, check_state(structure, {}, 3, state, 1.), 1e9);
-    return state.u.block(0);
-  }
 
 
 

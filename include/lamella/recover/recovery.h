@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 // The room `recover`: better stresses than those of the elements, and values at
-// the places that a scene asks for. It owns the recovery by patches and the
-// sampling of probes, lines and cuts into Results. It never changes the
-// solution and never knows what the values are for: no goals, no files.
+// the places that a scene asks for. It owns the recovery by patches and by
+// equilibrium and the sampling of probes, lines and cuts into Results. It never
+// changes the solution and never knows what the values are for: no goals, no
+// files.
 
 #ifndef lamella_recover_recovery_h
 #define lamella_recover_recovery_h
@@ -26,9 +27,10 @@ namespace lamella
   enum class StressValues
   {
     undefined,
-    element,  ///< those of the elements that hold the point, their mean
-    nodal,    ///< means at the nodes over all elements there, interpolated
-    recovered ///< superconvergent patch recovery
+    element,    ///< those of the elements that hold the point, their mean
+    nodal,      ///< means at the nodes over all elements there, interpolated
+    recovered,  ///< superconvergent patch recovery
+    equilibrium ///< that, with transverse stresses by equilibrium
   };
 
   template <>
@@ -37,7 +39,8 @@ namespace lamella
     static constexpr NameOf<StressValues> all[] = {
       {StressValues::element, "element"},
       {StressValues::nodal, "nodal"},
-      {StressValues::recovered, "recovered"}};
+      {StressValues::recovered, "recovered"},
+      {StressValues::equilibrium, "equilibrium"}};
   };
 
   /**
@@ -84,7 +87,8 @@ namespace lamella
   {
   public:
     /// @p body and the displacements @p u are referred to and have to stay as
-    /// they are. Nothing is computed yet.
+    /// they are. Nothing is computed yet. @p values are not `equilibrium`,
+    /// which is EquilibriumStress.
     StressRecovery(const Body        &body,
                    const Vector      &u,
                    const StressValues values);

@@ -4,10 +4,12 @@
 #define lamella_recover_sampler_h
 
 #include <lamella/recover/box_points.h>
+#include <lamella/recover/face_tractions.h>
 #include <lamella/recover/requests.h>
+#include <lamella/shape/section_mesh.h>
 #include <lamella/solve/results.h>
 
-#include <map>
+#include <functional>
 #include <vector>
 
 namespace lamella
@@ -26,25 +28,32 @@ namespace lamella
   class Sampler
   {
   public:
-    /// All four are referred to and have to live longer. Throws InputError for
-    /// a probe, its box or a line's end outside of its body, and for a cut that
-    /// its axis does not reach; the message names the entry.
-    Sampler(const Bodies             &bodies,
-            const std::vector<Probe> &probes,
-            const std::vector<Line>  &lines,
-            const std::vector<Cut>   &cuts);
+    /// The first four are referred to and have to live longer; @p plies are
+    /// those of the bodies' sections, a list a body, needed where stresses of
+    /// `equilibrium` are asked for. Throws InputError for a probe, its box or a
+    /// line's end outside of its body, for a cut that its axis does not reach,
+    /// and for equilibrium of a body that is no laminate; the message names the
+    /// entry.
+    Sampler(const Bodies                        &bodies,
+            const std::vector<Probe>            &probes,
+            const std::vector<Line>             &lines,
+            const std::vector<Cut>              &cuts,
+            const std::vector<std::vector<Ply>> &plies = {});
 
     /**
      * Fills the probes, lines, cuts and jumps of @p results for the
      * displacements @p u.
      * @p u has a block for each body. Of each probe a row a ply (of a box one,
      * or two: box_points()), of each line rows along its pieces with the
-     * InterfaceJump, of each cut the grids of its cells. @p results must not
-     * have any of these yet: rows are appended. Recoveries are made anew for
-     * each state, one for each body and kind.
+     * InterfaceJump, of each cut the grids of its cells; of those with stresses
+     * by equilibrium their closure errors. @p results must not have any of
+     * these yet: rows are appended. Recoveries are made anew for each state,
+     * one for each body and kind. @p tractions are what acts on faces.
      */
     void
-    sample(const BlockVector &u, StepResults &results) const;
+    sample(const BlockVector   &u,
+           StepResults         &results,
+           const FaceTractions &tractions = FaceTractions()) const;
 
   private:
     /// A sample of a line and its arc length from the start [length].
@@ -64,16 +73,17 @@ namespace lamella
 
     /// The recoveries of one state, by body and kind.
     class Recoveries;
-    /// The mean of the fields by @p recovery over @p points of the probe @p p.
+    using Fields = std::function<FieldSample(const Location &)>;
+    /// The mean of @p fields over @p points of the probe @p p.
     FieldRow
     mean_row(const unsigned int p,
              const BoxPoints   &points,
-             StressRecovery    &recovery) const;
-    /// The row of a table for @p location, its fields by @p recovery.
+             const Fields      &fields) const;
+    /// The row of a table for @p location, with its @p fields.
     FieldRow
     row_at(const unsigned int body,
            const Location    &location,
-           StressRecovery    &recovery) const;
+           const Fields      &fields) const;
     std::vector<LineRow>
     line_rows(const unsigned int line, Recoveries &recoveries) const;
     /// The elements' own fields, replaced by the recovery's where the cut asks
@@ -87,6 +97,8 @@ namespace lamella
     const std::vector<Probe> &probes;
     const std::vector<Line>  &lines;
     const std::vector<Cut>   &cuts;
+    /// Of each body.
+    std::vector<std::vector<Ply>> plies;
 
     /// Of each probe the points of each of its rows; of each line its places,
     /// in order.

@@ -6,6 +6,7 @@
 #include <lamella/base/entry.h>
 #include <lamella/conditions/load.h>
 #include <lamella/conditions/support.h>
+#include <lamella/recover/face_tractions.h>
 #include <lamella/recover/recovery.h>
 #include <lamella/shape/section_mesh.h>
 #include <lamella/solve/results.h>
@@ -14,6 +15,7 @@
 #include <deal.II/base/parameter_handler.h>
 
 #include <array>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -29,6 +31,8 @@ namespace lamella
     std::vector<unsigned int> bodies;
     /// Two corners each, the lower one first in all coordinates, scene axes.
     std::vector<std::array<dealii::Point<3>, 2>> leave_out;
+    /// `recovered` or `equilibrium`.
+    StressValues stress = StressValues::recovered;
 
     /// Declares them in the subsection that @p prm is in.
     static void
@@ -49,8 +53,9 @@ namespace lamella
    * both of its faces and in its middle. The elements' own stresses come first.
    * Then, for each ply and criterion, the points at which 1/R comes to 0.8 of
    * the ply's largest are looked at again with recovered stresses
-   * (StressRecovery), and that with the smallest reserve factor R stays. So a
-   * place is missed only where an element's own stresses are off by a fifth.
+   * (StressRecovery, or EquilibriumStress), and that with the smallest reserve
+   * factor R stays. So a place is missed only where an element's own stresses
+   * are off by a fifth.
    *
    * The interlaminar criterion looks only at faces of elements that another
    * ply touches, from either side: faces across the section's z. A ply whose
@@ -70,7 +75,8 @@ namespace lamella
   public:
     /// @p bodies is referred to; @p plies are those of their sections, a list
     /// a body. Throws InputError if a material lacks what a criterion needs,
-    /// with its entry. Collective.
+    /// with its entry, and for stresses by equilibrium of a body that is no
+    /// laminate. Collective.
     StrengthSweep(const Bodies                        &bodies,
                   const StrengthParameters            &parameters,
                   const std::vector<std::vector<Ply>> &plies);
@@ -82,11 +88,14 @@ namespace lamella
     };
 
     /// The rows of StepResults::plies and plies_along for the displacements
-    /// @p u, which have a block for each body. Of heated bodies @p cured are
-    /// those of heat alone: their stresses stay, and the reserve factor
-    /// multiplies what @p u has beyond them. Collective.
+    /// @p u, which have a block for each body, and @p tractions that act on
+    /// faces. Of heated bodies @p cured are the displacements of heat alone:
+    /// their stresses stay, and the reserve factor multiplies what @p u has
+    /// beyond them. Collective.
     Found
-    sweep(const BlockVector &u, const BlockVector *cured = nullptr) const;
+    sweep(const BlockVector   &u,
+          const FaceTractions &tractions = FaceTractions(),
+          const BlockVector   *cured     = nullptr) const;
 
     /// The largest 1/R of ply @p ply of body @p body under @p ply_stress (its
     /// own axes), for pictures; 0 where no R is finite or nothing is looked
@@ -149,20 +158,24 @@ namespace lamella
     near_failure(const Swept         &swept,
                  const Displacements &at,
                  Along               &along) const;
-    /// The worst row of @p task at @p points, recovered; @p cure recovers the
-    /// stresses of heat alone, if any.
+    using Fields = std::function<FieldSample(const Location &)>;
+    /// The worst row of @p task at @p points, by @p recovered fields; @p cure
+    /// recovers the stresses of heat alone, if any.
     std::optional<PlyReserve>
     worst_row(const Swept                         &swept,
               const Task                          &task,
               const std::vector<dealii::Point<3>> &points,
               const Vector                        &u,
-              StressRecovery                      &recovery,
+              const Fields                        &recovered,
               StressRecovery                      *cure) const;
 
     const Bodies                                &bodies;
     std::vector<Criterion>                       criteria;
     std::vector<std::array<dealii::Point<3>, 2>> leave_out;
-    std::vector<Swept>                           all;
+    StressValues                                 stress;
+    /// Of each body.
+    std::vector<std::vector<Ply>> plies;
+    std::vector<Swept>            all;
   };
 
   /// Whether @p a is nearer to failure than @p b: by reserve factors, of none

@@ -212,10 +212,13 @@ namespace lamella
     /// The measures of the last of the steps found, into it.
     void
     take_measures();
+    /// What acts on faces in the present state, that of load factor @p factor.
+    FaceTractions
+    tractions_at(const double factor) const;
     /// Reserve factors of plies of the present state, and warnings of places
     /// that tell nothing, into @p results.
     void
-    take_strength(StepResults &results) const;
+    take_strength(StepResults &results, const FaceTractions &tractions) const;
     /// Seconds, memory and solvers so far.
     void
     count_costs();
@@ -241,6 +244,8 @@ namespace lamella
     /// All sections of the scene, whether a body has them or not.
     SectionMeshes              sections;
     std::unique_ptr<Structure> structure;
+    /// Of each body those of its section.
+    std::vector<std::vector<Ply>> plies;
     /// Of each contact its rows with their geometry, and what tells whether
     /// its search distance was enough.
     std::vector<ContactInterface> contacts;

@@ -90,6 +90,15 @@ namespace lamella
     double relative = 0.;
   };
 
+  /// What the integration of equilibrium leaves in the columns of each probe,
+  /// line and cut whose stresses come of it: the largest difference from the
+  /// traction on the upper face over the largest transverse stress, before it
+  /// is distributed (recover/interlaminar.h). None for all others.
+  struct Closures
+  {
+    std::vector<std::optional<double>> probes, lines, cuts;
+  };
+
   /// One pair of a contact at the end of a load step: a gap row with its
   /// geometry.
   struct ContactRow
@@ -180,6 +189,7 @@ namespace lamella
     std::vector<InterfaceJump> jumps;
     /// Of each measure its value.
     std::vector<double> measures;
+    Closures            closures;
     /// Of each contact its pairs, in the order of its rows.
     std::vector<std::vector<ContactRow>> contacts;
     /// Of each contact.
@@ -196,7 +206,8 @@ namespace lamella
 
     /// Drops the state's vectors, the strategy's memory and all rows (those of
     /// the checks, too), which is nearly all of its memory. What stays: number,
-    /// load factor, iterations, checks, jumps, measures, changes, reserve
+    /// load factor, iterations, checks, jumps, measures, closures, changes,
+    /// reserve
     /// factors of plies and warnings.
     void
     drop_fields();
