@@ -468,6 +468,25 @@ namespace lamella
 
 
 
+  FailureTrial
+  Simulation::try_for_failure(const double             factor,
+                              std::vector<PlyReserve> &plies)
+  {
+    FailureTrial trial;
+    trial.load_factor             = factor;
+    trial.checks                  = solve_state(factor);
+    const FaceTractions tractions = tractions_at(factor);
+    StepResults         at_factor;
+    sampler->sample(state.u, at_factor, tractions);
+    trial.probes = at_factor.probes;
+    plies        = strength->sweep(state.u, tractions, cured_state()).plies;
+    if (const PlyReserve *worst = worst_of(plies))
+      trial.reserve = worst->reserve;
+    return trial;
+  }
+
+
+
   void
   Simulation::find_first_failure()
   {
@@ -494,17 +513,8 @@ namespace lamella
       return does;
     };
     const auto fails = [&](const double factor) {
-      const Checks        checks    = solve_state(factor);
-      const FaceTractions tractions = tractions_at(factor);
-      StepResults         at_factor;
-      sampler->sample(state.u, at_factor, tractions);
-      const auto plies =
-        strength->sweep(state.u, tractions, cured_state()).plies;
-      const PlyReserve *worst = worst_of(plies);
-      first.trials.push_back({factor,
-                              worst != nullptr ? worst->reserve : std::nullopt,
-                              checks,
-                              at_factor.probes});
+      std::vector<PlyReserve> plies;
+      first.trials.push_back(try_for_failure(factor, plies));
       return judged(factor, plies);
     };
 

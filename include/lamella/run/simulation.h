@@ -202,6 +202,10 @@ namespace lamella
     /// The state is then again that of the last load step.
     void
     find_first_failure();
+    /// Solves at @p factor: what that comes to, and its reserve factors into
+    /// @p plies.
+    FailureTrial
+    try_for_failure(const double factor, std::vector<PlyReserve> &plies);
     /// The present state as results; @p previous, that of the step before,
     /// tells which pairs began and ceased to touch.
     StepResults
