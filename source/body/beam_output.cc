@@ -10,13 +10,13 @@ namespace lamella
   using namespace dealii;
 
   FieldSample
-  Beam::field_sample(const PointState &state, const unsigned int cell) const
+  Beam::field_sample(const PointState &state, const SectionPoint &point) const
   {
     return sample_of(state.displacement,
                      state.strain,
                      placement,
-                     beam_section->plies()[beam_section->cell_ply(cell)].axes(),
-                     beam_section->law(cell));
+                     beam_section->ply_axes(point.cell, point.position),
+                     beam_section->law(point.cell, point.position));
   }
 
 
@@ -65,8 +65,7 @@ namespace lamella
         expand_at(*space, *point.fields, state.value);
         expand_at(*space, *point.fields, state.shear_value);
         expand_at(*space, *point.fields, state.derivative);
-        samples.push_back(
-          field_sample(point_state(point, state), section_cell));
+        samples.push_back(field_sample(point_state(point, state), point));
       }
     return mean_of(samples);
   }
@@ -89,9 +88,11 @@ namespace lamella
     std::vector<OutputCell> cells(beam_section->n_cells());
     for (unsigned int cell = 0; cell < cells.size(); ++cell)
       {
-        cells[cell].ply   = beam_section->cell_ply(cell);
-        cells[cell].fibre = placement.vector_to_scene(
-          beam_section->plies()[cells[cell].ply].axes()[0]);
+        const Triad axes = beam_section->ply_axes(
+          cell, beam_section->element().map(cell, {0.5, 0.5}).position);
+        cells[cell].ply        = beam_section->cell_ply(cell);
+        cells[cell].fibre      = placement.vector_to_scene(axes[0]);
+        cells[cell].ply_normal = placement.vector_to_scene(axes[2]);
         for (unsigned int k = 0; k <= n; ++k)
           {
             std::vector<SectionPoint> row;
@@ -104,7 +105,7 @@ namespace lamella
                   cells[cell].positions.push_back(placement.to_scene(
                     {point.position[0], y, point.position[1]}));
                   cells[cell].samples.push_back(
-                    field_sample(point_state(point, state), cell));
+                    field_sample(point_state(point, state), point));
                 }
           }
       }

@@ -409,9 +409,9 @@ namespace lamella
     point_state(const SectionPoint &point, const AxisState &state);
 
     /// The body frame's fields in scene and ply axes, with the stress that the
-    /// law of the section cell @p cell makes of the strain.
+    /// law at the section's point @p point makes of the strain.
     FieldSample
-    field_sample(const PointState &state, const unsigned int cell) const;
+    field_sample(const PointState &state, const SectionPoint &point) const;
 
     /// The elements of one axis element, a section cell each, with grids of
     /// (n + 1) x m x (n + 1) samples, one layer for each of the m places @p

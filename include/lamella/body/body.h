@@ -180,10 +180,11 @@ namespace lamella
    */
   struct OutputCell
   {
-    /// The element's ply, and the direction of its fibres (unit length, scene
-    /// axes).
+    /// The element's ply, and the directions of its fibres and of its normal,
+    /// those of its own plane (unit length, scene axes); of a ply in a curved
+    /// wall those in the element's middle.
     unsigned int         ply = 0;
-    dealii::Tensor<1, 3> fibre;
+    dealii::Tensor<1, 3> fibre, ply_normal;
     /// Undeformed, scene axes; as many samples as positions.
     std::vector<dealii::Point<3>> positions;
     std::vector<FieldSample>      samples;

@@ -3,6 +3,7 @@
 #ifndef lamella_section_strain_completion_h
 #define lamella_section_strain_completion_h
 
+#include <lamella/section/ply_laws.h>
 #include <lamella/section/section_point.h>
 #include <lamella/section/taylor_element.h>
 
@@ -51,9 +52,8 @@ namespace lamella
   {
   public:
     /// @p laws of each ply, @p ply_of_cell of each cell. The laws are those of
-    /// the section, with the shear factor; they are not needed any more
-    /// afterwards.
-    FreeContraction(const std::vector<ElasticLaw>   &laws,
+    /// the section, with the shear factor; they are copied.
+    FreeContraction(const PlyLaws                   &laws,
                     const std::vector<unsigned int> &ply_of_cell);
 
     /// eps becomes P eps, whatever xx, zz and xz had been.
@@ -61,7 +61,9 @@ namespace lamella
     complete(SectionPoint &point) const override;
 
   private:
-    /// P of each ply: eps = P eps with the kept strains as they are.
+    PlyLaws laws;
+    /// P of each ply whose law is one: eps = P eps with the kept strains as
+    /// they are. P of others is made at each point.
     std::vector<ElasticTensor> completion;
     std::vector<unsigned int>  ply_of_cell;
   };
@@ -100,7 +102,7 @@ namespace lamella
     ContractionModes(std::shared_ptr<const SectionMesh> mesh,
                      const std::vector<SectionPoint>   &points,
                      const std::vector<double>         &weights,
-                     const std::vector<ElasticLaw>     &laws,
+                     const PlyLaws                     &laws,
                      const std::vector<unsigned int>   &ply_of_cell,
                      const unsigned int                 n_fields);
 
