@@ -139,12 +139,14 @@ class SectionPicture:
 
     def __init__(self, table):
         self.cells, self.fabrics, self.edges = [], [], defaultdict(list)
+        self.corners = []
         for row in range(len(table)):
             angle = f"{float(table['angle'][row]):g}°"
             self.fabrics.append(f"{table['material'][row]}, {angle}")
             sides = [np.array([p.split() for p in table[f"side_{k}"][row].split(";")],
                               float) for k in range(1, 5)]
             self.cells.append(np.concatenate([side[:-1] for side in sides]))
+            self.corners.append(np.array([side[0] for side in sides]))
             for k, side in enumerate(sides, 1):
                 # A column without any name has been read as numbers.
                 name = str(table[f"boundary_{k}"][row])
@@ -153,6 +155,28 @@ class SectionPicture:
         points = np.concatenate(self.cells)
         self.low, self.high = points.min(axis=0), points.max(axis=0)
         self.size = self.high - self.low
+        # Tables of earlier versions have no normals: their plies are level.
+        n = len(table)
+        self.normals = np.column_stack([table["normal_x"], table["normal_z"]]
+                                       if "normal_x" in table else
+                                       [np.zeros(n), np.ones(n)])
+        self.angles = np.radians(np.array(table["angle"], float))
+        self.plies = np.array(table["ply"], int)
+
+    def has_walls(self):
+        """Whether any ply lies in another plane than that of x and y."""
+        return bool((self.normals[:, 1] < 1.).any())
+
+    def marked_cells(self, most=48):
+        """Cells for the marks of plane and fibre: in each ply every so many."""
+        marked = []
+        plies = sorted(set(self.plies))
+        for ply in plies:
+            cells = np.flatnonzero(self.plies == ply)
+            wanted = max(1, most // len(plies))
+            step = max(1, -(-len(cells) // wanted))
+            marked += list(cells[step // 2::step])
+        return marked
 
     def label_places(self, name):
         """(point, outward normal) on the boundary's edges, the best first: near
@@ -214,9 +238,38 @@ def draw_section(results, name, picture):
             [scale(side) for side in picture.edges[boundary]], colors=colour,
             linewidths=2.4, capstyle="round", zorder=3))
         handles.append(Line2D([], [], color=colour, linewidth=2.4, label=boundary))
+    if picture.has_walls():
+        handles += mark_plies(axis, picture, scale)
     axis.legend(handles=handles, loc="center left", bbox_to_anchor=(1.02, 0.5))
     label_boundaries(figure, axis, picture, scale, colours)
     return figure
+
+
+def mark_plies(axis, picture, scale):
+    """Of each ply in some cells: a line in its plane, and on it how far the fibre goes
+    sideways on its way along +y, which points away from who looks. What they mean, for
+    the legend."""
+    ink, half = "0.1", 0.42
+    planes, middles, ways = [], [], []
+    for cell in picture.marked_cells():
+        corners, normal = picture.corners[cell], picture.normals[cell]
+        along = np.array([normal[1], -normal[0]])
+        middle = corners.mean(axis=0)
+        reach = half * np.ptp(corners @ along)
+        planes.append(scale([middle - reach * along, middle + reach * along]))
+        middles.append(scale(middle))
+        ways.append(scale(reach * np.sin(picture.angles[cell]) * along))
+    middles, ways = np.array(middles), np.array(ways)
+    axis.add_collection(LineCollection(planes, colors=ink, linewidths=0.7, zorder=4))
+    axis.plot(*middles.T, "o", color=ink, markersize=2.2, zorder=5)
+    aside = np.linalg.norm(ways, axis=1) > 1e-9 * scale(picture.size.max())
+    axis.quiver(*middles[aside].T, *ways[aside].T, angles="xy", scale_units="xy", scale=1,
+                color=ink, width=0.004, headwidth=4, headlength=4.5, headaxislength=4,
+                zorder=5)
+    return [Line2D([], [], color=ink, linewidth=0.7, marker="o", markersize=2.2,
+                   label="plane of a ply, seen along y"),
+            Line2D([], [], color=ink, linewidth=0, marker=r"$\rightarrow$", markersize=10,
+                   label="fibre, followed into the picture")]
 
 
 def tint(colour, strength):

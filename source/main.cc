@@ -76,7 +76,8 @@ namespace
       }
     const auto simulation = make_simulation(scene, text, output());
     if (command.validate)
-      simulation->print_validation();
+      simulation->print_validation(command.output_is_given ? command.output :
+                                                             "");
     else
       simulation->run(command.output, command.resume, [&](Results &results) {
         ModelCache cache;

@@ -726,7 +726,7 @@ namespace lamella
                                state.derivative[alpha] * point.along[a][c];
               }
             const Voigt stress =
-              section_weights[s] * beam_section->law(point.cell).stress(strain);
+              section_weights[s] * beam_section->law_at_point(s).stress(strain);
             for (unsigned int a = 0; a < point.fields->size(); ++a)
               {
                 const unsigned int alpha = (*point.fields)[a];
@@ -782,7 +782,7 @@ namespace lamella
               result.energy +=
                 beam_axis->integration_weights()[k] *
                 beam_section->integration_weights()[s] *
-                beam_section->law(point.cell).energy_density(at.strain);
+                beam_section->law_at_point(s).energy_density(at.strain);
             // curl u / 2 with d u_y / dz = gamma_yz - d u_z / dy and so on.
             const Point<3> rotation(at.slope[2] - 0.5 * at.strain[5],
                                     at.twist,

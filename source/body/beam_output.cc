@@ -10,17 +10,18 @@ namespace lamella
   using namespace dealii;
 
   FieldSample
-  Beam::field_sample(PointState         state,
-                     const unsigned int cell,
-                     const Point<3>    &x) const
+  Beam::field_sample(PointState          state,
+                     const SectionPoint &point,
+                     const Point<3>     &x) const
   {
-    const ElasticLaw law = law_at(cell, x);
-    state.strain +=
-      beam_section->completion_of_initial(cell, law.initial_strain());
+    const ElasticLaw law = law_at(point.cell, point.position, x);
+    state.strain += beam_section->completion_of_initial(point.cell,
+                                                        point.position,
+                                                        law.initial_strain());
     return sample_of(state.displacement,
                      state.strain,
                      placement,
-                     beam_section->plies()[beam_section->cell_ply(cell)].axes(),
+                     beam_section->ply_axes(point.cell, point.position),
                      law);
   }
 
@@ -72,7 +73,7 @@ namespace lamella
         expand_at(*space, *point.fields, state.derivative);
         samples.push_back(
           field_sample(point_state(point, state),
-                       section_cell,
+                       point,
                        placement.to_scene(
                          {point.position[0], on_axis.y, point.position[1]})));
       }
@@ -97,9 +98,11 @@ namespace lamella
     std::vector<OutputCell> cells(beam_section->n_cells());
     for (unsigned int cell = 0; cell < cells.size(); ++cell)
       {
-        cells[cell].ply   = beam_section->cell_ply(cell);
-        cells[cell].fibre = placement.vector_to_scene(
-          beam_section->plies()[cells[cell].ply].axes()[0]);
+        const Triad axes = beam_section->ply_axes(
+          cell, beam_section->element().map(cell, {0.5, 0.5}).position);
+        cells[cell].ply        = beam_section->cell_ply(cell);
+        cells[cell].fibre      = placement.vector_to_scene(axes[0]);
+        cells[cell].ply_normal = placement.vector_to_scene(axes[2]);
         for (unsigned int k = 0; k <= n; ++k)
           {
             std::vector<SectionPoint> row;
@@ -113,7 +116,7 @@ namespace lamella
                     {point.position[0], y, point.position[1]}));
                   cells[cell].samples.push_back(
                     field_sample(point_state(point, state),
-                                 cell,
+                                 point,
                                  cells[cell].positions.back()));
                 }
           }

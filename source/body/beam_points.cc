@@ -227,22 +227,21 @@ namespace lamella
     std::vector<std::vector<Row>> result;
     for (const Location &where : locations)
       {
-        const unsigned int cell =
-          where.places[0].cell % beam_section->n_cells();
-        const ElasticLaw law = law_at(cell, position(where.places[0]));
-        const FromStrain to_frame =
-          from_strain(quantity,
-                      frame,
-                      placement,
-                      beam_section->plies()[where.ply].axes(),
-                      law);
+        const Location::Place &first = where.places[0];
+        const unsigned int     cell  = first.cell % beam_section->n_cells();
+        const Point<2>         x     = beam_section->element()
+                             .map(cell, {first.unit[0], first.unit[2]})
+                             .position;
+        const ElasticLaw law      = law_at(cell, x, position(first));
+        const FromStrain to_frame = from_strain(
+          quantity, frame, placement, beam_section->ply_axes(cell, x), law);
         std::vector<Row> rows(n);
         if (quantity != Quantity::displacement)
           {
             const Voigt constant =
               to_frame.constant +
-              to_frame.matrix *
-                beam_section->completion_of_initial(cell, law.initial_strain());
+              to_frame.matrix * beam_section->completion_of_initial(
+                                  cell, x, law.initial_strain());
             for (unsigned int c = 0; c < n; ++c)
               rows[c].add_constant(constant[c]);
           }
@@ -273,24 +272,36 @@ namespace lamella
   namespace
   {
     /// Adds the parameters at which the segment a + t d, projected into the
-    /// section, passes vertices or crosses the sides of @p mesh's cells.
+    /// section, passes vertices or crosses the sides of @p element's cells.
     void
-    add_section_breaks(const Triangulation<2> &mesh,
-                       const Point<2>         &a,
-                       const Tensor<1, 2>     &d,
-                       const double            tolerance,
-                       std::vector<double>    &breaks)
+    add_section_breaks(const CrossSectionElement &element,
+                       const Point<2>            &a,
+                       const Tensor<1, 2>        &d,
+                       const double               tolerance,
+                       std::vector<double>       &breaks)
     {
       if (d.norm() <= tolerance)
         return;
-      for (const auto &cell : mesh.active_cell_iterators())
+      for (const auto &cell :
+           element.section_mesh().mesh.active_cell_iterators())
         for (const unsigned int f : cell->face_indices())
-          add_edge_crossings(cell->face(f)->vertex(0),
-                             cell->face(f)->vertex(1),
-                             a,
-                             d,
-                             tolerance,
-                             breaks);
+          if (cell->face(f)->manifold_id() == numbers::flat_manifold_id)
+            add_edge_crossings(cell->face(f)->vertex(0),
+                               cell->face(f)->vertex(1),
+                               a,
+                               d,
+                               tolerance,
+                               breaks);
+          else
+            add_curve_crossings(
+              [&](const double s) {
+                return element.map(cell->active_cell_index(), face_point(f, s))
+                  .position;
+              },
+              a,
+              d,
+              tolerance,
+              breaks);
     }
   } // namespace
 
@@ -308,7 +319,7 @@ namespace lamella
     Tensor<1, 2> in_section;
     in_section[0] = d[0];
     in_section[1] = d[2];
-    add_section_breaks(beam_section->element().section_mesh().mesh,
+    add_section_breaks(beam_section->element(),
                        {a[0], a[2]},
                        in_section,
                        1e-8 * beam_section->element().reference_length(),

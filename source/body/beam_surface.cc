@@ -51,7 +51,8 @@ namespace lamella
     nn[0]                = n[0] * n[0];
     nn[2]                = n[2] * n[2];
     nn[4]                = 2. * n[0] * n[2];
-    point.normal_modulus = nn * (beam_section->law(edge.cell).stiffness() * nn);
+    const ElasticLaw law = beam_section->law(edge.cell, edge.position);
+    point.normal_modulus = nn * (law.stiffness() * nn);
     return point;
   }
 
@@ -70,12 +71,13 @@ namespace lamella
     point.area = in_section.weight;
     point.depth =
       beam_axis->cell_end(axis_cell) - beam_axis->cell_begin(axis_cell);
-    point.location       = location(point.position,
+    point.location = location(point.position,
                               axis_cell,
                               at_start ? 0. : 1.,
                               in_section.cell,
                               in_section.unit);
-    point.normal_modulus = beam_section->law(in_section.cell).stiffness()[1][1];
+    point.normal_modulus =
+      beam_section->law(in_section.cell, in_section.position).stiffness()[1][1];
     return point;
   }
 

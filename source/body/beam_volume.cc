@@ -48,13 +48,24 @@ namespace lamella
 
 
   ElasticLaw
-  Beam::law_at(const unsigned int cell, const Point<3> &x) const
+  Beam::law_at(const unsigned int cell,
+               const Point<2>    &at,
+               const Point<3>    &x) const
   {
     if (!is_heated())
-      return beam_section->law(cell);
-    return ElasticLaw(beam_section->law(cell).stiffness(),
-                      temperature(x) *
-                        expansions[beam_section->cell_ply(cell)]);
+      return beam_section->law(cell, at);
+    const Ply &ply = beam_section->plies()[beam_section->cell_ply(cell)];
+    return ElasticLaw(beam_section->law(cell, at).stiffness(),
+                      temperature(x) * ply.expansion(at));
+  }
+
+
+
+  Voigt
+  Beam::expansion_at(const SectionPoint &point) const
+  {
+    const Ply &ply = beam_section->plies()[beam_section->cell_ply(point.cell)];
+    return ply.expansion(point.position);
   }
 
 
@@ -91,26 +102,28 @@ namespace lamella
     double                    energy      = 0.;
     const std::vector<double> none(beam_section->n_fields(), 0.);
     std::vector<SectionWork>  work(end - begin, {{none, none, none}});
-    beam_section->for_each_point(
-      [&](const SectionPoint &point, const double weight) {
-        const Voigt &alpha = expansions[beam_section->cell_ply(point.cell)];
-        const Voigt  active =
-          alpha - beam_section->completion_of_initial(point.cell, alpha);
-        // Of one kelvin.
-        const Voigt stress =
-          weight * (beam_section->law(point.cell).stiffness() * active);
-        const auto unit = work_of(stress, point);
-        for (unsigned int k = begin; k < end; ++k)
-          {
-            const double T = temperature(placement.to_scene(
-              {point.position[0], axis_points[k].y, point.position[1]}));
-            energy += 0.5 * T * T * beam_axis->integration_weights()[k] *
-                      (stress * active);
-            for (unsigned int a = 0; a < unit.size(); ++a)
-              for (unsigned int p = 0; p < 3; ++p)
-                work[k - begin][p][(*point.fields)[a]] += T * unit[a][p];
-          }
-      });
+    beam_section->for_each_point([&](const SectionPoint &point,
+                                     const double        weight) {
+      const Voigt alpha = expansion_at(point);
+      const Voigt active =
+        alpha -
+        beam_section->completion_of_initial(point.cell, point.position, alpha);
+      // Of one kelvin.
+      const Voigt stress =
+        weight *
+        (beam_section->law(point.cell, point.position).stiffness() * active);
+      const auto unit = work_of(stress, point);
+      for (unsigned int k = begin; k < end; ++k)
+        {
+          const double T = temperature(placement.to_scene(
+            {point.position[0], axis_points[k].y, point.position[1]}));
+          energy += 0.5 * T * T * beam_axis->integration_weights()[k] *
+                    (stress * active);
+          for (unsigned int a = 0; a < unit.size(); ++a)
+            for (unsigned int p = 0; p < 3; ++p)
+              work[k - begin][p][(*point.fields)[a]] += T * unit[a][p];
+        }
+    });
     Vector share(f.size());
     add_section_works(std::move(work), begin, share);
     sum_over_processes(share);
@@ -126,20 +139,22 @@ namespace lamella
     Vector load(beam_section->n_fields());
     if (!is_heated())
       return load;
-    beam_section->for_each_point(
-      [&](const SectionPoint &point, const double weight) {
-        const double T = temperature(
-          placement.to_scene({point.position[0], y, point.position[1]}));
-        const Voigt &alpha = expansions[beam_section->cell_ply(point.cell)];
-        const Voigt  active =
-          alpha - beam_section->completion_of_initial(point.cell, alpha);
-        const auto work =
-          work_of(weight * T *
-                    (beam_section->law(point.cell).stiffness() * active),
-                  point);
-        for (unsigned int a = 0; a < work.size(); ++a)
-          load[(*point.fields)[a]] += work[a][0] + work[a][1];
-      });
+    beam_section->for_each_point([&](const SectionPoint &point,
+                                     const double        weight) {
+      const double T = temperature(
+        placement.to_scene({point.position[0], y, point.position[1]}));
+      const Voigt alpha = expansion_at(point);
+      const Voigt active =
+        alpha -
+        beam_section->completion_of_initial(point.cell, point.position, alpha);
+      const auto work =
+        work_of(weight * T *
+                  (beam_section->law(point.cell, point.position).stiffness() *
+                   active),
+                point);
+      for (unsigned int a = 0; a < work.size(); ++a)
+        load[(*point.fields)[a]] += work[a][0] + work[a][1];
+    });
     return load;
   }
 

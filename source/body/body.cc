@@ -34,18 +34,14 @@ namespace lamella
   void
   Body::heat(const ScalarField &change)
   {
-    expansions.clear();
     for (const Ply &ply : plies())
-      {
-        if (!ply.properties.expansion)
-          throw InputError("Material " + ply.material,
-                           "",
-                           "has no Thermal expansion, and body '" + name() +
-                             "', which is made of it, has a Temperature",
-                           "Give it (0 if it does not expand), or leave the "
-                           "body out of the load.");
-        expansions.push_back(ply.expansion());
-      }
+      if (!ply.properties.expansion)
+        throw InputError("Material " + ply.material,
+                         "",
+                         "has no Thermal expansion, and body '" + name() +
+                           "', which is made of it, has a Temperature",
+                         "Give it (0 if it does not expand), or leave the "
+                         "body out of the load.");
     temperature_change = change;
   }
 

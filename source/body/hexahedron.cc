@@ -138,8 +138,7 @@ namespace lamella
 
 
   IncompatibleModes
-  Hexahedron::incompatible_modes(const Nodes         &nodes,
-                                 const ElasticTensor &C) const
+  Hexahedron::incompatible_modes(const Nodes &nodes, const StiffnessAt &C) const
   {
     if (degree() > 1)
       return IncompatibleModes();
@@ -153,9 +152,10 @@ namespace lamella
       {
         const std::vector<Voigt> of_u = strains(point, IncompatibleModes()),
                                  of_a = mode_strains(point, modes.middle);
+        const ElasticTensor C_here    = C(point.position);
         for (unsigned int k = 0; k < 9; ++k)
           {
-            const Voigt stress = point.JxW * (C * of_a[k]);
+            const Voigt stress = point.JxW * (C_here * of_a[k]);
             for (unsigned int m = 0; m < 9; ++m)
               K_aa(k, m) += stress * of_a[m];
             for (unsigned int d = 0; d < n; ++d)
@@ -195,7 +195,7 @@ namespace lamella
 
   FullMatrix<double>
   Hexahedron::stiffness(const Nodes             &nodes,
-                        const ElasticTensor     &C,
+                        const StiffnessAt       &C,
                         const IncompatibleModes &modes) const
   {
     const unsigned int                 n      = 3 * n_nodes();
@@ -204,10 +204,11 @@ namespace lamella
       stress(6 * points.size(), n), product(n);
     for (unsigned int q = 0; q < points.size(); ++q)
       {
-        const std::vector<Voigt> B = strains(points[q], modes);
+        const std::vector<Voigt> B      = strains(points[q], modes);
+        const ElasticTensor      C_here = C(points[q].position);
         for (unsigned int d = 0; d < n; ++d)
           {
-            const Voigt CB = points[q].JxW * (C * B[d]);
+            const Voigt CB = points[q].JxW * (C_here * B[d]);
             for (unsigned int s = 0; s < 6; ++s)
               {
                 strain(6 * q + s, d) = B[d][s];

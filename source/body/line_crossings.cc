@@ -2,6 +2,8 @@
 
 #include <lamella/body/line_crossings.h>
 
+#include <boost/math/tools/toms748_solve.hpp>
+
 #include <algorithm>
 #include <cmath>
 
@@ -31,6 +33,46 @@ namespace lamella
     if (of_p * of_q < 0. && std::abs(of_p) > tolerance &&
         std::abs(of_q) > tolerance)
       add(p + of_p / (of_p - of_q) * (q - p));
+  }
+
+
+
+  void
+  add_curve_crossings(const std::function<Point<2>(const double)> &x,
+                      const Point<2>                              &a,
+                      const Tensor<1, 2>                          &d,
+                      const double                                 tolerance,
+                      std::vector<double>                         &crossings)
+  {
+    constexpr unsigned int intervals = 4, bits = 50;
+    const auto             side_of = [&](const double s) {
+      const Point<2> p = x(s);
+      return (d[0] * (p[1] - a[1]) - d[1] * (p[0] - a[0])) / d.norm();
+    };
+    const auto add = [&](const double s) {
+      crossings.push_back(((x(s) - a) * d) / d.norm_square());
+    };
+    for (unsigned int k = 0; k <= intervals; ++k)
+      {
+        const double s = double(k) / intervals, here = side_of(s);
+        if (std::abs(here) <= tolerance)
+          add(s);
+        if (k == intervals || std::abs(here) <= tolerance)
+          continue;
+        const double next = side_of((k + 1.) / intervals);
+        if (std::abs(next) <= tolerance || here * next > 0.)
+          continue;
+        std::uintmax_t steps = 100;
+        const auto     root  = boost::math::tools::toms748_solve(
+          side_of,
+          s,
+          (k + 1.) / intervals,
+          here,
+          next,
+          boost::math::tools::eps_tolerance<double>(bits),
+          steps);
+        add(0.5 * (root.first + root.second));
+      }
   }
 
 

@@ -23,11 +23,10 @@ namespace lamella
     , element(degree)
     , placement(placement)
     , axis_length(axis.length)
+    , laws(section->plies)
     , is_curved(has_curved_edges(*section))
     , box(mesh.nodes())
   {
-    for (const Ply &ply : section->plies)
-      laws.emplace_back(ply.stiffness());
     make_constraints();
     find_kinds();
     make_boxes();
@@ -68,17 +67,27 @@ namespace lamella
         for (const Point<3> &x : nodes)
           for (unsigned int d = 0; d < 3; ++d)
             key.push_back(std::lround((x[d] - nodes[0][d]) / unit));
+        // In a curved wall the place in the section tells the law.
+        if (laws.varies(mesh.cells()[cell].ply))
+          for (const unsigned int d : {0, 2})
+            key.push_back(std::lround(nodes[0][d] / unit));
         const auto [place, is_new] = numbers.emplace(key, kinds.size());
         if (is_new)
           kinds.push_back(
-            {cell,
-             element.incompatible_modes(nodes, law(cell).stiffness()),
-             {}});
+            {cell, element.incompatible_modes(nodes, stiffness_of(cell)), {}});
         kind_of_cell.push_back(place->second);
         if (cell >= mesh.owned_cells().first &&
             cell < mesh.owned_cells().second)
           kinds[place->second].own_cells.push_back(cell);
       }
+  }
+
+
+
+  StiffnessAt
+  Solid::stiffness_of(const unsigned int cell) const
+  {
+    return [this, cell](const Point<3> &x) { return law(cell, x).stiffness(); };
   }
 
 
@@ -222,7 +231,7 @@ namespace lamella
           {
             const FullMatrix<double> K =
               element.stiffness(nodes_of(kind.cell),
-                                law(kind.cell).stiffness(),
+                                stiffness_of(kind.cell),
                                 kind.modes);
             for (unsigned int i = 0; i < K.m(); ++i)
               for (unsigned int j = 0; j < K.n(); ++j)
@@ -263,8 +272,12 @@ namespace lamella
         const std::vector<HexahedronPoint> points =
           element.quadrature_points(nodes_of(kind.cell));
         std::vector<std::vector<Voigt>> B;
+        std::vector<ElasticLaw>         law_at;
         for (const HexahedronPoint &point : points)
-          B.push_back(element.strains(point, kind.modes));
+          {
+            B.push_back(element.strains(point, kind.modes));
+            law_at.push_back(law(kind.cell, point.position));
+          }
         for (const unsigned int cell : kind.own_cells)
           {
             const std::vector<double>   v    = relative_displacements(cell, u);
@@ -274,7 +287,7 @@ namespace lamella
                 Voigt strain;
                 for (unsigned int d = 0; d < v.size(); ++d)
                   strain += v[d] * B[q][d];
-                const Voigt stress = points[q].JxW * law(cell).stress(strain);
+                const Voigt stress = points[q].JxW * law_at[q].stress(strain);
                 for (unsigned int d = 0; d < v.size(); ++d)
                   share[dofs[d]] += B[q][d] * stress;
               }
@@ -298,6 +311,7 @@ namespace lamella
              element.quadrature_points(nodes_of(kind.cell)))
           {
             const std::vector<Voigt> B = element.strains(point, kind.modes);
+            const ElasticLaw         law_here = law(kind.cell, point.position);
             for (const unsigned int cell : kind.own_cells)
               {
                 const std::vector<double> v = relative_displacements(cell, u);
@@ -310,7 +324,7 @@ namespace lamella
                                            Point<3>(v[3 * i],
                                                     v[3 * i + 1],
                                                     v[3 * i + 2]));
-                result.energy += point.JxW * law(cell).energy_density(strain);
+                result.energy += point.JxW * law_here.energy_density(strain);
                 result.max_rotation =
                   std::max(result.max_rotation, 0.5 * curl.norm());
               }
@@ -327,13 +341,15 @@ namespace lamella
   ElasticLaw
   Solid::law_at(const unsigned int cell, const Point<3> &unit) const
   {
+    const Point<3> x = placement.to_body(position({cell, unit}));
     if (!is_heated())
-      return law(cell);
+      return law(cell, x);
     const Point<3> middle(0.5, 0.5, 0.5);
-    return ElasticLaw(law(cell).stiffness(),
-                      temperature(
-                        position({cell, degree() == 1 ? middle : unit})) *
-                        expansions[mesh.cells()[cell].ply]);
+    const Voigt    alpha =
+      mesh.section().plies[mesh.cells()[cell].ply].expansion({x[0], x[2]});
+    return ElasticLaw(
+      law(cell, x).stiffness(),
+      temperature(position({cell, degree() == 1 ? middle : unit})) * alpha);
   }
 
 

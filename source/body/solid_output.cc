@@ -35,7 +35,7 @@ namespace lamella
     return sample_of(displacement,
                      strain,
                      placement,
-                     mesh.section().plies[mesh.cells()[place.cell].ply].axes(),
+                     ply_axes(place.cell, point.position),
                      law_at(place.cell, place.unit));
   }
 
@@ -60,9 +60,11 @@ namespace lamella
   {
     const unsigned int ply = mesh.cells()[cell].ply;
     OutputCell         result;
-    result.ply = ply;
-    result.fibre =
-      placement.vector_to_scene(mesh.section().plies[ply].axes()[0]);
+    result.ply       = ply;
+    const Triad axes = ply_axes(
+      cell, element.evaluate(nodes_of(cell), Point<3>(0.5, 0.5, 0.5)).position);
+    result.fibre      = placement.vector_to_scene(axes[0]);
+    result.ply_normal = placement.vector_to_scene(axes[2]);
     for (unsigned int k = 0; k <= n; ++k)
       for (const double eta : etas)
         for (unsigned int i = 0; i <= n; ++i)

@@ -182,12 +182,14 @@ namespace lamella
     std::vector<std::vector<Row>> result;
     for (const Location &where : locations)
       {
-        const FromStrain to_frame =
-          from_strain(quantity,
-                      frame,
-                      placement,
-                      mesh.section().plies[where.ply].axes(),
-                      law_at(where.places[0].cell, where.places[0].unit));
+        const Location::Place &first = where.places[0];
+        const Point<3>         x =
+          element.evaluate(nodes_of(first.cell), first.unit).position;
+        const FromStrain to_frame = from_strain(quantity,
+                                                frame,
+                                                placement,
+                                                ply_axes(first.cell, x),
+                                                law_at(first.cell, first.unit));
         std::vector<Row> rows(n);
         if (quantity != Quantity::displacement)
           for (unsigned int c = 0; c < n; ++c)
@@ -287,7 +289,7 @@ namespace lamella
         nn[d]     = n[d] * n[d];
         nn[3 + d] = 2. * n[planes[d][0]] * n[planes[d][1]];
       }
-    point.normal_modulus = nn * (law(cell).stiffness() * nn);
+    point.normal_modulus = nn * (law(cell, at.position).stiffness() * nn);
     return point;
   }
 
@@ -514,6 +516,38 @@ namespace lamella
 
 
 
+  void
+  Solid::add_side_crossings(const unsigned int   cell,
+                            const unsigned int   v,
+                            const unsigned int   w,
+                            const Point<2>      &a,
+                            const Tensor<1, 2>  &d,
+                            const double         tolerance,
+                            std::vector<double> &crossings) const
+  {
+    const Hexahedron::Nodes nodes = nodes_of(cell);
+    if (!is_curved)
+      return add_edge_crossings({nodes[v][0], nodes[v][2]},
+                                {nodes[w][0], nodes[w][2]},
+                                a,
+                                d,
+                                tolerance,
+                                crossings);
+    const Point<3>     begin = GeometryInfo<3>::unit_cell_vertex(v);
+    const Tensor<1, 3> along = GeometryInfo<3>::unit_cell_vertex(w) - begin;
+    add_curve_crossings(
+      [&](const double s) {
+        const Point<3> x = element.evaluate(nodes, begin + s * along).position;
+        return Point<2>(x[0], x[2]);
+      },
+      a,
+      d,
+      tolerance,
+      crossings);
+  }
+
+
+
   std::vector<double>
   Solid::line_breaks(const Point<3> &from, const Point<3> &to) const
   {
@@ -548,12 +582,8 @@ namespace lamella
                 {4, 5},
                 {0, 4},
                 {1, 5}})
-            add_edge_crossings({corner(v)[0], corner(v)[2]},
-                               {corner(w)[0], corner(w)[2]},
-                               {a[0], a[2]},
-                               in_section,
-                               tolerance,
-                               crossings);
+            add_side_crossings(
+              cell, v, w, {a[0], a[2]}, in_section, tolerance, crossings);
         // Not where the line meets the planes of cells further away.
         for (const double t : crossings)
           if (grown(cell_box, 1e-6).point_inside(a + t * d))

@@ -366,11 +366,19 @@ namespace lamella
           "MATERIAL" +
           std::to_string(std::distance(scene.materials.begin(), place) + 1);
         const bool isotropic = is_isotropic(plies[ply].properties.elastic);
+        if (!isotropic && plies[ply].plane.normal_at)
+          throw InputError(
+            "Section " + scene.bodies[body].section,
+            "",
+            "its plies follow a curved wall, and a CalculiX deck "
+            "has one orientation for each ply",
+            "Export sections of flat walls, or of isotropic "
+            "materials.");
         if (!isotropic)
           {
             // The ply's axes 1 and 2 in the scene.
             const Triad axes =
-              plies[ply].axes() * scene.bodies[body].placement.axes;
+              plies[ply].axes(Point<2>()) * scene.bodies[body].placement.axes;
             deck << "** fibre at " << to_text(plies[ply].angle)
                  << " degrees\n*ORIENTATION, NAME=" << set
                  << "_AXES, SYSTEM=RECTANGULAR\n"

@@ -151,4 +151,24 @@ namespace lamella
     axes[2][2] = 1.;
     return axes;
   }
+
+
+
+  Triad
+  ply_axes(const double degrees, const dealii::Tensor<1, 2> &normal)
+  {
+    // In the axes t, y, n of the ply's plane.
+    const Triad in_plane = ply_axes(degrees);
+    Triad       axes;
+    for (unsigned int k = 0; k < 2; ++k)
+      {
+        axes[k][0] = in_plane[k][0] * normal[1];
+        axes[k][1] = in_plane[k][1];
+        // No zero of a sign, for files' sake.
+        axes[k][2] = 0. - in_plane[k][0] * normal[0];
+      }
+    axes[2][0] = normal[0];
+    axes[2][2] = normal[1];
+    return axes;
+  }
 } // namespace lamella

@@ -117,6 +117,9 @@ namespace lamella
   {
     if (body.is_nodal())
       refuse(body, path, "is a solid");
+    for (const Ply &ply : body.plies())
+      if (ply.plane.normal_at || ply.plane.normal != Point<2>(0., 1.))
+        refuse(body, path, "has plies that do not lie level");
     if (body.is_heated())
       throw InputError(path,
                        name_of(StressValues::equilibrium),
@@ -317,7 +320,7 @@ namespace lamella
             }
         shear_compliance.push_back(invert(G));
         plane_stiffness.push_back(Q);
-        ply_frames.push_back(ply.axes());
+        ply_frames.push_back(ply.axes(Point<2>()));
       }
   }
 

@@ -17,10 +17,21 @@ namespace lamella
 
   namespace
   {
-    // Points of an element, 3 x 3 x 3, the third coordinate slowest: its first
-    // and its last nine are on two faces, and these are the faces' middles.
-    constexpr unsigned int per_face = 9, first_middle = 4, last_middle = 22;
-    constexpr unsigned int intervals = 2;
+    // Points of an element, 3 x 3 x 3, the third coordinate slowest, the second
+    // along the axis. Of the four faces along the axis, at the beginning and
+    // the end of the first and of the third coordinate: their middles.
+    constexpr std::array<unsigned int, 4> middles{{12, 14, 4, 22}};
+    constexpr unsigned int                intervals = 2;
+
+
+
+    /// Whether point @p k of an element is on the face @p f of those.
+    bool
+    is_on_face(const unsigned int k, const unsigned int f)
+    {
+      const unsigned int coordinate = f < 2 ? k % 3 : k / 9;
+      return coordinate == (f % 2 == 0 ? 0 : 2);
+    }
 
     // Of the largest 1/R of a ply, what makes a point worth recovering.
     constexpr double near = 0.8;
@@ -50,10 +61,14 @@ namespace lamella
     {
       if (is_core(plies[k]))
         return nullptr;
-      if (k > 0 && is_core(plies[k - 1]))
+      const auto is_core_of_wall = [&](const unsigned int other) {
+        return is_core(plies[other]) &&
+               plies[other].plane.wall == plies[k].plane.wall;
+      };
+      if (k > 0 && is_core_of_wall(k - 1))
         return &plies[k - 1];
-      return k + 1 < plies.size() && is_core(plies[k + 1]) ? &plies[k + 1] :
-                                                             nullptr;
+      return k + 1 < plies.size() && is_core_of_wall(k + 1) ? &plies[k + 1] :
+                                                              nullptr;
     }
 
 
@@ -69,20 +84,39 @@ namespace lamella
 
 
 
+    /// Whether the face @p f of @p cell lies in the plane of the cell's ply,
+    /// and not across it: a ply that ends there shares no interface.
+    bool
+    is_in_ply_plane(const OutputCell &cell, const unsigned int f)
+    {
+      constexpr double cosine = 0.7;
+      // A step along the face in the section, and one along the axis.
+      const unsigned int m      = middles[f];
+      const unsigned int across = f < 2 ? 9 : 1;
+      const Tensor<1, 3> normal =
+        cross_product_3d(cell.positions[m + across] -
+                           cell.positions[m - across],
+                         cell.positions[m + 3] - cell.positions[m - 3]);
+      return std::abs(normal * cell.ply_normal) > cosine * normal.norm();
+    }
+
+
+
     /// Of each element of this process, whether another ply touches its faces.
-    std::vector<std::array<bool, 2>>
+    std::vector<std::array<bool, 4>>
     touched_faces(const Body &body)
     {
       const auto cells = body.output_cells(intervals, Vector(body.n_dofs()));
-      std::vector<Point<3>> middles;
+      std::vector<Point<3>> points;
       for (const OutputCell &cell : cells)
-        for (const unsigned int k : {first_middle, last_middle})
-          middles.push_back(cell.positions[k]);
-      const auto                       found = body.locate(middles);
-      std::vector<std::array<bool, 2>> touched(cells.size());
+        for (const unsigned int k : middles)
+          points.push_back(cell.positions[k]);
+      const auto                       found = body.locate(points);
+      std::vector<std::array<bool, 4>> touched(cells.size());
       for (unsigned int c = 0; c < cells.size(); ++c)
-        for (unsigned int side = 0; side < 2; ++side)
-          touched[c][side] = found[2 * c + side].size() > 1;
+        for (unsigned int f = 0; f < 4; ++f)
+          touched[c][f] =
+            found[4 * c + f].size() > 1 && is_in_ply_plane(cells[c], f);
       return touched;
     }
   } // namespace
@@ -184,11 +218,15 @@ namespace lamella
 
   bool
   StrengthSweep::looks_at(const Task                &task,
-                          const std::array<bool, 2> &touched,
+                          const std::array<bool, 4> &touched,
                           const unsigned int         k)
   {
-    return task.criterion != Criterion::interlaminar ||
-           (touched[0] && k < per_face) || (touched[1] && k >= 2 * per_face);
+    if (task.criterion != Criterion::interlaminar)
+      return true;
+    for (unsigned int f = 0; f < 4; ++f)
+      if (touched[f] && is_on_face(k, f))
+        return true;
+    return false;
   }
 
 
@@ -340,8 +378,8 @@ namespace lamella
         {
           if (tasks[t].ply != cells[c].ply)
             continue;
-          const std::array<bool, 2> touched =
-            swept.touched.empty() ? std::array<bool, 2>{} : swept.touched[c];
+          const std::array<bool, 4> touched =
+            swept.touched.empty() ? std::array<bool, 4>{} : swept.touched[c];
           for (unsigned int k = 0; k < cells[c].samples.size(); ++k)
             {
               const Point<3> &x = cells[c].positions[k];

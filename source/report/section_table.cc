@@ -21,7 +21,7 @@ namespace lamella
       {{2, true}, {1, true}, {3, false}, {0, false}}};
     const MappingQ<2> mapping(6);
 
-    std::string table = "cell,ply,material,angle";
+    std::string table = "cell,ply,wall,material,angle,normal_x,normal_z";
     for (const char *kind : {"boundary", "side"})
       for (unsigned int k = 1; k <= 4; ++k)
         table += std::string(",") + kind + "_" + std::to_string(k);
@@ -37,7 +37,6 @@ namespace lamella
             if (face->at_boundary())
               names += section.boundaries.at(face->boundary_id());
             const bool curved =
-              face->at_boundary() &&
               face->manifold_id() != numbers::flat_manifold_id;
             const unsigned int n = curved ? 8 : 1;
             for (unsigned int i = 0; i <= n; ++i)
@@ -50,9 +49,13 @@ namespace lamella
                 sides += (i == 0 ? "," : ";") + csv(x[0]) + " " + csv(x[1]);
               }
           }
+        const Tensor<1, 2> normal = ply.plane.at(
+          mapping.transform_unit_to_real_cell(cell, Point<2>(0.5, 0.5)));
         table += std::to_string(cell->active_cell_index()) + "," +
-                 std::to_string(cell->material_id() + 1) + "," + ply.material +
-                 "," + csv(ply.angle) + names + sides + "\n";
+                 std::to_string(cell->material_id() + 1) + "," +
+                 ply.plane.wall + "," + ply.material + "," + csv(ply.angle) +
+                 "," + csv(normal[0]) + "," + csv(normal[1]) + names + sides +
+                 "\n";
       }
     return table;
   }

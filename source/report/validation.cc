@@ -51,6 +51,23 @@ namespace lamella
 
 
 
+    /// ` in the wall 'left', normal (-1, 0)`; nothing of a level ply that is in
+    /// no wall.
+    std::string
+    in_words(const PlyPlane &plane)
+    {
+      const bool  level = !plane.normal_at && plane.normal[1] == 1.;
+      std::string words =
+        plane.wall.empty() ? "" : " in the wall '" + plane.wall + "'";
+      if (plane.normal_at)
+        words += ", normal as that of the wall";
+      else if (!level || !plane.wall.empty())
+        words += ", normal " + in_words(dealii::Point<2>(plane.normal));
+      return words;
+    }
+
+
+
     /// @p m below the names of its columns, behind those of its rows.
     void
     print_matrix(std::ostream &out, const SectionTensor &m)
@@ -152,7 +169,9 @@ namespace lamella
     out << "\n";
     for (unsigned int i = 0; i < section.plies.size(); ++i)
       out << "  part " << i + 1 << ": " << section.plies[i].material << ", "
-          << section.plies[i].angle << " deg, area " << p.ply_areas[i] << "\n";
+          << section.plies[i].angle << " deg"
+          << in_words(section.plies[i].plane) << ", area " << p.ply_areas[i]
+          << "\n";
     print_torsion(out, section, units);
     out << "\n";
   }

@@ -29,7 +29,8 @@ to hand on, of what a run has left in DIR.
                         --set "Body upper/Kinematics/Theory=LE-3"; repeatable
   --resume              go on with a run that did not come to its end, after the
                         load steps that its folder has
-  --validate            check the scene and print its plies and stiffnesses
+  --validate            check the scene and print its plies and stiffnesses; with
+                        --output, write its sections there, for scripts/plot
   --print-parameters    print all entries (with a scene: as they are resolved)
   --threads N           threads (default 1)
   --element NAME        of an exported deck: C3D20R (default), C3D8I or C3D8R
@@ -183,6 +184,7 @@ Exit status: 0 done, 1 a fault of the input, 2 a failure of the numerics.
                            result.scene + "' and '" + word + "' are given.");
       }
     check_task(result, calculix);
+    result.output_is_given = !result.output.empty();
     if (result.output.empty())
       result.output = default_output(result);
     return result;

@@ -10,6 +10,8 @@
 #include <lamella/recover/named_quantity.h>
 #include <lamella/report/console.h>
 #include <lamella/report/results_writer.h>
+#include <lamella/report/section_stiffness.h>
+#include <lamella/report/section_table.h>
 #include <lamella/report/validation.h>
 #include <lamella/run/simulation.h>
 #include <lamella/scene/theory_notes.h>
@@ -726,7 +728,7 @@ namespace lamella
 
 
   void
-  Simulation::print_validation() const
+  Simulation::print_validation(const std::string &directory) const
   {
     out << scene.title << (scene.title.empty() ? "" : "\n");
     for (const auto &[name, shape] : scene.sections)
@@ -741,15 +743,22 @@ namespace lamella
         else
           print_section(
             out, name, name_of(shape), *sections.at(name), scene.units);
-        print_stiffness(out,
-                        name,
-                        section_stiffness(sections.at(name)),
-                        scene.units);
+        const SectionStiffness stiffness = section_stiffness(sections.at(name));
+        print_stiffness(out, name, stiffness, scene.units);
+        if (!directory.empty() && is_speaker())
+          {
+            write_section(directory, name, *sections.at(name));
+            write_section_stiffness(directory, name, stiffness, scene.units);
+          }
       }
     print_bodies(out, *structure, contacts, scene.units);
     for (const std::string &warning : found.notes)
       out << "Note: " << warning << ".\n";
-    out << "The scene is valid; nothing was solved or written." << std::endl;
+    out << "The scene is valid; nothing was solved";
+    if (directory.empty())
+      out << " or written." << std::endl;
+    else
+      out << ". Its sections are in " << directory << "/sections." << std::endl;
   }
 
 

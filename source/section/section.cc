@@ -28,31 +28,13 @@ namespace lamella
 
 
 
-  namespace
-  {
-    /// D C D with sqrt(k) in the places of the transverse shear strains.
-    ElasticTensor
-    with_shear_factor(ElasticTensor C, const double k)
-    {
-      for (unsigned int i = 0; i < 6; ++i)
-        for (unsigned int j = 0; j < 6; ++j)
-          C[i][j] *= std::sqrt((is_transverse_shear(i) ? k : 1.) *
-                               (is_transverse_shear(j) ? k : 1.));
-      return C;
-    }
-  } // namespace
-
-
-
   Section::Section(std::unique_ptr<const CrossSectionElement> element,
                    const Theory                              &theory)
     : expansion(std::move(element))
     , section_theory(theory)
+    , laws(expansion->section_mesh().plies,
+           theory.kind == Theory::Kind::TBT ? theory.shear_factor : 1.)
   {
-    const double k =
-      theory.kind == Theory::Kind::TBT ? theory.shear_factor : 1.;
-    for (const Ply &ply : plies())
-      laws.emplace_back(with_shear_factor(ply.stiffness(), k));
     for (const auto &cell :
          expansion->section_mesh().mesh.active_cell_iterators())
       ply_of_cell.push_back(cell->material_id());
@@ -190,10 +172,11 @@ namespace lamella
 
   Voigt
   Section::completion_of_initial(const unsigned int cell,
+                                 const Point<2>    &x,
                                  const Voigt       &initial) const
   {
     return completion == nullptr ? Voigt() :
-                                   completion->of_initial(cell, initial);
+                                   completion->of_initial(cell, x, initial);
   }
 
 
@@ -244,7 +227,11 @@ namespace lamella
     const QGauss<2> quadrature(n);
     for (unsigned int cell = 0; cell < n_cells(); ++cell)
       for (const Point<2> &unit : quadrature.get_points())
-        points.push_back(evaluate_fields(cell, unit));
+        {
+          points.push_back(evaluate_fields(cell, unit));
+          if (laws.vary())
+            point_laws.push_back(law(cell, points.back().position));
+        }
   }
 
 
@@ -263,6 +250,8 @@ namespace lamella
         {
           points.push_back(evaluate_fields(cell, quadrature.point(q)));
           weights.push_back(quadrature.weight(q) * points.back().jacobian);
+          if (laws.vary())
+            point_laws.push_back(law(cell, points.back().position));
         }
 
     if (!section_theory.poisson_correction)

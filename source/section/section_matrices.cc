@@ -59,8 +59,9 @@ namespace lamella
           }
         for (unsigned int k = 0; k < n_points; ++k)
           {
-            const unsigned int  number = cell * n_points + k;
-            const SectionPoint &point  = points[number];
+            const unsigned int   number = cell * n_points + k;
+            const SectionPoint  &point  = points[number];
+            const ElasticTensor &C      = law_at_point(number).stiffness();
             for (unsigned int a = 0; a < n; ++a)
               {
                 std::array<Voigt, 3> e;
@@ -69,8 +70,7 @@ namespace lamella
                 e[2] = point.along[a];
                 for (unsigned int p = 0; p < 3; ++p)
                   {
-                    const Voigt s =
-                      weights[number] * (law(cell).stiffness() * e[p]);
+                    const Voigt s = weights[number] * (C * e[p]);
                     for (unsigned int c = 0; c < 6; ++c)
                       {
                         strain[p](6 * k + c, a) = e[p][c];
@@ -209,33 +209,98 @@ namespace lamella
 
 
 
-    /// int D_a F_k D_b F_l over each ply, a and b of StrainPart::Derivative.
+    /// A part of a section with a stiffness that is the same all over it: a
+    /// ply, or one of the harmonics of a ply whose law varies, which then
+    /// weights the integrals over the ply.
+    struct StiffnessPart
+    {
+      unsigned int  ply, harmonic;
+      ElasticTensor C;
+    };
+
+    std::vector<StiffnessPart>
+    stiffness_parts(const PlyLaws &laws)
+    {
+      std::vector<StiffnessPart> parts;
+      for (unsigned int ply = 0; ply < laws.n_plies(); ++ply)
+        {
+          const unsigned int first = parts.size();
+          if (!laws.varies(ply))
+            parts.push_back({ply, 0, laws.constant(ply).stiffness()});
+          else
+            for (const ElasticTensor &C : laws.stiffness_harmonics(ply))
+              parts.push_back(
+                {ply, static_cast<unsigned int>(parts.size()) - first, C});
+        }
+      return parts;
+    }
+
+
+
+    /// Functions and their derivatives with respect to x and z at the points of
+    /// a cell, each times the root of the point's area.
+    using CellFunctions = std::array<LAPACKFullMatrix<double>, 3>;
+
+    /// int D_a F_k D_b F_l over each part, a and b of StrainPart::Derivative.
     using FunctionMoments =
       std::vector<std::array<std::array<LAPACKFullMatrix<double>, 3>, 3>>;
 
+    /// Adds the integrals over a cell to those of the part of @p harmonic,
+    /// which has the values @p weight at the cell's points.
+    void
+    add_cell_moments(const CellFunctions         &D,
+                     const unsigned int           harmonic,
+                     const std::vector<double>   &weight,
+                     FunctionMoments::value_type &of_part)
+    {
+      for (unsigned int b = 0; b < 3; ++b)
+        {
+          LAPACKFullMatrix<double> weighted;
+          if (harmonic > 0)
+            {
+              weighted = D[b];
+              for (unsigned int q = 0; q < weighted.m(); ++q)
+                for (unsigned int k = 0; k < weighted.n(); ++k)
+                  weighted(q, k) *= weight[q];
+            }
+          for (unsigned int a = 0; a <= b; ++a)
+            D[a].Tmmult(of_part[a][b],
+                        harmonic > 0 ? weighted : D[b],
+                        /*adding=*/true);
+        }
+    }
+
+
+
     FunctionMoments
-    function_moments(const CrossSectionElement       &element,
-                     const std::vector<unsigned int> &ply_of_cell,
-                     const unsigned int               n_plies)
+    function_moments(const CrossSectionElement        &element,
+                     const std::vector<unsigned int>  &ply_of_cell,
+                     const PlyLaws                    &laws,
+                     const std::vector<StiffnessPart> &parts)
     {
       const unsigned int n = element.n_functions();
-      FunctionMoments    moments(n_plies);
-      for (auto &of_ply : moments)
-        for (auto &row : of_ply)
+      FunctionMoments    moments(parts.size());
+      for (auto &of_part : moments)
+        for (auto &row : of_part)
           for (LAPACKFullMatrix<double> &one : row)
             one.reinit(n, n);
       const QGauss<2> quadrature(element.n_gauss_points());
-      std::array<LAPACKFullMatrix<double>, 3> D;
+      CellFunctions   D;
       for (LAPACKFullMatrix<double> &values : D)
         values.reinit(quadrature.size(), n);
+      std::vector<PlyLaws::Harmonics> at_point(quadrature.size());
+      std::vector<double>             weight(quadrature.size());
       for (unsigned int cell = 0; cell < ply_of_cell.size(); ++cell)
         {
+          const unsigned int ply = ply_of_cell[cell];
           for (unsigned int q = 0; q < quadrature.size(); ++q)
             {
               const FunctionValues f =
                 element.evaluate(cell, quadrature.point(q));
               const double root =
                 std::sqrt(quadrature.weight(q) * determinant(f.jacobian));
+              if (laws.varies(ply))
+                at_point[q] = laws.harmonics(ply, f.position);
               for (unsigned int k = 0; k < n; ++k)
                 {
                   D[0](q, k) = root * f.values[k];
@@ -243,17 +308,20 @@ namespace lamella
                   D[2](q, k) = root * f.gradients[k][1];
                 }
             }
-          auto &of_ply = moments[ply_of_cell[cell]];
-          for (unsigned int a = 0; a < 3; ++a)
-            for (unsigned int b = a; b < 3; ++b)
-              D[a].Tmmult(of_ply[a][b], D[b], /*adding=*/true);
+          for (unsigned int p = 0; p < parts.size(); ++p)
+            if (parts[p].ply == ply)
+              {
+                for (unsigned int q = 0; q < quadrature.size(); ++q)
+                  weight[q] = at_point[q][parts[p].harmonic];
+                add_cell_moments(D, parts[p].harmonic, weight, moments[p]);
+              }
         }
-      for (auto &of_ply : moments)
+      for (auto &of_part : moments)
         for (unsigned int a = 0; a < 3; ++a)
           for (unsigned int b = 0; b < a; ++b)
             for (unsigned int k = 0; k < n; ++k)
               for (unsigned int l = 0; l < n; ++l)
-                of_ply[a][b](k, l) = of_ply[b][a](l, k);
+                of_part[a][b](k, l) = of_part[b][a](l, k);
       return moments;
     }
   } // namespace
@@ -263,8 +331,9 @@ namespace lamella
   void
   Section::make_moments()
   {
-    const FunctionMoments functions =
-      function_moments(*expansion, ply_of_cell, laws.size());
+    const std::vector<StiffnessPart> materials = stiffness_parts(laws);
+    const FunctionMoments            functions =
+      function_moments(*expansion, ply_of_cell, laws, materials);
     std::vector<StrainParts> parts;
     for (const SectionField &field : fields)
       parts.push_back(strains_of(field, expansion->reference_length()));
@@ -279,14 +348,14 @@ namespace lamella
             for (unsigned int a = 0; a < n; ++a)
               {
                 double sum = 0.;
-                for (unsigned int ply = 0; ply < laws.size(); ++ply)
+                for (unsigned int m = 0; m < materials.size(); ++m)
                   for (const StrainPart &i : parts[a][p])
                     for (const StrainPart &j : parts[b][q])
                       sum +=
                         i.factor * j.factor *
-                        laws[ply].stiffness()[i.strain][j.strain] *
-                        functions[ply][i.derivative][j.derivative](i.function,
-                                                                   j.function);
+                        materials[m].C[i.strain][j.strain] *
+                        functions[m][i.derivative][j.derivative](i.function,
+                                                                 j.function);
                 moment(a, b) = sum;
               }
         }

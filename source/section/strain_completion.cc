@@ -39,12 +39,24 @@ namespace lamella
 
 
 
-  FreeContraction::FreeContraction(const std::vector<ElasticLaw>   &laws,
+  FreeContraction::FreeContraction(const PlyLaws                   &laws,
                                    const std::vector<unsigned int> &ply_of_cell)
-    : ply_of_cell(ply_of_cell)
+    : laws(laws)
+    , ply_of_cell(ply_of_cell)
   {
-    for (const ElasticLaw &law : laws)
-      completion.push_back(free_contraction(law.stiffness()));
+    for (unsigned int ply = 0; ply < laws.n_plies(); ++ply)
+      completion.push_back(free_contraction(laws.constant(ply).stiffness()));
+  }
+
+
+
+  ElasticTensor
+  FreeContraction::completion_at(const unsigned int cell,
+                                 const Point<2>    &x) const
+  {
+    const unsigned int ply = ply_of_cell[cell];
+    return laws.varies(ply) ? free_contraction(laws.at(ply, x).stiffness()) :
+                              completion[ply];
   }
 
 
@@ -52,7 +64,7 @@ namespace lamella
   void
   FreeContraction::complete(SectionPoint &point) const
   {
-    const ElasticTensor &P = completion[ply_of_cell[point.cell]];
+    const ElasticTensor P = completion_at(point.cell, point.position);
     for (Voigt &strain : point.in_plane)
       strain = P * strain;
     for (Voigt &strain : point.along)
@@ -63,9 +75,10 @@ namespace lamella
 
   Voigt
   FreeContraction::of_initial(const unsigned int cell,
+                              const Point<2>    &x,
                               const Voigt       &initial) const
   {
-    return initial - completion[ply_of_cell[cell]] * initial;
+    return initial - completion_at(cell, x) * initial;
   }
 
 
@@ -74,7 +87,7 @@ namespace lamella
     std::shared_ptr<const SectionMesh> mesh,
     const std::vector<SectionPoint>   &points,
     const std::vector<double>         &weights,
-    const std::vector<ElasticLaw>     &laws,
+    const PlyLaws                     &laws,
     const std::vector<unsigned int>   &ply_of_cell,
     const unsigned int                 n_fields)
     : modes(std::move(mesh), mode_degree)
@@ -99,8 +112,9 @@ namespace lamella
     of_along.reinit(n, n_fields);
     for (unsigned int k = 0; k < points.size(); ++k)
       {
-        const SectionPoint      &point = points[k];
-        const ElasticTensor     &C = laws[ply_of_cell[point.cell]].stiffness();
+        const SectionPoint &point = points[k];
+        const ElasticTensor C =
+          laws.at(ply_of_cell[point.cell], point.position).stiffness();
         const std::vector<Voigt> strain = mode_strains(point.cell, point.unit);
         for (unsigned int m = 0; m < n; ++m)
           {

@@ -4,6 +4,7 @@
 // boundaries and cells, and is refused where it makes no section. Cells and
 // vertices stand in the order in which GridIn of deal.II has them.
 
+#include <lamella/shape/curve_normals.h>
 #include <lamella/shape/gmsh_file.h>
 #include <lamella/shape/properties.h>
 #include <lamella/shape/shapes.h>
@@ -511,6 +512,71 @@ namespace lamella
 
 
 
+  namespace
+  {
+    PlyPlane
+    plane_towards(const double degrees)
+    {
+      // Right angles exactly, as of ply_axes().
+      const Triad turn = ply_axes(degrees);
+      PlyPlane    plane;
+      plane.normal = Point<2>(turn[0][1], turn[0][0]);
+      return plane;
+    }
+
+
+
+    /// Gives the plies of @p section the planes that @p file says for the
+    /// physical surfaces of @p mesh.
+    void
+    set_ply_planes(const GmshFile                    &mesh,
+                   const SectionFile                 &file,
+                   const std::map<int, unsigned int> &ply_of_tag,
+                   SectionMesh                       &section)
+    {
+      const std::string        where = file.what + "/Ply planes";
+      std::vector<std::string> parts, curves;
+      for (const auto &[key, group] : mesh.names)
+        if (key.first == 2)
+          parts.push_back(group.name);
+      for (const auto &[id, name] : section.boundaries)
+        curves.push_back(name);
+      for (const auto &[part, direction] : file.planes)
+        {
+          if (std::find(parts.begin(), parts.end(), part) == parts.end())
+            throw InputError(where,
+                             "",
+                             "the mesh has no physical surface '" + part + "'",
+                             "It has " + joined(parts) + ".");
+          PlyPlane plane = plane_towards(direction.direction);
+          if (!direction.curve.empty())
+            {
+              const std::vector<std::string> followed =
+                split(direction.curve, ' ');
+              for (const std::string &curve : followed)
+                if (std::find(curves.begin(), curves.end(), curve) ==
+                    curves.end())
+                  throw InputError(where,
+                                   "",
+                                   "the mesh has no physical line '" + curve +
+                                     "' on its boundary",
+                                   "It has " + joined(curves) + ".");
+              const auto normals =
+                std::make_shared<CurveNormals>(section, followed);
+              const double sign = direction.outwards ? 1. : -1.;
+              plane.normal_at   = [normals, sign](const Point<2> &x) {
+                return sign * normals->at(x);
+              };
+            }
+          for (const auto &[key, group] : mesh.names)
+            if (key.first == 2 && group.name == part)
+              section.plies[ply_of_tag.at(key.second)].plane = plane;
+        }
+    }
+  } // namespace
+
+
+
   std::shared_ptr<const SectionMesh>
   make_section_mesh(const SectionFile &file, const Materials &materials)
   {
@@ -548,6 +614,7 @@ namespace lamella
       if (face->at_boundary())
         section->boundaries[face->boundary_id()] =
           all_names.at(face->boundary_id());
+    set_ply_planes(read, file, plies, *section);
     check_section_mesh(*section, entry);
     return section;
   }

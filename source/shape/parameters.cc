@@ -32,7 +32,7 @@ namespace lamella
 
 
 
-    /// Laminate, half Disc, Ellipse, Box, other Walls, File.
+    /// Laminate, half Disc, Ellipse, Box, Tube, other Walls, File.
     char
     letter_of(const ShapeKind kind)
     {
@@ -46,6 +46,8 @@ namespace lamella
             return 'E';
           case ShapeKind::box:
             return 'B';
+          case ShapeKind::tube:
+            return 'T';
           case ShapeKind::file:
             return 'F';
           default:
@@ -88,12 +90,12 @@ namespace lamella
       {"Width",
        "",
        optional(positive()),
-       "LEBW",
+       "LEBWT",
        "Extension along the section's x [length]."},
       {"Height",
        "",
        optional(positive()),
-       "EBW",
+       "EBWT",
        "Extension along the section's z [length]."},
       {"Layup",
        "0",
@@ -116,9 +118,9 @@ namespace lamella
       {"Cells per ply",
        "1",
        List(cells),
-       "L",
+       "LBWT",
        "Laminate: cells through the thickness, one number for all plies or "
-       "one a ply."},
+       "one a ply. Walls with a Wall layup: one number for all plies."},
       {"Cells across",
        "1",
        List(cells),
@@ -134,15 +136,15 @@ namespace lamella
       {"Material",
        "",
        Anything(),
-       "DEBW",
+       "DEBWT",
        "All shapes but laminate and file: a name of Materials. May be left "
        "out if the scene has one material."},
       {"Fibre angle",
        "0",
        number(),
        "DEBW",
-       "All shapes but laminate and file: degrees, 0 along +y, positive from "
-       "+y towards +x."},
+       "All shapes but laminate, tube and file: degrees, 0 along +y, positive "
+       "from +y towards +x, about z in all walls. Not with a Wall layup."},
       {"Radius",
        "",
        optional(positive()),
@@ -173,7 +175,7 @@ namespace lamella
       {"Wall thickness",
        "",
        List(positive()),
-       "BW",
+       "BWT",
        "Thin-walled: of all walls; of a box also four between commas, left, "
        "right, bottom, top [length]."},
       {"Web thickness",
@@ -188,16 +190,44 @@ namespace lamella
        "W",
        "double-T, T, channel, angle: of the level walls, one or bottom, top; "
        "Wall thickness by default [length]."},
+      {"Wall layup",
+       "",
+       Anything(),
+       "BWT",
+       "Thin-walled: ply angles from the inside of each wall to its outside in "
+       "degrees, in the wall's own plane: 0 along +y, positive to the right "
+       "for who looks at the wall from outside with +y pointing up. One layup "
+       "for all walls, or one a wall between '|': webs from left to right, "
+       "then flanges from bottom to top. Without: one material at Fibre angle, "
+       "or at 0 degrees in a tube."},
+      {"Wall ply thicknesses",
+       "",
+       Anything(),
+       "BWT",
+       "Thin-walled: of the plies of Wall layup, one a ply between commas, the "
+       "walls between '|' [length]. They must add up to each wall's thickness. "
+       "By default equal shares of it."},
+      {"Wall ply materials",
+       "",
+       Anything(),
+       "BWT",
+       "Thin-walled: of the plies of Wall layup, likewise; Material by "
+       "default."},
       {"Cells per wall",
        "1",
        cells,
        "BW",
-       "Thin-walled: cells through each wall."},
+       "Thin-walled: cells through each wall, of walls without a Wall layup."},
       {"Cells along wall",
        "4",
        cells,
        "BW",
        "Thin-walled: cells along each wall between its corners."},
+      {"Cells around",
+       "24",
+       cells,
+       "T",
+       "Tube: cells around it, a multiple of 4, from 8."},
       {"File",
        "",
        Anything(),
@@ -210,6 +240,14 @@ namespace lamella
        "F",
        "File: PART: MATERIAL ANGLE between '|', for physical surfaces that "
        "are not called as their material; the angle may be left out."},
+      {"Ply planes",
+       "",
+       Anything(),
+       "F",
+       "File: PART: DIRECTION between '|', where the normal of a part's plies "
+       "points, in degrees from +x towards +z, 90 by default; or PART: along "
+       "CURVES, physical lines between blanks whose outward normals it "
+       "follows, or PART: against CURVES for the inward ones."},
       {"Scale",
        "1",
        positive(),
@@ -414,6 +452,171 @@ namespace lamella
 
 
 
+    /// The pieces of @p entry for @p n walls, between '|': one for all or one a
+    /// wall. Empty ones if it is empty.
+    std::vector<std::string>
+    one_a_wall(const Entry &entry, const std::vector<std::string> &walls)
+    {
+      const std::vector<std::string> items = entry.items('|');
+      if (items.size() > 1 && items.size() != walls.size())
+        entry.refuse("there are " + std::to_string(items.size()) +
+                       " pieces for " +
+                       (walls.size() == 1 ? "one wall" :
+                                            std::to_string(walls.size()) +
+                                              " walls (" + joined(walls) + ")"),
+                     "Give one for all walls or one a wall between '|'.");
+      return std::vector<std::string>(
+        items.size() == walls.size() ?
+          items :
+          std::vector<std::string>(walls.size(),
+                                   items.empty() ? "" : items[0]));
+    }
+
+
+
+    /// The thicknesses of @p n plies of a wall that is as thick as @p wall:
+    /// those of @p piece of @p entry, or equal ones.
+    std::vector<double>
+    ply_thicknesses(const Entry       &entry,
+                    const std::string &piece,
+                    const unsigned int n,
+                    const double       wall,
+                    const std::string &named)
+    {
+      // Decimal fractions of a wall, as 0.333, are meant to add up.
+      constexpr double same = 1e-6;
+      if (piece.empty())
+        return std::vector<double>(n, wall / n);
+      std::vector<double> values;
+      for (const std::string &item : split(piece, ','))
+        {
+          values.push_back(entry.number(item));
+          if (!(values.back() > 0.))
+            entry.refuse("a ply's thickness must be positive");
+        }
+      values           = one_a_ply(values, n, entry);
+      const double sum = std::accumulate(values.begin(), values.end(), 0.);
+      if (!(std::abs(sum - wall) <= same * wall))
+        entry.refuse("the " + std::to_string(n) + " plies of " + named +
+                       " add up to " + to_text(sum) +
+                       ", and not to its thickness " + to_text(wall),
+                     "Give thicknesses that add up to it, or leave them out "
+                     "for equal shares.");
+      for (double &value : values)
+        value *= wall / sum;
+      return values;
+    }
+
+
+
+    /// The layups of @p walls, which are as thick as @p thicknesses; none if
+    /// there is no Wall layup.
+    std::vector<WallLayup>
+    read_layups(const Reader                   &reader,
+                const std::vector<std::string> &walls,
+                const std::vector<double>      &thicknesses)
+    {
+      const Entries &in    = reader.in;
+      const Entry    entry = in["Wall layup"], t = in["Wall ply thicknesses"],
+                  m = in["Wall ply materials"];
+      if (entry.is_empty())
+        return {};
+      const std::vector<std::string> codes     = one_a_wall(entry, walls),
+                                     of_plies  = one_a_wall(t, walls),
+                                     materials = one_a_wall(m, walls);
+      std::vector<WallLayup> layups;
+      for (unsigned int w = 0; w < walls.size(); ++w)
+        {
+          const std::vector<double> angles =
+            parse_layup(Entry(entry.path(), codes[w]));
+          const std::string named =
+            walls.size() == 1 ? "the wall" : "the wall '" + walls[w] + "'";
+          const std::vector<double> thickness = ply_thicknesses(
+            t, of_plies[w], angles.size(), thicknesses[w], named);
+          std::vector<std::string> names =
+            materials[w].empty() ?
+              std::vector<std::string>{reader.fabric().material} :
+              split(materials[w], ',');
+          for (const std::string &name : names)
+            reader.material(m, name);
+          names = one_a_ply(names, angles.size(), m);
+          layups.emplace_back();
+          for (unsigned int p = 0; p < angles.size(); ++p)
+            layups.back().push_back({{names[p], angles[p]}, thickness[p]});
+        }
+      return layups;
+    }
+
+
+
+    /// Throws InputError if entries are given that exclude each other, where
+    /// there is a Wall layup (@p has_layup) or none.
+    void
+    check_layup_entries(const Reader &reader, const bool has_layup)
+    {
+      const Entries &in = reader.in;
+      if (has_layup && in["Fibre angle"].text() != "0")
+        in["Fibre angle"].refuse(
+          "with Wall layup plies have their angles there, in the plane of each "
+          "wall",
+          "Remove one of the two.");
+      if (has_layup && in["Cells per wall"].text() != "1")
+        in["Cells per wall"].refuse(
+          "with Wall layup cells are counted by plies", "Use Cells per ply.");
+      if (!in["Wall ply materials"].is_empty() && !in["Material"].is_empty())
+        in["Material"].refuse("Wall ply materials leave nothing that uses it",
+                              "Remove one of the two.");
+      for (const auto &[name, fallback] :
+           {std::pair<const char *, const char *>{"Wall ply thicknesses", ""},
+            {"Wall ply materials", ""},
+            {"Cells per ply", "1"}})
+        if (!has_layup && in[name].text() != fallback)
+          in[name].refuse("it belongs to Wall layup, which is not given",
+                          "Give Wall layup, as in 45/-45, or remove it.");
+      if (has_layup && reader.counts("Cells per ply").size() != 1)
+        in["Cells per ply"].refuse("walls take one number, for all plies");
+    }
+
+
+
+    Tube
+    read_tube(const Reader &reader)
+    {
+      const Entries &in = reader.in;
+      Tube           result;
+      result.width        = in["Width"].positive();
+      result.height       = in["Height"].positive();
+      result.cells_around = in["Cells around"].whole(8, most_in_line);
+      if (result.cells_around % 4 != 0)
+        in["Cells around"].refuse("must be a multiple of 4, as 16 or 24");
+      const std::vector<double> thickness = reader.lengths("Wall thickness");
+      if (thickness.size() != 1)
+        in["Wall thickness"].refuse("a tube has one wall");
+      const double shorter = std::min(result.width, result.height),
+                   longer  = std::max(result.width, result.height),
+                   radius  = 0.5 * shorter * (shorter / longer);
+      if (!(thickness[0] < radius))
+        in["Wall thickness"].refuse(
+          "must be below the smallest radius of curvature of the tube's "
+          "outside, " +
+            to_text(radius),
+          "Make the wall thinner, or use Shape = ellipse for a solid section.");
+
+      const bool has_layup = !in["Wall layup"].is_empty();
+      if (!has_layup && (!in["Wall ply thicknesses"].is_empty() ||
+                         !in["Wall ply materials"].is_empty()))
+        check_layup_entries(reader, false);
+      if (has_layup)
+        check_layup_entries(reader, true);
+      result.cells_per_ply = reader.counts("Cells per ply").at(0);
+      result.layup =
+        has_layup ? read_layups(reader, {"tube"}, thickness).at(0) :
+                    WallLayup{{{reader.fabric().material, 0.}, thickness[0]}};
+      return result;
+    }
+
+
+
     ThinWalled
     read_walls(const ShapeKind form, const Reader &reader)
     {
@@ -424,7 +627,8 @@ namespace lamella
       result.height           = in["Height"].positive();
       result.cells_per_wall   = reader.count("Cells per wall");
       result.cells_along_wall = reader.count("Cells along wall");
-      result.fabric           = reader.fabric();
+      if (in["Wall ply materials"].is_empty())
+        result.fabric = reader.fabric();
 
       const auto [n_webs, n_flanges] = count_of_walls(form);
       std::string web_entry = "Wall thickness", flange_entry = web_entry;
@@ -461,6 +665,11 @@ namespace lamella
                       result.height,
                       "height",
                       in[flange_entry]);
+      check_layup_entries(reader, !in["Wall layup"].is_empty());
+      std::vector<double> walls = result.webs;
+      walls.insert(walls.end(), result.flanges.begin(), result.flanges.end());
+      result.layups        = read_layups(reader, names_of_walls(form), walls);
+      result.cells_per_ply = reader.counts("Cells per ply").at(0);
       return result;
     }
 
@@ -495,6 +704,41 @@ namespace lamella
 
 
 
+    /// The ply planes of the parts of a mesh, between '|'.
+    std::map<std::string, PartPlane>
+    read_planes(const Reader &reader)
+    {
+      const Entry                      entry = reader.in["Ply planes"];
+      std::map<std::string, PartPlane> planes;
+      for (const std::string &text : entry.items('|'))
+        {
+          const auto         colon = text.find(':');
+          const std::string  name  = trimmed(text.substr(0, colon));
+          std::istringstream words(
+            colon == std::string::npos ? "" : text.substr(colon + 1));
+          std::string word, curve, curves;
+          words >> word;
+          while (words >> curve)
+            curves += (curves.empty() ? "" : " ") + curve;
+          const bool follows = word == "along" || word == "against";
+          if (name.empty() || word.empty() || follows == curves.empty())
+            entry.refuse("'" + text +
+                           "' is neither PART: DIRECTION, as in web: 180, nor "
+                           "PART: along CURVES, nor PART: against CURVES",
+                         "Between parts stands '|'.");
+          PartPlane plane;
+          if (follows)
+            plane = {90., curves, word == "along"};
+          else
+            plane.direction = entry.number(word);
+          if (!planes.emplace(name, plane).second)
+            entry.refuse("'" + name + "' stands there twice");
+        }
+      return planes;
+    }
+
+
+
     SectionFile
     read_file(const std::string &folder, const Reader &reader)
     {
@@ -502,10 +746,11 @@ namespace lamella
       if (file.is_empty())
         file.is_missing("name a mesh by Gmsh, as in beam.msh.");
       SectionFile result;
-      result.path  = (std::filesystem::path(folder) / file.text()).string();
-      result.what  = reader.in.path();
-      result.scale = reader.in["Scale"].positive();
-      result.parts = read_parts(reader);
+      result.path   = (std::filesystem::path(folder) / file.text()).string();
+      result.what   = reader.in.path();
+      result.scale  = reader.in["Scale"].positive();
+      result.parts  = read_parts(reader);
+      result.planes = read_planes(reader);
       return result;
     }
 
@@ -568,6 +813,8 @@ namespace lamella
             return read_half_disc(reader);
           case ShapeKind::ellipse:
             return read_ellipse(reader);
+          case ShapeKind::tube:
+            return read_tube(reader);
           case ShapeKind::file:
             return read_file(folder, reader);
           default:
@@ -597,8 +844,16 @@ namespace lamella
                 std::log(disc->radius / disc->finest_cell + 1.) *
                   disc->sectors / 3.);
       if (const auto *walls = std::get_if<ThinWalled>(&shape))
-        return 4. * walls->cells_per_wall *
-               (walls->cells_per_wall + walls->cells_along_wall);
+        {
+          double through = walls->cells_per_wall;
+          for (const WallLayup &layup : walls->layups)
+            through =
+              std::max(through, double(walls->cells_per_ply) * layup.size());
+          return 4. * through * (through + walls->cells_along_wall);
+        }
+      if (const auto *tube = std::get_if<Tube>(&shape))
+        return double(tube->cells_around) * tube->cells_per_ply *
+               tube->layup.size();
       return 0.;
     }
   } // namespace

@@ -6,9 +6,6 @@
 #include <deal.II/grid/grid_tools.h>
 #include <deal.II/grid/manifold_lib.h>
 
-#include <array>
-#include <map>
-#include <numeric>
 #include <utility>
 
 namespace lamella
@@ -54,6 +51,12 @@ namespace lamella
       operator()(const ThinWalled &walls) const
       {
         return walls.form;
+      }
+
+      ShapeKind
+      operator()(const Tube &) const
+      {
+        return ShapeKind::tube;
       }
 
       ShapeKind
@@ -153,169 +156,6 @@ namespace lamella
     for (const auto &cell : mesh.active_cell_iterators())
       cell->set_material_id(0);
     section->boundaries = {{0, "arc"}};
-    return section;
-  }
-
-
-
-  namespace
-  {
-    /// Which blocks of a grid are walls: pictures from top to bottom, the
-    /// columns that are webs, the rows (from the bottom) that are flanges.
-    struct WallLayout
-    {
-      std::vector<std::string>  picture;
-      std::vector<unsigned int> webs, flanges;
-    };
-
-
-
-    const WallLayout &
-    layout_of(const ShapeKind form)
-    {
-      static const std::map<ShapeKind, WallLayout> all{
-        {ShapeKind::box, {{"###", "#.#", "###"}, {0, 2}, {0, 2}}},
-        {ShapeKind::double_t, {{"###", ".#.", "###"}, {1}, {0, 2}}},
-        {ShapeKind::t, {{"###", ".#."}, {1}, {1}}},
-        {ShapeKind::channel, {{"##", "#.", "##"}, {0}, {0, 2}}},
-        {ShapeKind::angle, {{"#.", "##"}, {0}, {0}}}};
-      return all.at(form);
-    }
-
-
-
-    /// Columns or rows of blocks as widths of cells, block after block.
-    std::vector<std::vector<double>>
-    cut_into_cells(const double                     extension,
-                   const unsigned int               n_blocks,
-                   const std::vector<unsigned int> &walls,
-                   const std::vector<double>       &thicknesses,
-                   const ThinWalled                &section)
-    {
-      const double rest =
-        extension - std::accumulate(thicknesses.begin(), thicknesses.end(), 0.);
-      std::vector<std::vector<double>> blocks(
-        n_blocks,
-        std::vector<double>(section.cells_along_wall,
-                            rest / (n_blocks - walls.size()) /
-                              section.cells_along_wall));
-      for (unsigned int i = 0; i < walls.size(); ++i)
-        blocks[walls[i]].assign(section.cells_per_wall,
-                                thicknesses[i] / section.cells_per_wall);
-      return blocks;
-    }
-
-
-
-    /// Names what lies on the sides of the box [0, width] x [0, height].
-    void
-    name_sides(SectionMesh &section, const double width, const double height)
-    {
-      section.boundaries = {
-        {0, "left"}, {1, "right"}, {2, "bottom"}, {3, "top"}, {4, "inner"}};
-      const double tolerance = 1e-10 * (width + height);
-      for (const auto &face : section.mesh.active_face_iterators())
-        if (face->at_boundary())
-          {
-            const Point<2>              c = face->center();
-            const std::array<double, 4> off{
-              {c[0], width - c[0], c[1], height - c[1]}};
-            const auto nearest = std::min_element(off.begin(), off.end());
-            face->set_boundary_id(*nearest < tolerance ? nearest - off.begin() :
-                                                         4);
-          }
-    }
-
-
-
-    /// Meshes the cells @p filled (column, row) of a grid of columns and rows
-    /// of the widths @p steps. (deal.II's subdivided_hyper_rectangle makes the
-    /// vertices of the whole grid, of which thin walls hold next to nothing.)
-    void
-    mesh_grid(const std::array<std::vector<double>, 2>                 &steps,
-              const std::vector<std::pair<unsigned int, unsigned int>> &filled,
-              Triangulation<2>                                         &mesh)
-    {
-      std::array<std::vector<double>, 2> at;
-      for (unsigned int d = 0; d < 2; ++d)
-        {
-          at[d] = {0.};
-          for (const double step : steps[d])
-            at[d].push_back(at[d].back() + step);
-        }
-      // Row after row, as the cells come.
-      std::map<std::pair<unsigned int, unsigned int>, unsigned int> vertex;
-      for (const auto &[i, j] : filled)
-        for (unsigned int k = 0; k < 4; ++k)
-          vertex[{j + k / 2, i + k % 2}] = 0;
-      std::vector<Point<2>> vertices;
-      for (auto &[place, number] : vertex)
-        {
-          number = vertices.size();
-          vertices.emplace_back(at[0][place.second], at[1][place.first]);
-        }
-      std::vector<CellData<2>> cells;
-      for (const auto &[i, j] : filled)
-        {
-          cells.emplace_back();
-          for (unsigned int k = 0; k < 4; ++k)
-            cells.back().vertices[k] = vertex.at({j + k / 2, i + k % 2});
-          cells.back().material_id = 0;
-        }
-      mesh.create_triangulation(vertices, cells, SubCellData());
-    }
-  } // namespace
-
-
-
-  std::pair<unsigned int, unsigned int>
-  count_of_walls(const ShapeKind form)
-  {
-    const WallLayout &layout = layout_of(form);
-    return {layout.webs.size(), layout.flanges.size()};
-  }
-
-
-
-  std::shared_ptr<const SectionMesh>
-  make_section_mesh(const ThinWalled &walls, const Materials &materials)
-  {
-    auto section   = std::make_shared<SectionMesh>();
-    section->plies = {only_ply(walls.fabric, walls.height, materials)};
-
-    const WallLayout  &layout                      = layout_of(walls.form);
-    const unsigned int n_rows                      = layout.picture.size(),
-                       n_columns                   = layout.picture[0].size();
-    const std::vector<std::vector<double>> columns = cut_into_cells(walls.width,
-                                                                    n_columns,
-                                                                    layout.webs,
-                                                                    walls.webs,
-                                                                    walls),
-                                           rows = cut_into_cells(walls.height,
-                                                                 n_rows,
-                                                                 layout.flanges,
-                                                                 walls.flanges,
-                                                                 walls);
-
-    std::array<std::vector<double>, 2>                 steps;
-    std::vector<std::pair<unsigned int, unsigned int>> filled;
-    for (const std::vector<double> &widths : columns)
-      steps[0].insert(steps[0].end(), widths.begin(), widths.end());
-    for (unsigned int b = 0; b < n_rows; ++b)
-      for (const double height : rows[b])
-        {
-          unsigned int i = 0;
-          for (unsigned int c = 0; c < n_columns; ++c)
-            {
-              if (layout.picture[n_rows - 1 - b][c] == '#')
-                for (unsigned int k = 0; k < columns[c].size(); ++k)
-                  filled.emplace_back(i + k, steps[1].size());
-              i += columns[c].size();
-            }
-          steps[1].push_back(height);
-        }
-    mesh_grid(steps, filled, section->mesh);
-    name_sides(*section, walls.width, walls.height);
     return section;
   }
 } // namespace lamella

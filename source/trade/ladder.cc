@@ -66,10 +66,23 @@ namespace lamella
       Changes
       operator()(const ThinWalled &walls) const
       {
-        return {{"Cells per wall",
-                 std::to_string(scaled(walls.cells_per_wall, factor))},
+        const bool plies = !walls.layups.empty();
+        return {{plies ? "Cells per ply" : "Cells per wall",
+                 std::to_string(
+                   scaled(plies ? walls.cells_per_ply : walls.cells_per_wall,
+                          factor))},
                 {"Cells along wall",
                  std::to_string(scaled(walls.cells_along_wall, factor))}};
+      }
+
+      Changes
+      operator()(const Tube &tube) const
+      {
+        const unsigned int quarters =
+          std::max(2L, std::lround(tube.cells_around * factor / 4.));
+        return {{"Cells around", std::to_string(4 * quarters)},
+                {"Cells per ply",
+                 std::to_string(scaled(tube.cells_per_ply, factor))}};
       }
 
       Changes

@@ -412,7 +412,7 @@ BOOST_AUTO_TEST_CASE(patches_of_mixed_degrees)
         {
           const auto beam =
             beam_of_degrees(section, make_axis(1.3, 2, 2), degrees);
-          check_patch(*beam, section->law(0).stiffness());
+          check_patch(*beam, section->law(0, {}).stiffness());
         }
     }
 }

@@ -58,7 +58,7 @@ BOOST_AUTO_TEST_CASE(all_orders_one_and_three_plies)
                       section,
                       make_axis(1.3, 2, axis_degree),
                       Placement());
-            check_patch(beam, section->law(0).stiffness());
+            check_patch(beam, section->law(0, {}).stiffness());
           }
       }
 }
@@ -71,7 +71,7 @@ BOOST_AUTO_TEST_CASE(distorted_section)
     {
       const auto section = make_section(distorted_mesh(20.), degree);
       Beam       beam("beam", section, make_axis(1.3, 2, 2), Placement());
-      check_patch(beam, section->law(0).stiffness());
+      check_patch(beam, section->law(0, {}).stiffness());
     }
 }
 
@@ -100,7 +100,7 @@ BOOST_AUTO_TEST_CASE(other_shapes_of_sections)
           const auto section =
             make_section(make_section_mesh(shape, constants), degree);
           Beam beam("beam", section, make_axis(1.3, 2, 1), Placement());
-          check_patch(beam, section->law(0).stiffness());
+          check_patch(beam, section->law(0, {}).stiffness());
         }
       }
 }
@@ -130,7 +130,7 @@ BOOST_AUTO_TEST_CASE(taylor_expansions)
           const auto section = make_section(make_section_mesh(shape, constants),
                                             Theory::parse({"Theory", theory}));
           Beam       beam("beam", section, make_axis(1.3, 2, 1), Placement());
-          check_patch(beam, section->law(0).stiffness());
+          check_patch(beam, section->law(0, {}).stiffness());
         }
       }
 }
@@ -150,7 +150,7 @@ BOOST_AUTO_TEST_CASE(assumed_shear)
                   section,
                   make_axis(1.3, 2, axis_degree, true),
                   Placement());
-        check_patch(beam, section->law(0).stiffness());
+        check_patch(beam, section->law(0, {}).stiffness());
         const double unit = 0.5 * 8. * 0.7 * 0.5 * 1.3;
         for (const Vector &motion : beam.rigid_motions())
           {
@@ -176,7 +176,8 @@ BOOST_AUTO_TEST_CASE(tilted_body)
   Beam       beam("beam", section, make_axis(1.3, 2, 2), placement);
   check_patch(beam,
               transpose(strain_rotation(placement.axes)) *
-                section->law(0).stiffness() * strain_rotation(placement.axes));
+                section->law(0, {}).stiffness() *
+                strain_rotation(placement.axes));
 }
 
 

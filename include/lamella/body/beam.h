@@ -429,17 +429,22 @@ namespace lamella
     static PointState
     point_state(const SectionPoint &point, const AxisState &state);
 
-    /// The law of the section cell @p cell at @p x (scene axes), with the
-    /// initial strain of heat.
+    /// The law of the section cell @p cell at the section's point @p at, with
+    /// the initial strain of heat at @p x, which is that point in the scene.
     ElasticLaw
-    law_at(const unsigned int cell, const dealii::Point<3> &x) const;
+    law_at(const unsigned int      cell,
+           const dealii::Point<2> &at,
+           const dealii::Point<3> &x) const;
+    /// alpha of the ply of @p point there.
+    Voigt
+    expansion_at(const SectionPoint &point) const;
 
     /// The body frame's fields in scene and ply axes, with the stress that the
-    /// law of the section cell @p cell makes of the strain at @p x (scene
+    /// law at the section's point @p point makes of the strain at @p x (scene
     /// axes).
     FieldSample
     field_sample(PointState              state,
-                 const unsigned int      cell,
+                 const SectionPoint     &point,
                  const dealii::Point<3> &x) const;
 
     /// Of a point of the section the forces that a stress does work with there,

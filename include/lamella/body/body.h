@@ -185,10 +185,11 @@ namespace lamella
    */
   struct OutputCell
   {
-    /// The element's ply, and the direction of its fibres (unit length, scene
-    /// axes).
+    /// The element's ply, and the directions of its fibres and of its normal,
+    /// those of its own plane (unit length, scene axes); of a ply in a curved
+    /// wall those in the element's middle.
     unsigned int         ply = 0;
-    dealii::Tensor<1, 3> fibre;
+    dealii::Tensor<1, 3> fibre, ply_normal;
     /// Undeformed, scene axes; as many samples as positions.
     std::vector<dealii::Point<3>> positions;
     std::vector<FieldSample>      samples;
@@ -626,9 +627,6 @@ namespace lamella
     /// Of each ply the density. Throws InputError for one without.
     std::vector<double>
     densities() const;
-
-    /// Of each ply alpha in the body's axes [1/K]; empty before heat().
-    std::vector<Voigt> expansions;
 
     /// Throws @p error again, as a NumericsError that says as well where in the
     /// scene its DoF is.

@@ -16,10 +16,15 @@
 
 #include <deal.II/matrix_free/fe_point_evaluation.h>
 
+#include <functional>
 #include <vector>
 
 namespace lamella
 {
+  /// C at a point of a hexahedron, both in the axes that its nodes are given
+  /// in: plies that follow a curved wall have another one at each point.
+  using StiffnessAt = std::function<ElasticTensor(const dealii::Point<3> &)>;
+
   /// A hexahedron's shape functions at one of its points.
   struct HexahedronPoint
   {
@@ -105,7 +110,7 @@ namespace lamella
     quadrature_points(const Nodes &nodes) const;
 
     IncompatibleModes
-    incompatible_modes(const Nodes &nodes, const ElasticTensor &C) const;
+    incompatible_modes(const Nodes &nodes, const StiffnessAt &C) const;
 
     /// The strains that each DoF alone makes at @p point, @p modes included:
     /// epsilon = sum strains[d] u_d.
@@ -115,7 +120,7 @@ namespace lamella
     /// int B^T C B dV.
     dealii::FullMatrix<double>
     stiffness(const Nodes             &nodes,
-              const ElasticTensor     &C,
+              const StiffnessAt       &C,
               const IncompatibleModes &modes) const;
 
   private:

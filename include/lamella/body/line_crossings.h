@@ -5,6 +5,7 @@
 
 #include <deal.II/base/point.h>
 
+#include <functional>
 #include <vector>
 
 namespace lamella
@@ -30,6 +31,18 @@ namespace lamella
                      const dealii::Tensor<1, 2> &d,
                      const double                tolerance,
                      std::vector<double>        &crossings);
+
+  /**
+   * The same for the curved edge @p x(s), s from 0 to 1: where the distance
+   * from the line changes its sign between five of its points, the root to
+   * rounding. A curve that touches the line in between is not seen.
+   */
+  void
+  add_curve_crossings(const std::function<dealii::Point<2>(const double)> &x,
+                      const dealii::Point<2>                              &a,
+                      const dealii::Tensor<1, 2>                          &d,
+                      const double         tolerance,
+                      std::vector<double> &crossings);
 
   /// Those of @p breaks in [0, 1], ascending, once each, and 0 and 1: the
   /// pieces of a segment. What is closer together than 1e-9 is one break.

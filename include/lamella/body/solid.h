@@ -7,6 +7,7 @@
 #include <lamella/body/hexahedral_mesh.h>
 #include <lamella/body/hexahedron.h>
 #include <lamella/body/placement.h>
+#include <lamella/section/ply_laws.h>
 
 #include <deal.II/numerics/rtree.h>
 
@@ -181,11 +182,21 @@ namespace lamella
     /// The DoFs of @p cell in the order of Hexahedron.
     std::vector<DofIndex>
     dofs_of(const unsigned int cell) const;
-    const ElasticLaw &
-    law(const unsigned int cell) const
+    /// The law of @p cell at the point @p x of it, and the axes of its ply
+    /// there, both in the body's axes.
+    ElasticLaw
+    law(const unsigned int cell, const dealii::Point<3> &x) const
     {
-      return laws[mesh.cells()[cell].ply];
+      return laws.at(mesh.cells()[cell].ply, {x[0], x[2]});
     }
+    Triad
+    ply_axes(const unsigned int cell, const dealii::Point<3> &x) const
+    {
+      return mesh.section().plies[mesh.cells()[cell].ply].axes({x[0], x[2]});
+    }
+    /// law() as a function of the point, for @p cell's matrices.
+    StiffnessAt
+    stiffness_of(const unsigned int cell) const;
 
     /// The law of @p cell with the initial strain of heat at @p unit. Of
     /// degree 1 the temperature is that of the middle of the cell: one that
@@ -214,6 +225,17 @@ namespace lamella
                const unsigned int      face,
                const dealii::Point<3> &unit) const;
 
+    /// Adds where the line a + t d of the section's plane passes the edge of
+    /// @p cell from its corner @p v to its corner @p w, which may be curved.
+    void
+    add_side_crossings(const unsigned int          cell,
+                       const unsigned int          v,
+                       const unsigned int          w,
+                       const dealii::Point<2>     &a,
+                       const dealii::Tensor<1, 2> &d,
+                       const double                tolerance,
+                       std::vector<double>        &crossings) const;
+
     /// Cells and faces that make up @p surface.
     std::vector<std::pair<unsigned int, unsigned int>>
     faces_of(const std::string &surface) const;
@@ -241,7 +263,7 @@ namespace lamella
     Hexahedron                element;
     Placement                 placement;
     double                    axis_length;
-    std::vector<ElasticLaw>   laws;
+    PlyLaws                   laws;
     Constraints               hanging;
     std::vector<Kind>         kinds;
     std::vector<unsigned int> kind_of_cell;

@@ -113,6 +113,19 @@ namespace lamella
    */
   Triad
   ply_axes(const double degrees);
+
+  /**
+   * The ply axes in the body frame of a ply in the plane of y and t = y x n,
+   * where the unit vector n, the ply's normal, lies in the section:
+   * @p normal = (n_x, n_z), so that t = (n_z, 0, -n_x). The fibre is at
+   * @p degrees, 0 along +y and positive from +y towards t,
+   *   e_1 = sin t + cos y,  e_3 = n,  e_2 = e_3 x e_1 = -cos t + sin y.
+   *
+   * Whoever looks at the ply against n, with +y pointing up, sees positive
+   * angles lean to the right. With n = +z t is +x: the axes above.
+   */
+  Triad
+  ply_axes(const double degrees, const dealii::Tensor<1, 2> &normal);
 } // namespace lamella
 
 #endif

@@ -57,11 +57,12 @@ namespace lamella
    * factor R stays. So a place is missed only where an element's own stresses
    * are off by a fifth.
    *
-   * The interlaminar criterion looks only at faces of elements that another
-   * ply touches, from either side: faces across the section's z. A ply whose
+   * The interlaminar criterion looks only at faces of elements that lie in the
+   * plane of the element's ply and that another ply touches, from either side.
+   * A ply whose
    * material has core strengths is a core: core shear and core crushing look at
    * cores alone, all others at what is none, and face wrinkling at plies of a
-   * laminate next to a core.
+   * laminate, or of a wall, next to a core.
    *
    * On the way the nearest to failure at each station of a beam's axis is kept,
    * ply by ply, for pictures (ReserveAlong).
@@ -119,10 +120,11 @@ namespace lamella
     {
       unsigned int      body;
       std::vector<Task> tasks;
-      /// Of each element of this process, whether another ply touches its face
-      /// at the beginning and at the end of the third unit coordinate. None
-      /// where no task asks for it.
-      std::vector<std::array<bool, 2>> touched;
+      /// Of each element of this process, whether another ply touches its faces
+      /// at the beginning and at the end of the first and of the third unit
+      /// coordinate, and these lie in its ply's plane. None where no task asks
+      /// for it.
+      std::vector<std::array<bool, 4>> touched;
     };
 
     /// The tasks of the plies @p plies of @p body, and whether one of them is
@@ -137,7 +139,7 @@ namespace lamella
     /// @p touched.
     static bool
     looks_at(const Task                &task,
-             const std::array<bool, 2> &touched,
+             const std::array<bool, 4> &touched,
              const unsigned int         k);
     /// Whether @p x is in a box that is left out.
     bool

@@ -27,6 +27,8 @@ namespace lamella
     /// As given, or the default of the task: a folder, of an export the deck,
     /// of a report the page.
     std::string output;
+    /// Whether it is as given: then --validate leaves its sections there.
+    bool output_is_given = false;
     /// Of CalculiX; empty if not given.
     std::string element, contact_stiffness;
     /// PATH=VALUE each, of --set, in their order.

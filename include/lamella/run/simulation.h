@@ -140,9 +140,10 @@ namespace lamella
     }
 
     /// Prints plies, laminate stiffnesses, sections as beams, bodies, contacts
-    /// and notes, without solving: what --validate is for.
+    /// and notes, without solving: what --validate is for. Writes sections/ of
+    /// a run into the folder @p directory, for pictures, unless it is empty.
     void
-    print_validation() const;
+    print_validation(const std::string &directory) const;
 
   private:
     // Building.

@@ -11,6 +11,7 @@
 
 #include <lamella/base/linear_algebra.h>
 #include <lamella/section/cross_section_element.h>
+#include <lamella/section/ply_laws.h>
 #include <lamella/section/section_point.h>
 #include <lamella/section/strain_completion.h>
 #include <lamella/section/theory.h>
@@ -157,13 +158,27 @@ namespace lamella
       return ply_of_cell[cell];
     }
 
-    /// The law in the body frame on @p cell, its transverse shear scaled by the
-    /// theory's shear factor k: D C D in place of C with sqrt(k) in D's places
-    /// for xy and yz.
-    const ElasticLaw &
-    law(const unsigned int cell) const
+    /// The law in the body frame at the point @p x of @p cell, its transverse
+    /// shear scaled by the theory's shear factor (PlyLaws).
+    ElasticLaw
+    law(const unsigned int cell, const dealii::Point<2> &x) const
     {
-      return laws[ply_of_cell[cell]];
+      return laws.at(ply_of_cell[cell], x);
+    }
+
+    /// The same at integration point number @p k, without any turn.
+    const ElasticLaw &
+    law_at_point(const unsigned int k) const
+    {
+      return point_laws.empty() ? laws.constant(ply_of_cell[points[k].cell]) :
+                                  point_laws[k];
+    }
+
+    /// The axes of the ply of @p cell at the point @p x, in the body frame.
+    Triad
+    ply_axes(const unsigned int cell, const dealii::Point<2> &x) const
+    {
+      return plies()[ply_of_cell[cell]].axes(x);
     }
 
     /// The fields that live on @p cell at @p unit with their strains, completed
@@ -172,11 +187,14 @@ namespace lamella
     SectionPoint
     evaluate(const unsigned int cell, const dealii::Point<2> &unit) const;
 
-    /// What an initial strain @p initial of @p cell, as heat makes it, adds to
-    /// the strains of all fields (StrainCompletion::of_initial()): zero for
-    /// theories that complete no strains.
+    /// What an initial strain @p initial of @p cell at its point @p x, as heat
+    /// makes it, adds to the strains of all fields
+    /// (StrainCompletion::of_initial()): zero for theories that complete no
+    /// strains.
     Voigt
-    completion_of_initial(const unsigned int cell, const Voigt &initial) const;
+    completion_of_initial(const unsigned int      cell,
+                          const dealii::Point<2> &x,
+                          const Voigt            &initial) const;
 
     /// Whether the theory completes strains by modes of the whole section
     /// (TE-1): what these make of an initial strain is not known at a point.
@@ -328,7 +346,9 @@ namespace lamella
     std::unique_ptr<const CrossSectionElement> expansion;
     Theory                                     section_theory;
     /// By plies, with the shear factor.
-    std::vector<ElasticLaw> laws;
+    PlyLaws laws;
+    /// Of each integration point, where any law varies.
+    std::vector<ElasticLaw> point_laws;
     /// Null where the theory completes nothing.
     std::unique_ptr<const StrainCompletion> completion;
 

@@ -3,6 +3,7 @@
 #ifndef lamella_section_strain_completion_h
 #define lamella_section_strain_completion_h
 
+#include <lamella/section/ply_laws.h>
 #include <lamella/section/section_point.h>
 #include <lamella/section/taylor_element.h>
 
@@ -41,7 +42,9 @@ namespace lamella
     /// the strains of all fields, whatever they are: heat widens a section,
     /// too. None by default.
     virtual Voigt
-    of_initial(const unsigned int /*cell*/, const Voigt & /*initial*/) const
+    of_initial(const unsigned int /*cell*/,
+               const dealii::Point<2> & /*x*/,
+               const Voigt & /*initial*/) const
     {
       return {};
     }
@@ -60,9 +63,8 @@ namespace lamella
   {
   public:
     /// @p laws of each ply, @p ply_of_cell of each cell. The laws are those of
-    /// the section, with the shear factor; they are not needed any more
-    /// afterwards.
-    FreeContraction(const std::vector<ElasticLaw>   &laws,
+    /// the section, with the shear factor; they are copied.
+    FreeContraction(const PlyLaws                   &laws,
                     const std::vector<unsigned int> &ply_of_cell);
 
     /// eps becomes P eps, whatever xx, zz and xz had been.
@@ -72,10 +74,18 @@ namespace lamella
     /// eps_0 - P eps_0: with it sigma = C (P eps + (eps_0 - P eps_0) - eps_0)
     /// has no xx, zz and xz either.
     Voigt
-    of_initial(const unsigned int cell, const Voigt &initial) const override;
+    of_initial(const unsigned int      cell,
+               const dealii::Point<2> &x,
+               const Voigt            &initial) const override;
 
   private:
-    /// P of each ply: eps = P eps with the kept strains as they are.
+    /// P of @p cell at @p x.
+    ElasticTensor
+    completion_at(const unsigned int cell, const dealii::Point<2> &x) const;
+
+    PlyLaws laws;
+    /// P of each ply whose law is one: eps = P eps with the kept strains as
+    /// they are. P of others is made at each point.
     std::vector<ElasticTensor> completion;
     std::vector<unsigned int>  ply_of_cell;
   };
@@ -114,7 +124,7 @@ namespace lamella
     ContractionModes(std::shared_ptr<const SectionMesh> mesh,
                      const std::vector<SectionPoint>   &points,
                      const std::vector<double>         &weights,
-                     const std::vector<ElasticLaw>     &laws,
+                     const PlyLaws                     &laws,
                      const std::vector<unsigned int>   &ply_of_cell,
                      const unsigned int                 n_fields);
 

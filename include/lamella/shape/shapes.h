@@ -27,7 +27,8 @@ namespace lamella
     t,       ///< the flange on top
     channel, ///< the web on the left
     angle,   ///< the legs left and bottom
-    file     ///< a mesh by Gmsh
+    tube,
+    file ///< a mesh by Gmsh
   };
 
   template <>
@@ -42,6 +43,7 @@ namespace lamella
       {ShapeKind::t, "T"},
       {ShapeKind::channel, "channel"},
       {ShapeKind::angle, "angle"},
+      {ShapeKind::tube, "tube"},
       {ShapeKind::file, "file"}};
   };
 
@@ -54,6 +56,18 @@ namespace lamella
     /// same in all walls of a thin-walled section: about z, never along a web.
     double angle = 0.;
   };
+
+  /// A ply of a wall.
+  struct WallPly
+  {
+    /// Degrees in the wall's own plane (PlyPlane): 0 along +y.
+    Fabric fabric;
+    /// [length].
+    double thickness = 0.;
+  };
+
+  /// Plies from the inside of a wall to its outside.
+  using WallLayup = std::vector<WallPly>;
 
   /**
    * Half a disc, its flat side, the boundary `flat`, on z = 0 and its corners
@@ -108,6 +122,11 @@ namespace lamella
    * rectangles; walls meet in corners of cells_per_wall by cells_per_wall
    * cells. The theory of shells or thin walls is not used: a wall is a piece of
    * the section like any other.
+   *
+   * With layups each wall has plies in its own plane (PlyPlane). Flanges run
+   * through to the sides of the box, webs end at them. Normals point out of the
+   * section: of left walls -x, of right ones +x, of bottom ones -z, of top ones
+   * +z; that of a web with both faces free points to +x.
    */
   struct ThinWalled
   {
@@ -122,6 +141,32 @@ namespace lamella
     /// Through the thickness of each wall, and along it between its corners.
     unsigned int cells_per_wall = 1, cells_along_wall = 4;
     Fabric       fabric;
+    /// Of each wall, webs first, with plies that add up to its thickness; or
+    /// none, and all walls are of the fabric.
+    std::vector<WallLayup> layups = {};
+    /// Through the thickness of each ply of a layup.
+    unsigned int cells_per_ply = 1;
+  };
+
+  /**
+   * A ring of plies in the box [0, width] x [0, height]: between an ellipse and
+   * the curve at the distance of its thickness inside of it, so that wall and
+   * plies are as thick all round. The boundaries are `inner` and `outer`. The
+   * plies are parallel to the ellipse, their normals those of its nearest
+   * points (EllipseFoot), and so another one at each point. Cells have curved
+   * edges, their second direction is the normal's.
+   */
+  struct Tube
+  {
+    /// Of its outside [length].
+    double width = 0., height = 0.;
+    /// From the inside to the outside; their thicknesses add up to the wall's,
+    /// which must be below the smallest radius of the ellipse's curvature,
+    /// min(width, height)^2 / (2 max(width, height)).
+    WallLayup layup;
+    /// In each ring, a multiple of 4, equally wide in the ellipse's parameter,
+    /// with vertices on its axes; and through each ply.
+    unsigned int cells_around = 24, cells_per_ply = 1;
   };
 
   /// How many webs and flanges the thin-walled section @p form has. A box has
@@ -129,6 +174,23 @@ namespace lamella
   /// must be a thin-walled one; others throw std::out_of_range.
   std::pair<unsigned int, unsigned int>
   count_of_walls(const ShapeKind form);
+
+  /// What the walls of @p form are called, webs first: `left`, `right`,
+  /// `bottom`, `top`, or `web` or `flange` where there is one. In the order of
+  /// ThinWalled::layups. As above.
+  std::vector<std::string>
+  names_of_walls(const ShapeKind form);
+
+  /// The ply plane of a part of a section from a file.
+  struct PartPlane
+  {
+    /// Of the normal, in degrees from +x towards +z.
+    double direction = 90.;
+    /// Or the physical lines, between blanks, whose nearest point has it, out
+    /// of the section there, or into it.
+    std::string curve    = {};
+    bool        outwards = true;
+  };
 
   /**
    * A mesh made by Gmsh; its x, y are the section's x, z, times scale. Its
@@ -150,12 +212,15 @@ namespace lamella
     /// The subsection that names it, for messages: `Section NAME`. Faults of
     /// the mesh are then faults of the entry `Section NAME/File`.
     std::string what;
+    /// Name of a physical surface -> where the normal of its ply plane points.
+    /// Those that are not listed are level.
+    std::map<std::string, PartPlane> planes = {};
   };
 
   /// A section as the scene describes it. Plain data, cheap to copy: no mesh is
   /// made, and no file read, before make_section_mesh().
   using SectionShape =
-    std::variant<Laminate, HalfDisc, Ellipse, ThinWalled, SectionFile>;
+    std::variant<Laminate, HalfDisc, Ellipse, ThinWalled, Tube, SectionFile>;
 
   /// Never undefined for what the scene has read.
   ShapeKind
@@ -188,6 +253,10 @@ namespace lamella
   /// Boundary id 0 `arc`.
   std::shared_ptr<const SectionMesh>
   make_section_mesh(const Ellipse &ellipse, const Materials &materials);
+
+  /// Boundary ids 0 `inner`, 1 `outer`.
+  std::shared_ptr<const SectionMesh>
+  make_section_mesh(const Tube &tube, const Materials &materials);
 
   /// Boundary ids 0 to 4: `left`, `right`, `bottom`, `top`, `inner`. Only
   /// vertices of walls are made, not those of the whole grid.

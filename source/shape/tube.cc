@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <lamella/shape/ellipse_foot.h>
+#include <lamella/shape/shapes.h>
+
+#include <deal.II/grid/manifold_lib.h>
+
+#include <cmath>
+
+namespace lamella
+{
+  using namespace dealii;
+
+  namespace
+  {
+    /// The parameter of a point's foot on an ellipse, and its depth below it.
+    class WallManifold : public ChartManifold<2, 2, 2>
+    {
+    public:
+      explicit WallManifold(const EllipseFoot &outside)
+        : ChartManifold<2, 2, 2>(Point<2>(2. * numbers::PI, 0.))
+        , outside(outside)
+      {}
+
+      std::unique_ptr<Manifold<2, 2>>
+      clone() const override
+      {
+        return std::make_unique<WallManifold>(outside);
+      }
+
+      Point<2>
+      pull_back(const Point<2> &x) const override
+      {
+        const double phi = outside.parameter(x);
+        return {phi < 0. ? phi + 2. * numbers::PI : phi,
+                (outside.point(phi) - x) * outside.normal(phi)};
+      }
+
+      Point<2>
+      push_forward(const Point<2> &chart) const override
+      {
+        return outside.point(chart[0]) - chart[1] * outside.normal(chart[0]);
+      }
+
+    private:
+      EllipseFoot outside;
+    };
+
+
+
+    /// Depths of the interfaces of cells, from the inside to the outside, and
+    /// the ply of each ring of cells between two of them.
+    struct Rings
+    {
+      std::vector<double>       depths;
+      std::vector<unsigned int> plies;
+    };
+
+
+
+    Rings
+    rings_of(const Tube &tube)
+    {
+      double depth = 0.;
+      for (const WallPly &ply : tube.layup)
+        depth += ply.thickness;
+      Rings rings{{depth}, {}};
+      for (unsigned int p = 0; p < tube.layup.size(); ++p)
+        {
+          for (unsigned int c = 0; c < tube.cells_per_ply; ++c)
+            {
+              rings.depths.push_back(depth - (c + 1.) / tube.cells_per_ply *
+                                               tube.layup[p].thickness);
+              rings.plies.push_back(p);
+            }
+          depth -= tube.layup[p].thickness;
+        }
+      rings.depths.back() = 0.;
+      return rings;
+    }
+
+
+
+    /// The vertex number @p k of the @p n at @p depth, from the top along t,
+    /// towards +x.
+    Point<2>
+    vertex_of(const EllipseFoot &outside,
+              const double       depth,
+              const unsigned int k,
+              const unsigned int n)
+    {
+      const double phi = 0.5 * numbers::PI - 2. * numbers::PI * k / n;
+      return outside.point(phi) - depth * outside.normal(phi);
+    }
+  } // namespace
+
+
+
+  std::shared_ptr<const SectionMesh>
+  make_section_mesh(const Tube &tube, const Materials &materials)
+  {
+    auto              section = std::make_shared<SectionMesh>();
+    const double      a = 0.5 * tube.width, b = 0.5 * tube.height;
+    const EllipseFoot outside(Point<2>(a, b), a, b);
+    const Rings       rings = rings_of(tube);
+
+    std::vector<Point<2>>    vertices;
+    std::vector<CellData<2>> cells;
+    const unsigned int       n = tube.cells_around;
+    for (unsigned int j = 0; j < rings.depths.size(); ++j)
+      for (unsigned int k = 0; k < n; ++k)
+        vertices.push_back(vertex_of(outside, rings.depths[j], k, n));
+    for (unsigned int j = 0; j < rings.plies.size(); ++j)
+      for (unsigned int k = 0; k < n; ++k)
+        {
+          cells.emplace_back();
+          const unsigned int next  = (k + 1) % n;
+          cells.back().vertices[0] = j * n + k;
+          cells.back().vertices[1] = j * n + next;
+          cells.back().vertices[2] = (j + 1) * n + k;
+          cells.back().vertices[3] = (j + 1) * n + next;
+          cells.back().material_id = rings.plies[j];
+        }
+    Triangulation<2> &mesh = section->mesh;
+    mesh.create_triangulation(vertices, cells, SubCellData());
+    mesh.set_all_manifold_ids(0);
+    mesh.set_manifold(0, WallManifold(outside));
+    for (const auto &cell : mesh.active_cell_iterators())
+      for (const unsigned int f : {2, 3})
+        if (cell->face(f)->at_boundary())
+          cell->face(f)->set_boundary_id(f - 2);
+    section->boundaries = {{0, "inner"}, {1, "outer"}};
+
+    const auto normal_at = [outside](const Point<2> &x) {
+      return outside.normal(outside.parameter(x));
+    };
+    double depth = rings.depths[0];
+    for (const WallPly &ply : tube.layup)
+      {
+        depth -= ply.thickness;
+        section->plies.push_back({ply.fabric.material,
+                                  ply.fabric.angle,
+                                  depth,
+                                  tube.height - depth,
+                                  materials.at(ply.fabric.material),
+                                  {Point<2>(0., 1.), normal_at, "tube"}});
+      }
+    return section;
+  }
+} // namespace lamella
