@@ -16,7 +16,7 @@ namespace lamella
   namespace
   {
     /// Rows that a reader looks through; the folder's table has all of them.
-    constexpr unsigned int most_plies = 40, most_points = 8, most_steps = 60;
+    constexpr unsigned int most_plies = 24, most_points = 8, most_steps = 8;
 
 
 
@@ -35,15 +35,20 @@ namespace lamella
       const auto force  = run.unit_in_brackets("force"),
                  length = run.unit_in_brackets("length"),
                  stress = run.unit_in_brackets("stress");
-      const auto add    = [&](const std::string &key,
+      // Penetrations below 1e-9 of the scene are rounding.
+      const double relative = contact.value("max_penetration_relative", 0.);
+      const double size =
+        relative > 0. ? contact.value("max_penetration", 0.) / relative : 0.;
+      const auto add = [&](const std::string &key,
                            const std::string &what,
                            const std::string &unit) {
         if (contact.contains(key))
-          table.rows.push_back({what,
-                                contact[key].is_array() ?
-                                     components(contact[key]) :
-                                     number(contact[key]),
-                                unit});
+          table.rows.push_back(
+            {what,
+             contact[key].is_array() ?
+               components(contact[key]) :
+               number(contact[key], key == "max_penetration" ? size : 0.),
+             unit});
       };
       const std::string second =
         escaped(split(run.says("Contact " + name + "/Second"), ':').front());
@@ -96,6 +101,9 @@ namespace lamella
       table.header.push_back("pressure " + run.unit_in_brackets("stress"));
       table.header.push_back("force " + run.unit_in_brackets("force"));
       table.header.push_back("gap " + run.unit_in_brackets("length"));
+      const auto is_length = [](const std::string &column) {
+        return column != "pressure" && column != "force";
+      };
       double size = 0.;
       for (const unsigned int k : order)
         for (const char *column : {"x", "y", "z"})
@@ -105,8 +113,7 @@ namespace lamella
           table.rows.emplace_back();
           for (const char *column : {"x", "y", "z", "pressure", "force", "gap"})
             table.rows.back().push_back(
-              number(pairs.cell(k, column),
-                     table.rows.back().size() < 3 ? size : 0.));
+              number(pairs.cell(k, column), is_length(column) ? size : 0.));
         }
       return to_html(table);
     }
@@ -160,6 +167,13 @@ namespace lamella
                        "<i>y</i> " + length,
                        "<i>z</i> " + length,
                        "fracture angle [°]"};
+      // Only Puck's criterion has one.
+      const bool with_angle =
+        std::any_of(order.begin(), order.end(), [&plies](const unsigned int k) {
+          return !plies.cell(k, "angle").empty();
+        });
+      if (!with_angle)
+        table.header.pop_back();
       if (with_step)
         table.header.insert(table.header.begin(), "load step");
       for (const unsigned int k : order)
@@ -182,7 +196,8 @@ namespace lamella
           row.push_back(number(plies.cell(k, "index")));
           for (const char *column : {"x", "y", "z"})
             row.push_back(number(plies.cell(k, column), size));
-          row.push_back(number(plies.cell(k, "angle")));
+          if (with_angle)
+            row.push_back(number(plies.cell(k, "angle")));
         }
       return to_html(table);
     }
@@ -248,12 +263,12 @@ namespace lamella
     std::string
     balance_table(const RunFolder &run)
     {
-      const unsigned int last   = run.history.rows.size();
-      const double       factor = last > 0 ?
-                                    run.history.value(last - 1, "load_factor") :
-                                    std::numeric_limits<double>::quiet_NaN();
-      const std::string  force  = run.unit_in_brackets("force");
-      HtmlTable          table;
+      const unsigned int n = run.history.rows.size();
+      if (n == 0)
+        return paragraph("The run left no table of its load steps.");
+      const double      factor = run.history.value(n - 1, "load_factor");
+      const std::string force  = run.unit_in_brackets("force");
+      HtmlTable         table;
       table.id      = "forces";
       table.caption = "All forces on the bodies from outside at the last load "
                       "step, load factor " +
@@ -331,41 +346,58 @@ namespace lamella
 
 
 
-    /// history.csv, a row a load step; its columns are called
-    /// `support:NAME:fx`, `contact:NAME:fx` and `probe:NAME:ux`.
+    /// The columns of history.csv, `support:NAME:fx`, `contact:NAME:fx` or
+    /// `probe:NAME:ux`, but for those that are zero in all steps, and how large
+    /// each of them gets.
+    std::vector<std::pair<std::string, double>>
+    columns_of_history(const CsvTable &history)
+    {
+      std::vector<std::pair<std::string, double>> columns;
+      for (const std::string &name : history.names)
+        {
+          double size = 0.;
+          for (unsigned int k = 0; k < history.rows.size(); ++k)
+            size = std::max(size, std::abs(history.value(k, name)));
+          if (size > 0. && name != "step")
+            columns.emplace_back(name, size);
+        }
+      return columns;
+    }
+
+
+
+    /// history.csv, a column a load step: there are more quantities than a page
+    /// is wide. Of many load steps the last ones.
     std::string
     history_table(const RunFolder &run)
     {
-      const CsvTable &history = run.history;
-      if (history.rows.size() < 2)
+      const CsvTable    &history = run.history;
+      const unsigned int n       = history.rows.size();
+      if (n < 2)
         return "";
-      HtmlTable table;
+      const unsigned int first = n > most_steps ? n - most_steps : 0;
+      HtmlTable          table;
       table.id = "history";
       table.caption =
         "Load step by load step: reactions of supports on the bodies, forces "
-        "of contacts on their second side, displacements of probes";
-      const std::size_t first =
-        history.rows.size() > most_steps ? history.rows.size() - most_steps : 0;
-      if (first > 0)
-        table.caption += "; the last " + std::to_string(most_steps) +
-                         ", all of them: <code>history.csv</code>";
-      table.rows.resize(history.rows.size() - first);
-      for (unsigned int c = 0; c < history.names.size(); ++c)
+        "of contacts on their second side, displacements of probes; components "
+        "that stay zero are left out" +
+        (first > 0 ? "; the last " + std::to_string(most_steps) + " of " +
+                       std::to_string(n) +
+                       " load steps, all of them: <code>history.csv</code>" :
+                     std::string());
+      table.header = {"quantity"};
+      for (unsigned int k = first; k < n; ++k)
+        table.header.push_back("step " + escaped(history.cell(k, "step")));
+      for (const auto &[name, size] : columns_of_history(history))
         {
-          const std::vector<std::string> parts = split(history.names[c], ':');
-          // A component that is zero in all steps says nothing.
-          double size = 0.;
-          for (unsigned int k = 0; k < history.rows.size(); ++k)
-            size = std::max(size, std::abs(history.value(k, history.names[c])));
-          if (parts.size() == 3 && size == 0.)
-            continue;
-          table.header.push_back(parts.size() == 3 ? escaped(parts[1]) + ": " +
-                                                       run.with_unit(parts[2]) :
-                                 history.names[c] == "load_factor" ?
-                                                     "load factor" :
-                                                     escaped(history.names[c]));
-          for (std::size_t k = first; k < history.rows.size(); ++k)
-            table.rows[k - first].push_back(number(history.rows[k][c], size));
+          const std::vector<std::string> parts = split(name, ':');
+          table.rows.push_back({parts.size() == 3 ?
+                                  escaped(parts[0] + " " + parts[1]) + ": " +
+                                    run.with_unit(parts[2]) :
+                                  "load factor"});
+          for (unsigned int k = first; k < n; ++k)
+            table.rows.back().push_back(number(history.cell(k, name), size));
         }
       return to_html(table);
     }

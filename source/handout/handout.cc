@@ -42,11 +42,11 @@ namespace lamella
   th { font-weight: 600; background: #f3f5f7; border-bottom: 2px solid var(--line); }
   td.number, td data { font-variant-numeric: tabular-nums; }
   td.number { text-align: right; white-space: nowrap; }
-  tr.marked td { background: #fdf1dc; font-weight: 600; }
+  tr.marked td { background: #fdf1dc; }
   .warnings { border-left: 5px solid #c77700; background: #fdf6e8;
               padding: .5rem 1rem; margin: .8rem 0; }
   figure { margin: 1.2rem 0; break-inside: avoid; }
-  figure img { max-width: 100%; height: auto; display: block; }
+  figure img { width: 100%; max-width: 52rem; height: auto; display: block; }
   figcaption { font-size: .875rem; color: var(--faint); margin-top: .3rem; }
   code, pre { font: .85em/1.45 ui-monospace, Consolas, "DejaVu Sans Mono", monospace; }
   pre { background: #f6f7f9; border: 1px solid var(--line); border-radius: 4px;

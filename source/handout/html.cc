@@ -126,7 +126,7 @@ namespace lamella
   std::string
   number(const double value, const double scale, const int digits)
   {
-    return number(to_text(value, 17), scale, digits);
+    return number(to_text(value, 15), scale, digits);
   }
 
 
@@ -134,6 +134,8 @@ namespace lamella
   std::string
   symbol(const std::string &name)
   {
+    if (name.size() < 2)
+      return name.empty() ? name : "<i>" + escaped(name) + "</i>";
     const auto of = [&name](const std::string &indices) {
       return std::all_of(name.begin() + 1,
                          name.end(),
@@ -174,7 +176,7 @@ namespace lamella
   to_html(const HtmlTable &table)
   {
     std::string html =
-      "<div class=\"wide\"><table id=\"" + escaped(table.id) + "\">\n";
+      "<div class=\"wide\"><table id=\"table-" + escaped(table.id) + "\">\n";
     if (!table.caption.empty())
       html += "<caption>" + table.caption + "</caption>\n";
     html += "<thead><tr>";
@@ -188,8 +190,10 @@ namespace lamella
         html += marked ? "<tr class=\"marked\">" : "<tr>";
         for (const std::string &cell : table.rows[k])
           {
+            // One number and nothing else, or none.
             const bool is_number =
-              cell.compare(0, 5, "<data") == 0 || cell == "–";
+              cell == "–" || (cell.compare(0, 5, "<data") == 0 &&
+                              cell.find("</data>") == cell.size() - 7);
             html +=
               (is_number ? "<td class=\"number\">" : "<td>") + cell + "</td>";
           }

@@ -91,7 +91,7 @@ namespace lamella
          "Displacements and stresses through the thickness, ply by ply."},
         {"through_the_contact",
          "Displacements and stresses through all bodies that meet."},
-        {"section_", "Over the section."},
+        {"section_", "Stresses over the section, as seen along the axis."},
         {"history", "Force against displacement, load step by load step."},
         {"fields",
          "How many fields of its section each node of the axis carries: more "
@@ -159,16 +159,16 @@ namespace lamella
 
 
   std::string
-  Pictures::show_one(const std::string &name)
+  Pictures::show_one(const std::string &name, const std::string &caption)
   {
     const auto found = std::find(left.begin(), left.end(), name);
     if (found == left.end())
       return "";
     left.erase(found);
     const std::string file  = "pictures/" + name + ".png";
-    const std::string words = meaning(name);
+    const std::string words = caption.empty() ? meaning(name) : caption;
     return figure(content_of(folder + "/" + file),
-                  words.empty() ? name : words,
+                  name,
                   (words.empty() ? "" : words + " ") + "<span class=\"file\">" +
                     escaped(file) + "</span>");
   }

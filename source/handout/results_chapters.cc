@@ -173,7 +173,10 @@ namespace lamella
       add("EA", "axial, <i>EA</i>", run.unit_in_brackets("force"));
       add("EI_1", "bending about the stiffer axis, <i>EI</i>₁", square);
       add("EI_2", "bending about the softer axis, <i>EI</i>₂", square);
-      add("angle_deg", "from <i>x</i> to the axis of <i>EI</i>₁", "[°]");
+      add(
+        "angle_deg",
+        "the axis that <i>EI</i>₁ bends about, from <i>x</i> towards <i>z</i>",
+        "[°]");
       add("GJ", "torsion, <i>GJ</i>", square);
       add("kGA_x",
           "shear along <i>x</i>, <i>kGA</i>",
@@ -241,7 +244,7 @@ namespace lamella
           table.rows.push_back({escaped(name),
                                 number(goals.cell(k, "value"), 0., 6),
                                 run.unit_of_column(column_of_goal(name)),
-                                number(goals.cell(k, "estimate"), 0., 3),
+                                number(goals.cell(k, "estimate"), scale, 3),
                                 number(goals.cell(k, "corrected"), 0., 6),
                                 number(goals.cell(k, "bar"), 0., 2),
                                 std::isfinite(share) ? readable(share, 2) : "–",
@@ -291,14 +294,7 @@ namespace lamella
                               escaped(run.probes.cell(k, "body")),
                               number(run.probes.cell(k, "ply"))});
       if (with_places)
-        {
-          HtmlTable places = table;
-          add_columns(places, run, run.probes, {"x", "y", "z"});
-          table = places;
-          for (unsigned int c = 3; c < 6; ++c)
-            table.header[c] = "<i>" + table.header[c] + "</i> " +
-                              run.unit_in_brackets("length");
-        }
+        add_columns(table, run, run.probes, {"x", "y", "z"});
       add_columns(table, run, run.probes, columns);
       return to_html(table);
     }
@@ -325,9 +321,9 @@ namespace lamella
           const double      off = 100. * (to_number(value) / expected - 1.);
           table.rows.push_back(
             {escaped(subsection) + ": " + run.with_unit(parts[0]),
-             number(value),
+             number(value, std::abs(expected)),
              number(parts[1]),
-             value.empty() || !std::isfinite(off) ? "–" : readable(off, 2),
+             value.empty() || !std::isfinite(off) ? "–" : readable(off, 3),
              escaped(joined({parts.begin() + 2, parts.end()}, ": "))});
         }
     }
@@ -388,7 +384,9 @@ namespace lamella
         const Json section = run.section_stiffness(name);
         if (!section.is_null())
           html += stiffness_table(run, name, section);
-        html += pictures.show_one("section_" + name);
+        html += pictures.show_one("section_" + name,
+                                  "The mesh of the section, its plies, and the "
+                                  "names of its surfaces.");
       }
     if (html.empty())
       html = paragraph("The scene has no sections.");
@@ -447,7 +445,9 @@ namespace lamella
     for (const std::string &cut : run.names("Cuts"))
       html += pictures.show("section_" + cut);
     for (const std::string &line : run.names("Lines"))
-      html += pictures.show(line);
+      html += pictures.show_one(line,
+                                "Displacements and stresses along the line " +
+                                  escaped(line) + ".");
     return {"shape", "Deformed shape and fields", html};
   }
 } // namespace lamella

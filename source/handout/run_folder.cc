@@ -251,9 +251,9 @@ namespace lamella
 
 
   std::string
-  number(const Json &json, const double scale)
+  number(const Json &json, const double scale, const int digits)
   {
-    return json.is_number() ? number(json.dump(), scale) : "–";
+    return json.is_number() ? number(json.dump(), scale, digits) : "–";
   }
 
 

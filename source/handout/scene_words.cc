@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <lamella/base/exceptions.h>
 #include <lamella/base/text.h>
 #include <lamella/handout/chapters.h>
 #include <lamella/handout/html.h>
+#include <lamella/material/library.h>
 
 #include <algorithm>
+#include <optional>
+#include <utility>
 
 namespace lamella
 {
@@ -53,7 +57,10 @@ namespace lamella
     std::string
     point(const std::string &text)
     {
-      return "(" + escaped(joined(split(text, ','))) + ")";
+      std::vector<std::string> parts = split(text, ',');
+      for (std::string &part : parts)
+        part = number(part);
+      return "(" + joined(parts) + ")";
     }
 
 
@@ -74,7 +81,7 @@ namespace lamella
 
 
 
-    /// What the name of a theory, as `LE-2`, stands for.
+    /// What the theory @p theory, as `LE-2`, stands for.
     std::string
     meaning_of_theory(const std::string &theory)
     {
@@ -82,8 +89,6 @@ namespace lamella
       const std::string family = theory.substr(0, dash);
       const std::string order =
         dash == std::string::npos ? "" : escaped(theory.substr(dash + 1));
-      if (theory.find(',') != std::string::npos)
-        return "different kinds in different pieces of the axis";
       if (family == "EBBT")
         return "sections stay plane and normal to the axis: Euler-Bernoulli";
       if (family == "TBT")
@@ -103,6 +108,34 @@ namespace lamella
       if (family == "solid")
         return "three-dimensional hexahedra of degree " + order;
       return "";
+    }
+
+
+
+    /// How the displacements of the body @p name are approximated.
+    std::string
+    theory_words(const RunFolder &run, const std::string &name)
+    {
+      const std::string kinematics = "Body " + name + "/Kinematics/";
+      const std::string several    = run.says(kinematics + "Theories");
+      const std::string own        = run.says(kinematics + "Theory");
+      const std::string theory     = own.empty() ? run.says("Theory") : own;
+      const std::string meaning    = meaning_of_theory(theory);
+      std::string       text =
+        "Displacements: " + strong(several.empty() ? theory : several);
+      if (!several.empty())
+        text += " one after the other along the axis";
+      else if (!meaning.empty())
+        text += " (" + meaning + ")";
+      text += "; elements along the axis: " +
+              escaped(run.says(kinematics + "Axis elements"));
+      if (theory.compare(0, 5, "solid") != 0)
+        text += " of type " + escaped(run.says(kinematics + "Axis element"));
+      const auto &body = member(member(run.summary, "bodies"), name);
+      if (body.contains("dofs"))
+        text +=
+          "; " + number(body["dofs"], 0., 12) + " degrees of freedom (DoFs)";
+      return text + ".";
     }
 
 
@@ -166,21 +199,7 @@ namespace lamella
                 code(layup.find('[') == 0 ? layup : "[" + layup + "]");
       text += ". The section's lower left corner stands at " +
               point(run.says(where + "Origin")) + length +
-              " where the body begins. Displacements: " + strong(theory);
-      const std::string meaning = meaning_of_theory(theory);
-      if (!meaning.empty())
-        text += " (" + meaning + ")";
-      const std::string kinematics = where + "Kinematics/";
-      const std::string elements   = run.says(kinematics + "Axis elements");
-      if (!elements.empty())
-        text += "; elements along the axis: " + code(elements);
-      if (!is_solid && !elements.empty())
-        text += " of type " + escaped(run.says(kinematics + "Axis element"));
-      const auto &body = member(member(run.summary, "bodies"), name);
-      if (body.contains("dofs"))
-        text += "; " + number(body["dofs"].dump(), 0., 12) +
-                " degrees of freedom (DoFs)";
-      text += ".";
+              " where the body begins. " + theory_words(run, name);
       if (!is_zero(run.says(where + "Stabilisation")) &&
           !run.says(where + "Stabilisation").empty())
         text +=
@@ -294,34 +313,122 @@ namespace lamella
 
 
 
-    std::string
-    material_words(const RunFolder &run, const std::string &name)
+    /// What kind of material @p name is, and its constants; none if they cannot
+    /// be read.
+    std::pair<std::string, std::optional<Material>>
+    material_of(const RunFolder &run, const std::string &name)
     {
-      const std::string        where     = "Material " + name + "/";
-      const std::string        stress    = run.unit_behind("stress");
-      const std::string        in_stress = stress.empty() ? "" : " in" + stress;
-      std::vector<std::string> parts;
+      const std::string where   = "Material " + name + "/";
+      const std::string library = run.says(where + "Library");
+      if (!library.empty())
+        {
+          const std::string kind = "the program's own " + code(library);
+          try
+            {
+              Units units;
+              units.pascal = run.unit("stress") == "MPa" ? 1e-6 : 1.;
+              return {kind, library_material(library, units)};
+            }
+          catch (const InputError &) // of a library that had it
+            {
+              return {kind, std::nullopt};
+            }
+        }
+      std::vector<double> e;
+      for (const char *entry : {"Isotropic", "Engineering constants"})
+        for (const std::string &text : split(run.says(where + entry), ','))
+          e.push_back(to_number(text));
+      if (e.size() == 2)
+        return {"isotropic",
+                Material(EngineeringConstants::isotropic(e[0], e[1]))};
+      if (e.size() != 9)
+        return {"", std::nullopt};
+      EngineeringConstants elastic;
+      elastic.E1   = e[0];
+      elastic.E2   = e[1];
+      elastic.E3   = e[2];
+      elastic.G12  = e[3];
+      elastic.G13  = e[4];
+      elastic.G23  = e[5];
+      elastic.nu12 = e[6];
+      elastic.nu13 = e[7];
+      elastic.nu23 = e[8];
+      return {"orthotropic", Material(elastic)};
+    }
+
+
+
+    /// Strengths and the like of the material @p name, a sentence each.
+    std::vector<std::string>
+    limits_of(const RunFolder               &run,
+              const std::string             &name,
+              const std::optional<Material> &material)
+    {
+      const std::string stress = run.unit_in_brackets("stress");
+      const std::string strengths =
+        "strengths X<sub>t</sub>, X<sub>c</sub>, Y<sub>t</sub>, Y<sub>c</sub>, "
+        "Z<sub>t</sub>, Z<sub>c</sub>, S₁₂, S₁₃, S₂₃ " +
+        stress;
+      std::vector<std::string> items;
       const auto add = [&](const std::string &entry, const std::string &words) {
-        const std::string value = run.says(where + entry);
+        const std::string value = run.says("Material " + name + "/" + entry);
         if (!value.empty())
-          parts.push_back(words + " " + escaped(value));
+          items.push_back(strong(name) + ": " + words + " = " + point(value));
       };
-      add("Library", "built into the program as");
-      add("Isotropic",
-          "isotropic, <i>E</i>" + in_stress + " and Poisson's ratio ν =");
-      add("Engineering constants",
-          "orthotropic (1 along the fibre, 3 normal to the ply); <i>E</i>₁, "
-          "<i>E</i>₂, <i>E</i>₃, <i>G</i>₁₂, <i>G</i>₁₃, <i>G</i>₂₃" +
-            in_stress + ", ν₁₂, ν₁₃, ν₂₃ =");
-      add("Strengths",
-          "strengths X<sub>t</sub>, X<sub>c</sub>, Y<sub>t</sub>, "
-          "Y<sub>c</sub>, Z<sub>t</sub>, Z<sub>c</sub>, S₁₂, S₁₃, S₂₃" +
-            in_stress + " =");
-      add("Ultimate strains", "ultimate strains, in the same order,");
-      add("Yield", "yield stress" + in_stress);
+      add("Strengths", strengths);
+      if (items.empty() && material && material->strengths)
+        {
+          const Strengths         &s = *material->strengths;
+          std::vector<std::string> values;
+          for (const double value :
+               {s.Xt, s.Xc, s.Yt, s.Yc, s.Zt, s.Zc, s.S12, s.S13, s.S23})
+            values.push_back(number(value));
+          items.push_back(strong(name) + ": " + strengths + " = (" +
+                          joined(values) + "), the program's own");
+        }
+      add("Ultimate strains", "ultimate strains in the order of strengths");
+      add("Yield", "yield stress " + stress);
       add("Core strengths",
-          "core strengths (crushing, shear 13, shear 23)" + in_stress);
-      return strong(name) + ": " + joined(parts, "; ") + ".";
+          "crushing, shear 13 and shear 23 of a core " + stress);
+      return items;
+    }
+
+
+
+    std::string
+    materials(const RunFolder &run)
+    {
+      const std::string        stress = run.unit_in_brackets("stress");
+      std::vector<std::string> limits;
+      HtmlTable                table;
+      table.id      = "materials";
+      table.caption = "Elastic constants: 1 along the fibre, 2 across it, 3 "
+                      "normal to the ply";
+      table.header  = {"material",
+                       "kind",
+                       "<i>E</i>₁ " + stress,
+                       "<i>E</i>₂ " + stress,
+                       "<i>E</i>₃ " + stress,
+                       "<i>G</i>₁₂ " + stress,
+                       "<i>G</i>₁₃ " + stress,
+                       "<i>G</i>₂₃ " + stress,
+                       "ν₁₂",
+                       "ν₁₃",
+                       "ν₂₃"};
+      for (const std::string &name : run.names("Materials"))
+        {
+          const auto [kind, material] = material_of(run, name);
+          table.rows.push_back({strong(name), kind});
+          EngineeringConstants e;
+          if (material)
+            e = material->elastic;
+          for (const double value :
+               {e.E1, e.E2, e.E3, e.G12, e.G13, e.G23, e.nu12, e.nu13, e.nu23})
+            table.rows.back().push_back(material ? number(value) : "–");
+          for (const std::string &item : limits_of(run, name, material))
+            limits.push_back(item);
+        }
+      return "<h3>Materials</h3>\n" + to_html(table) + list(limits);
     }
 
 
@@ -337,9 +444,10 @@ namespace lamella
       std::vector<std::string> items;
       for (const std::string &name : run.names(entry))
         items.push_back(words(run, name));
-      if (items.empty())
-        return none.empty() ? "" : paragraph(none);
-      return "<h3>" + lead + "</h3>\n" + list(items);
+      if (items.empty() && none.empty())
+        return "";
+      return "<h3>" + lead + "</h3>\n" +
+             (items.empty() ? paragraph(none) : list(items));
     }
 
 
@@ -382,7 +490,7 @@ namespace lamella
                 "pressures in compression. Everything is linear elastic, "
                 "displacements and rotations are small, contact has no friction."));
     html += sentences(run, "Bodies", "Bodies", "", body_words);
-    html += sentences(run, "Materials", "Materials", "", material_words);
+    html += materials(run);
     html += sentences(run, "Supports", "What holds it", "", support_words);
     html += sentences(run,
                       "Loads",

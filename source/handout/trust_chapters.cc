@@ -121,18 +121,29 @@ namespace lamella
             run.probes.cell(k, "probe") != run.probes.cell(k - 1, "probe"))
           first.push_back(k);
       add_first(table, first.size(), "numbers", [&](const unsigned int p) {
-        double size = 0.;
-        for (const char *column : {"ux", "uy", "uz"})
-          size = std::max(size, std::abs(run.probes.value(first[p], column)));
-        const auto component = [&](const std::string &column) {
-          return number(run.probes.cell(first[p], column), size);
-        };
+        // The largest component.
+        std::string column = "ux";
+        for (const char *other : {"uy", "uz"})
+          if (std::abs(run.probes.value(first[p], other)) >
+              std::abs(run.probes.value(first[p], column)))
+            column = other;
         return std::vector<std::string>{
           "displacement of probe " +
             escaped(run.probes.cell(first[p], "probe")),
-          "(" + component("ux") + ", " + component("uy") + ", " +
-            component("uz") + ")" + run.unit_behind("length")};
+          symbol(column) + " = " + number(run.probes.cell(first[p], column)) +
+            run.unit_behind("length")};
       });
+    }
+
+
+
+    /// @p warning, which begins and ends in the middle of one, as a sentence.
+    std::string
+    sentence(std::string warning)
+    {
+      if (!warning.empty() && warning[0] >= 'a' && warning[0] <= 'z')
+        warning[0] += 'A' - 'a';
+      return escaped(warning) + ".";
     }
 
 
@@ -273,10 +284,9 @@ namespace lamella
       table.id      = "costs";
       table.caption = "What the run cost";
       table.header  = {"what", "value", "unit"};
-      table.rows.push_back(
-        {"degrees of freedom, all bodies",
-         number(run.summary.value("dofs", Json()).dump(), 0., 12),
-         ""});
+      table.rows.push_back({"degrees of freedom, all bodies",
+                            number(run.summary.value("dofs", Json()), 0., 12),
+                            ""});
       for (const auto &phase : member(run.summary, "seconds").items())
         table.rows.push_back({phase.key() == "total" ?
                                 "<b>time in all</b>" :
@@ -305,7 +315,7 @@ namespace lamella
           {escaped(body.key()),
            escaped(
              member(run.summary, "theory").value(body.key(), std::string())),
-           number(body.value().value("dofs", Json()).dump(), 0., 12),
+           number(body.value().value("dofs", Json()), 0., 12),
            escaped(member(body.value(), "solver").value("name", "–"))});
       return to_html(table);
     }
@@ -343,9 +353,9 @@ namespace lamella
         {"first failure", "at load factor " + number(first.at("load_factor"))});
     table.rows.push_back(
       {"size and time",
-       number(run.summary.value("dofs", Json()).dump(), 0., 12) +
+       number(run.summary.value("dofs", Json()), 0., 12) +
          " degrees of freedom, " +
-         number(member(run.summary, "seconds").value("total", Json())) +
+         number(member(member(run.summary, "seconds"), "total"), 0., 3) +
          "&nbsp;s"});
     return {"glance", "At a glance", to_html(table)};
   }
@@ -373,7 +383,7 @@ namespace lamella
       items.push_back(doubt);
     for (const Json &warning : member(run.summary, "warnings"))
       if (warning.is_string())
-        items.push_back(escaped(warning.get<std::string>()) + ".");
+        items.push_back(sentence(warning.get<std::string>()));
     if (run.summary.value("version", "") != version())
       items.push_back("The run was made by version " +
                       escaped(run.summary.value("version", "?")) +

@@ -6,12 +6,13 @@ Usage: check_bad_input.py LAMELLA FILE.bad WORKDIR
 
 A .bad file holds comments (#) and the lines
 
-    run [export | trade] PATH [arguments]
-                           the scene, relative to the file; {workdir} in a word
-                           stands for WORKDIR; the program's working directory is
-                           WORKDIR, its output folder WORKDIR/output (its deck
-                           WORKDIR/output.inp) unless the arguments name another
-                           one
+    run [export | trade | report] PATH [arguments]
+                           the scene, relative to the file (of a report the
+                           folder); {workdir} in a word stands for WORKDIR; the
+                           program's working directory is WORKDIR, its output
+                           folder WORKDIR/output (its deck WORKDIR/output.inp,
+                           its report WORKDIR/output.html) unless the arguments
+                           name another one
     exit STATUS            the exit status that is due
     says FRAGMENT          must occur in the message (a line a fragment)
     never FRAGMENT         must not occur
@@ -60,11 +61,13 @@ def read_case(path):
 
 def run_case(program, case, path, workdir):
     words = [word.replace("{workdir}", str(workdir)) for word in case["run"]]
-    tasks = {"export": ["export", "--calculix"], "trade": ["trade"]}
+    tasks = {"export": ["export", "--calculix"], "trade": ["trade"],
+             "report": ["report"]}
+    endings = {"export": "output.inp", "report": "output.html"}
     task = tasks[words.pop(0)] if words[0] in tasks else []
     scene = path.parent.resolve() / words[0]
     output = [] if any(word.startswith("--output") for word in words) else [
-        "--output", str(workdir / ("output.inp" if task[:1] == ["export"] else "output"))]
+        "--output", str(workdir / endings.get(task[0] if task else "", "output"))]
     return subprocess.run(
         [str(Path(program).resolve()), *task, str(scene), *words[1:], *output],
         capture_output=True, text=True, cwd=workdir)

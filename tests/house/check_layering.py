@@ -30,7 +30,7 @@ ARROWS = {
     "report": ("base", "shape", "section", "body", "contact", "solve", "recover"),
     "scene": ("base", "material", "strength", "shape", "section", "axis", "body", "conditions",
               "contact", "solve", "recover"),
-    "handout": ("base", "scene"),
+    "handout": ("base", "material", "scene"),
     "run": ("base", "contact", "solve", "recover", "adapt", "report", "scene"),
     "estimate": ("base", "section", "axis", "body", "contact", "solve", "recover", "report", "scene", "run"),
     "trade": ("base", "section", "body", "solve", "report", "scene", "run", "estimate"),

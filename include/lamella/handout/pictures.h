@@ -35,9 +35,10 @@ namespace lamella
     std::string
     show(const std::string &beginning);
 
-    /// That called @p name, if it has not been shown yet; empty otherwise.
+    /// That called @p name, if it has not been shown yet, with the caption
+    /// @p caption, in HTML, or that of its kind; empty otherwise.
     std::string
-    show_one(const std::string &name);
+    show_one(const std::string &name, const std::string &caption = "");
 
     /// All that have not been shown yet.
     std::string

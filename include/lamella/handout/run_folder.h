@@ -90,7 +90,9 @@ namespace lamella
 
   /// The number of @p json, as HTML: see number(). A dash where there is none.
   std::string
-  number(const nlohmann::ordered_json &json, const double scale = 0.);
+  number(const nlohmann::ordered_json &json,
+         const double                  scale  = 0.,
+         const int                     digits = 5);
 
   /// A vector of @p json as `(x, y, z)`; components below 1e-9 of its length
   /// are shown as 0.
