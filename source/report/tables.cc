@@ -31,8 +31,6 @@ namespace lamella
       add("probe", results.probes, "u");
       add("support", results.supports, "m");
       add("contact", contacts, "m");
-      for (const std::string &name : results.measures)
-        header += ",measure:" + name;
       return header;
     }
 
@@ -50,7 +48,8 @@ namespace lamella
 
 
 
-    /// Forces and displacements of @p state, a StepResults or a FailureTrial.
+    /// Forces, displacements and moments of @p state, a StepResults or a
+    /// FailureTrial, as history_header() names them.
     template <typename StateOfLoad>
     std::string
     forces_and_displacements(const StateOfLoad &state)
@@ -62,13 +61,11 @@ namespace lamella
         line += components(contact.force);
       for (const std::vector<FieldRow> &plies : state.probes)
         line += components(plies.front().sample.displacement);
-      for (const Resultant &reaction : step.checks.reactions)
+      for (const Resultant &reaction : state.checks.reactions)
         line += components(reaction.moment);
-      for (const KuhnTucker &contact : step.checks.contacts)
+      for (const KuhnTucker &contact : state.checks.contacts)
         line += components(contact.moment);
-      for (const double measure : step.measures)
-        line += "," + csv(measure);
-      return line + "\n";
+      return line;
     }
 
 
@@ -100,9 +97,11 @@ namespace lamella
   table_headers(const Results &results)
   {
     FileTexts headers;
-    headers["probes.csv"] = "step,probe," + fields_header() + "\n";
-    headers["history.csv"] =
-      "step,load_factor" + history_header(results) + "\n";
+    headers["probes.csv"]  = "step,probe," + fields_header() + "\n";
+    headers["history.csv"] = "step,load_factor" + history_header(results);
+    for (const std::string &name : results.measures)
+      headers["history.csv"] += ",measure:" + name;
+    headers["history.csv"] += "\n";
     for (const std::string &line : results.lines)
       headers["lines/" + line + ".csv"] =
         "s,step,line," + fields_header() + "\n";
@@ -154,6 +153,9 @@ namespace lamella
     rows["history.csv"] = std::to_string(step.step) + "," +
                           csv(step.load_factor) +
                           forces_and_displacements(step);
+    for (const double measure : step.measures)
+      rows["history.csv"] += "," + csv(measure);
+    rows["history.csv"] += "\n";
     return rows;
   }
 
@@ -173,7 +175,7 @@ namespace lamella
     for (const FailureTrial &trial : trials)
       text += csv(trial.load_factor) + "," +
               (trial.reserve ? csv(*trial.reserve) : "") +
-              forces_and_displacements(trial);
+              forces_and_displacements(trial) + "\n";
     return text;
   }
 } // namespace lamella
