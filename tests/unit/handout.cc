@@ -114,7 +114,7 @@ BOOST_AUTO_TEST_CASE(tables_of_html)
              "<tr class=\"marked\"><td><data value=\"1\">1</data> of <data "
              "value=\"2\">2</data></td><td class=\"number\">–</td></tr>\n"
              "</tbody></table></div>\n");
-  BOOST_TEST(list({}) == "");
+  BOOST_TEST(lamella::list({}) == "");
   // RFC 4648: f, fo, foo.
   BOOST_TEST(data_uri("text/plain", "f") == "data:text/plain;base64,Zg==");
   BOOST_TEST(data_uri("text/plain", "fo") == "data:text/plain;base64,Zm8=");
