@@ -31,17 +31,36 @@ namespace lamella
 
 
 
+  namespace
+  {
+    [[noreturn]] void
+    refuse_material(const Ply         &ply,
+                    const std::string &property,
+                    const Body        &body,
+                    const std::string &what_asks_for_it,
+                    const std::string &remedy)
+    {
+      throw InputError("Material " + ply.material,
+                       "",
+                       "has no " + property + ", and body '" + body.name() +
+                         "', which is made of it, " + what_asks_for_it,
+                       remedy);
+    }
+  } // namespace
+
+
+
   void
   Body::heat(const ScalarField &change)
   {
     for (const Ply &ply : plies())
       if (!ply.properties.expansion)
-        throw InputError("Material " + ply.material,
-                         "",
-                         "has no Thermal expansion, and body '" + name() +
-                           "', which is made of it, has a Temperature",
-                         "Give it (0 if it does not expand), or leave the "
-                         "body out of the load.");
+        refuse_material(ply,
+                        "Thermal expansion",
+                        *this,
+                        "has a Temperature",
+                        "Give it (0 if it does not expand), or leave the body "
+                        "out of the load.");
     temperature_change = change;
   }
 
@@ -54,12 +73,12 @@ namespace lamella
     for (const Ply &ply : plies())
       {
         if (!ply.properties.density)
-          throw InputError("Material " + ply.material,
-                           "",
-                           "has no Density, and body '" + name() +
-                             "', which is made of it, is under Gravity",
-                           "Give it (0 if its weight does not count), or leave "
-                           "out Gravity.");
+          refuse_material(ply,
+                          "Density",
+                          *this,
+                          "is under Gravity",
+                          "Give it (0 if its weight does not count), or leave "
+                          "out Gravity.");
         rho.push_back(*ply.properties.density);
       }
     return rho;

@@ -272,11 +272,11 @@ namespace lamella
         const std::vector<HexahedronPoint> points =
           element.quadrature_points(nodes_of(kind.cell));
         std::vector<std::vector<Voigt>> B;
-        std::vector<ElasticLaw>         law_at;
+        std::vector<ElasticLaw>         laws_here;
         for (const HexahedronPoint &point : points)
           {
             B.push_back(element.strains(point, kind.modes));
-            law_at.push_back(law(kind.cell, point.position));
+            laws_here.push_back(law(kind.cell, point.position));
           }
         for (const unsigned int cell : kind.own_cells)
           {
@@ -287,7 +287,8 @@ namespace lamella
                 Voigt strain;
                 for (unsigned int d = 0; d < v.size(); ++d)
                   strain += v[d] * B[q][d];
-                const Voigt stress = points[q].JxW * law_at[q].stress(strain);
+                const Voigt stress =
+                  points[q].JxW * laws_here[q].stress(strain);
                 for (unsigned int d = 0; d < v.size(); ++d)
                   share[dofs[d]] += B[q][d] * stress;
               }
@@ -339,9 +340,10 @@ namespace lamella
 
 
   ElasticLaw
-  Solid::law_at(const unsigned int cell, const Point<3> &unit) const
+  Solid::law_at(const unsigned int cell,
+                const Point<3>    &unit,
+                const Point<3>    &x) const
   {
-    const Point<3> x = placement.to_body(position({cell, unit}));
     if (!is_heated())
       return law(cell, x);
     const Point<3> middle(0.5, 0.5, 0.5);
@@ -369,9 +371,9 @@ namespace lamella
             const std::vector<Voigt> B = element.strains(point, kind.modes);
             for (const unsigned int cell : kind.own_cells)
               {
-                const ElasticLaw            at     = law_at(cell, point.unit);
-                const Voigt                 stress = -1. * at.stress(Voigt());
-                const std::vector<DofIndex> dofs   = dofs_of(cell);
+                const ElasticLaw at = law_at(cell, point.unit, point.position);
+                const Voigt      stress          = -1. * at.stress(Voigt());
+                const std::vector<DofIndex> dofs = dofs_of(cell);
                 for (unsigned int d = 0; d < dofs.size(); ++d)
                   share[dofs[d]] += point.JxW * (B[d] * stress);
                 energy += point.JxW * at.energy_density(Voigt());

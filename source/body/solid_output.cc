@@ -36,7 +36,7 @@ namespace lamella
                      strain,
                      placement,
                      ply_axes(place.cell, point.position),
-                     law_at(place.cell, place.unit));
+                     law_at(place.cell, place.unit, point.position));
   }
 
 

@@ -185,11 +185,12 @@ namespace lamella
         const Location::Place &first = where.places[0];
         const Point<3>         x =
           element.evaluate(nodes_of(first.cell), first.unit).position;
-        const FromStrain to_frame = from_strain(quantity,
-                                                frame,
-                                                placement,
-                                                ply_axes(first.cell, x),
-                                                law_at(first.cell, first.unit));
+        const FromStrain to_frame =
+          from_strain(quantity,
+                      frame,
+                      placement,
+                      ply_axes(first.cell, x),
+                      law_at(first.cell, first.unit, x));
         std::vector<Row> rows(n);
         if (quantity != Quantity::displacement)
           for (unsigned int c = 0; c < n; ++c)

@@ -269,12 +269,11 @@ namespace lamella
 
 
 
-  EquilibriumStress::EquilibriumStress(const Body             &body,
-                                       const unsigned int      number,
-                                       const std::vector<Ply> &plies,
-                                       const Vector           &u,
-                                       const FaceTractions    &tractions,
-                                       const std::string      &path)
+  EquilibriumStress::EquilibriumStress(const Body          &body,
+                                       const unsigned int   number,
+                                       const Vector        &u,
+                                       const FaceTractions &tractions,
+                                       const std::string   &path)
     : body(body)
     , u(u)
     , box(laminate_box(body, path))
@@ -306,7 +305,7 @@ namespace lamella
             integrate(i, j) += nodes[i] * gauss.weight(q) *
                                lagrange(nodes, j, nodes[i] * gauss.point(q)[0]);
       }
-    for (const Ply &ply : plies)
+    for (const Ply &ply : body.plies())
       {
         const ElasticTensor C = ply.stiffness();
         Tensor<2, 2>        G, Q;

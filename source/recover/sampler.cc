@@ -25,16 +25,14 @@ namespace lamella
 
 
 
-  Sampler::Sampler(const Bodies                        &bodies,
-                   const std::vector<Probe>            &probes,
-                   const std::vector<Line>             &lines,
-                   const std::vector<Cut>              &cuts,
-                   const std::vector<std::vector<Ply>> &plies)
+  Sampler::Sampler(const Bodies             &bodies,
+                   const std::vector<Probe> &probes,
+                   const std::vector<Line>  &lines,
+                   const std::vector<Cut>   &cuts)
     : bodies(bodies)
     , probes(probes)
     , lines(lines)
     , cuts(cuts)
-    , plies(plies)
   {
     const auto check_stress = [&bodies](const char *kind, const auto &request) {
       if (request.stress == StressValues::equilibrium)
@@ -176,13 +174,8 @@ namespace lamella
     columns_of(const unsigned int body, const std::string &entry)
     {
       return columns
-        .try_emplace(body,
-                     *sampler.bodies[body],
-                     body,
-                     sampler.plies.at(body),
-                     u.block(body),
-                     tractions,
-                     entry)
+        .try_emplace(
+          body, *sampler.bodies[body], body, u.block(body), tractions, entry)
         .first->second;
     }
 
@@ -203,16 +196,7 @@ namespace lamella
                   const FaceTractions &tractions) const
   {
     Recoveries recoveries(*this, u, tractions);
-    results.probes.resize(probes.size());
-    for (unsigned int p = 0; p < probes.size(); ++p)
-      {
-        const auto &[body, stress] = std::tie(probes[p].body, probes[p].stress);
-        const Fields fields =
-          recoveries(body, stress, entry_of("Probe", probes[p]));
-        for (const BoxPoints &points : probe_points[p])
-          results.probes[p].push_back(mean_row(p, points, fields));
-        results.closures.probes.push_back(recoveries.closure(body, stress));
-      }
+    sample_probes(recoveries, results);
     for (unsigned int l = 0; l < lines.size(); ++l)
       {
         results.lines.push_back(line_rows(l, recoveries));
@@ -226,6 +210,35 @@ namespace lamella
         results.cuts.push_back(cut_rows(cut, u, recoveries));
         results.closures.cuts.push_back(
           recoveries.closure(cut.body, cut.stress));
+      }
+  }
+
+
+
+  std::vector<std::vector<FieldRow>>
+  Sampler::sample_probes(const BlockVector   &u,
+                         const FaceTractions &tractions) const
+  {
+    Recoveries  recoveries(*this, u, tractions);
+    StepResults results;
+    sample_probes(recoveries, results);
+    return std::move(results.probes);
+  }
+
+
+
+  void
+  Sampler::sample_probes(Recoveries &recoveries, StepResults &results) const
+  {
+    results.probes.resize(probes.size());
+    for (unsigned int p = 0; p < probes.size(); ++p)
+      {
+        const auto &[body, stress] = std::tie(probes[p].body, probes[p].stress);
+        const Fields fields =
+          recoveries(body, stress, entry_of("Probe", probes[p]));
+        for (const BoxPoints &points : probe_points[p])
+          results.probes[p].push_back(mean_row(p, points, fields));
+        results.closures.probes.push_back(recoveries.closure(body, stress));
       }
   }
 
@@ -356,5 +369,26 @@ namespace lamella
     jump.relative =
       largest > 1e-9 * largest_stress ? jump.relative / largest : 0.;
     return jump;
+  }
+
+
+
+  void
+  for_each_closure(const Results                           &results,
+                   const Closures                          &closures,
+                   const std::function<void(const std::string &kind,
+                                            const std::string &name,
+                                            double             share)> &use)
+  {
+    const auto of_kind = [&use](const char                     *kind,
+                                const std::vector<std::string> &names,
+                                const auto                     &shares) {
+      for (unsigned int k = 0; k < shares.size(); ++k)
+        if (shares[k])
+          use(kind, names[k], *shares[k]);
+    };
+    of_kind("probe", results.probes, closures.probes);
+    of_kind("line", results.lines, closures.lines);
+    of_kind("cut", results.cuts, closures.cuts);
   }
 } // namespace lamella

@@ -123,20 +123,18 @@ namespace lamella
 
 
 
-  StrengthSweep::StrengthSweep(const Bodies                        &bodies,
-                               const StrengthParameters            &parameters,
-                               const std::vector<std::vector<Ply>> &plies)
+  StrengthSweep::StrengthSweep(const Bodies             &bodies,
+                               const StrengthParameters &parameters)
     : bodies(bodies)
     , criteria(parameters.criteria)
     , leave_out(parameters.leave_out)
     , stress(parameters.stress)
-    , plies(plies)
   {
     for (const unsigned int b : parameters.bodies)
       {
         if (stress == StressValues::equilibrium)
           laminate_box(*bodies[b], "Strength/Stress");
-        Swept swept{b, tasks_of(*bodies[b], plies[b]), {}};
+        Swept swept{b, tasks_of(*bodies[b]), {}};
         if (std::count(criteria.begin(),
                        criteria.end(),
                        Criterion::interlaminar) > 0)
@@ -185,9 +183,10 @@ namespace lamella
 
 
   std::vector<StrengthSweep::Task>
-  StrengthSweep::tasks_of(const Body &body, const std::vector<Ply> &plies) const
+  StrengthSweep::tasks_of(const Body &body) const
   {
-    std::vector<Task> tasks;
+    const std::vector<Ply> &plies = body.plies();
+    std::vector<Task>       tasks;
     for (unsigned int k = 0; k < plies.size(); ++k)
       for (const Criterion criterion : criteria)
         {
@@ -534,12 +533,8 @@ namespace lamella
         const Body                      &body         = *bodies[swept.body];
         std::optional<EquilibriumStress> columns;
         if (stress == StressValues::equilibrium)
-          columns.emplace(body,
-                          swept.body,
-                          plies[swept.body],
-                          displacement,
-                          tractions,
-                          "Strength/Stress");
+          columns.emplace(
+            body, swept.body, displacement, tractions, "Strength/Stress");
         StressRecovery patches(body, displacement, StressValues::recovered);
         const auto     recovered = [&](const Location &location) {
           return columns ? columns->sample(location) : patches.sample(location);

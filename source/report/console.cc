@@ -2,6 +2,7 @@
 
 #include <lamella/base/text.h>
 #include <lamella/body/fields.h>
+#include <lamella/recover/sampler.h>
 #include <lamella/report/console.h>
 #include <lamella/report/goals_table.h>
 #include <lamella/report/plies_table.h>
@@ -180,20 +181,17 @@ namespace lamella
     void
     print_closures(std::ostream &out, const Results &results)
     {
-      const Closures &closures = results.last().closures;
-      const auto      add      = [&](const char                     *kind,
-                           const std::vector<std::string> &names,
-                           const auto                     &shares) {
-        for (unsigned int k = 0; k < shares.size(); ++k)
-          if (shares[k])
-            out << "  " << kind << " " << names[k]
-                << ": equilibrium misses the upper face's traction by "
-                << percent(100. * *shares[k])
-                << " of the largest, which is distributed\n";
-      };
-      add("probe", results.probes, closures.probes);
-      add("line", results.lines, closures.lines);
-      add("cut", results.cuts, closures.cuts);
+      for_each_closure(
+        results,
+        results.last().closures,
+        [&out](const std::string &kind,
+               const std::string &name,
+               const double       share) {
+          out << "  " << kind << " " << name
+              << ": equilibrium misses the upper face's traction by "
+              << percent(100. * share)
+              << " of the largest, which is distributed\n";
+        });
     }
   } // namespace
 

@@ -3,6 +3,7 @@
 #include <lamella/base/memory.h>
 #include <lamella/base/version.h>
 #include <lamella/recover/pressed_patch.h>
+#include <lamella/recover/sampler.h>
 #include <lamella/recover/strength_sweep.h>
 #include <lamella/report/summary.h>
 
@@ -176,16 +177,13 @@ namespace lamella
     void
     add_closures(const Results &results, const Closures &closures, Json &json)
     {
-      const auto add = [&](const char                               *kind,
-                           const std::vector<std::string>           &names,
-                           const std::vector<std::optional<double>> &shares) {
-        for (unsigned int k = 0; k < shares.size(); ++k)
-          if (shares[k])
-            json["equilibrium_closure"][kind][names[k]] = *shares[k];
-      };
-      add("probes", results.probes, closures.probes);
-      add("lines", results.lines, closures.lines);
-      add("cuts", results.cuts, closures.cuts);
+      for_each_closure(results,
+                       closures,
+                       [&json](const std::string &kind,
+                               const std::string &name,
+                               const double       share) {
+                         json["equilibrium_closure"][kind + "s"][name] = share;
+                       });
     }
 
 

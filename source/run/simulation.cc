@@ -71,22 +71,21 @@ namespace lamella
     {
       constexpr double         much = 0.05;
       std::vector<std::string> warnings;
-      const auto               add = [&](const std::string                        &kind,
-                           const std::vector<std::string>           &names,
-                           const std::vector<std::optional<double>> &shares) {
-        for (unsigned int k = 0; k < shares.size(); ++k)
-          if (shares[k] && *shares[k] > much)
+      for_each_closure(
+        found,
+        closures,
+        [&](const std::string &kind,
+            const std::string &name,
+            const double       share) {
+          if (share > much)
             warnings.push_back(
-              kind + " " + names[k] +
+              kind + " " + name +
               ": transverse stresses by equilibrium miss the traction on the "
-                            "upper face by " +
-              to_text(100. * *shares[k], 2) +
+              "upper face by " +
+              to_text(100. * share, 2) +
               " % of the largest; put more elements along the axis there, or "
-                            "look further away from supports, edges and concentrated loads");
-      };
-      add("probe", found.probes, closures.probes);
-      add("line", found.lines, closures.lines);
-      add("cut", found.cuts, closures.cuts);
+              "look further away from supports, edges and concentrated loads");
+        });
       return warnings;
     }
 
@@ -124,10 +123,10 @@ namespace lamella
       build_contacts();
     }
     TimerOutput::Scope scope(timer, name_of(Phase::setup));
-    for (const BodyDescription &body : scene.bodies)
-      plies.push_back(sections.at(body.section)->plies);
-    sampler = std::make_unique<Sampler>(
-      structure->bodies(), scene.probes, scene.lines, scene.cuts, plies);
+    sampler = std::make_unique<Sampler>(structure->bodies(),
+                                        scene.probes,
+                                        scene.lines,
+                                        scene.cuts);
     build_strength();
     describe();
   }
@@ -210,9 +209,8 @@ namespace lamella
   {
     if (scene.strength.criteria.empty())
       return;
-    strength = std::make_unique<StrengthSweep>(structure->bodies(),
-                                               scene.strength,
-                                               plies);
+    strength =
+      std::make_unique<StrengthSweep>(structure->bodies(), scene.strength);
   }
 
 
@@ -286,14 +284,6 @@ namespace lamella
       add(load.notes);
     for (const ContactInterface &contact : contacts)
       add(contact.notes);
-  }
-
-
-
-  const StrengthSweep *
-  Simulation::strength_of_pictures() const
-  {
-    return structure->is_heated() ? nullptr : strength.get();
   }
 
 
@@ -478,10 +468,8 @@ namespace lamella
     trial.load_factor             = factor;
     trial.checks                  = solve_state(factor);
     const FaceTractions tractions = tractions_at(factor);
-    StepResults         at_factor;
-    sampler->sample(state.u, at_factor, tractions);
-    trial.probes = at_factor.probes;
-    plies        = strength->sweep(state.u, tractions, cured_state()).plies;
+    trial.probes                  = sampler->sample_probes(state.u, tractions);
+    plies = strength->sweep(state.u, tractions, cured_state()).plies;
     if (const PlyReserve *worst = worst_of(plies))
       trial.reserve = worst->reserve;
     return trial;
@@ -640,18 +628,27 @@ namespace lamella
 
 
 
+  ResultsWriter::Scenery
+  Simulation::scenery() const
+  {
+    // Points of pictures do not know which of their stress stays when loads
+    // grow: no reserve factors there where bodies are heated.
+    return {*structure,
+            contacts,
+            sections,
+            scene.resolved,
+            scene.write_vtu,
+            structure->is_heated() ? nullptr : strength.get()};
+  }
+
+
+
   void
   Simulation::run(const std::string  &directory,
                   const bool          resume,
                   const Afterthought &afterwards)
   {
-    ResultsWriter writer(directory,
-                         {*structure,
-                          contacts,
-                          sections,
-                          scene.resolved,
-                          scene.write_vtu,
-                          strength_of_pictures()});
+    ResultsWriter writer(directory, scenery());
     // Steps of an earlier run, which are not looked at again.
     std::size_t earlier = 0;
     if (resume)
@@ -693,13 +690,7 @@ namespace lamella
   {
     found.goals = goals;
     count_costs();
-    ResultsWriter writer(directory,
-                         {*structure,
-                          contacts,
-                          sections,
-                          scene.resolved,
-                          scene.write_vtu,
-                          strength_of_pictures()});
+    ResultsWriter writer(directory, scenery());
     Results       so_far = found;
     so_far.steps.clear();
     for (const StepResults &step : found.steps)

@@ -120,6 +120,35 @@ BOOST_AUTO_TEST_CASE(axes_of_a_ply)
 
 
 
+BOOST_AUTO_TEST_CASE(expansion_turns_with_the_wall)
+{
+  // Fibres all round: alpha_1 along the wall, alpha_2 along the beam, alpha_3
+  // through the wall, wherever that is.
+  Ply ply;
+  ply.angle                           = 90.;
+  ply.properties.expansion            = Tensor<1, 3>({1e-6, 3e-5, 5e-5});
+  ply.plane.normal                    = Point<2>(1., 0.);
+  const Voigt                 upright = ply.expansion(Point<2>());
+  const std::array<double, 6> wanted{{5e-5, 3e-5, 1e-6, 0., 0., 0.}};
+  for (unsigned int c = 0; c < 6; ++c)
+    BOOST_TEST(std::abs(upright[c] - wanted[c]) < 1e-20);
+
+  ply.plane.normal_at = [](const Point<2> &x) { return x / x.norm(); };
+  for (const double phi : {0., 0.3, 2.1, -1.2})
+    {
+      const double c = std::cos(phi), s = std::sin(phi);
+      const Voigt  alpha = ply.expansion(Point<2>(2. * c, 2. * s));
+      // epsilon_nn = c^2 e_xx + s^2 e_zz + c s gamma_xz, and so on.
+      BOOST_TEST(std::abs(c * c * alpha[0] + s * s * alpha[2] +
+                          c * s * alpha[4] - 5e-5) < 1e-19);
+      BOOST_TEST(std::abs(s * s * alpha[0] + c * c * alpha[2] -
+                          c * s * alpha[4] - 1e-6) < 1e-19);
+      BOOST_TEST(std::abs(alpha[1] - 3e-5) < 1e-19);
+    }
+}
+
+
+
 BOOST_AUTO_TEST_CASE(feet_on_an_ellipse)
 {
   // A point at the depth d below E(phi) has its foot there.

@@ -198,11 +198,13 @@ namespace lamella
     StiffnessAt
     stiffness_of(const unsigned int cell) const;
 
-    /// The law of @p cell with the initial strain of heat at @p unit. Of
-    /// degree 1 the temperature is that of the middle of the cell: one that
-    /// varies in it would strain its incompatible modes, too.
+    /// law() with the initial strain of heat at @p unit, which is the point
+    /// @p x. Of degree 1 the temperature is that of the middle of the cell: one
+    /// that varies in it would strain its incompatible modes, too.
     ElasticLaw
-    law_at(const unsigned int cell, const dealii::Point<3> &unit) const;
+    law_at(const unsigned int      cell,
+           const dealii::Point<3> &unit,
+           const dealii::Point<3> &x) const;
 
     /// The displacements of @p cell less those of its first node, so that a
     /// rigid translation has no strain, to the last bit.

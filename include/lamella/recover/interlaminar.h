@@ -94,16 +94,15 @@ namespace lamella
   class EquilibriumStress
   {
   public:
-    /// @p body, number @p number of the scene, a laminate with the plies
-    /// @p plies, and its displacements @p u in a state in which @p tractions
-    /// act. Body, displacements and tractions are referred to. Throws as
-    /// laminate_box() does.
-    EquilibriumStress(const Body             &body,
-                      const unsigned int      number,
-                      const std::vector<Ply> &plies,
-                      const Vector           &u,
-                      const FaceTractions    &tractions,
-                      const std::string      &path);
+    /// @p body, number @p number of the scene, a laminate, and its
+    /// displacements @p u in a state in which @p tractions act. Body,
+    /// displacements and tractions are referred to. Throws as laminate_box()
+    /// does.
+    EquilibriumStress(const Body          &body,
+                      const unsigned int   number,
+                      const Vector        &u,
+                      const FaceTractions &tractions,
+                      const std::string   &path);
 
     /// All fields at @p location, in scene axes and in ply axes.
     FieldSample

@@ -28,17 +28,14 @@ namespace lamella
   class Sampler
   {
   public:
-    /// The first four are referred to and have to live longer; @p plies are
-    /// those of the bodies' sections, a list a body, needed where stresses of
-    /// `equilibrium` are asked for. Throws InputError for a probe, its box or a
-    /// line's end outside of its body, for a cut that its axis does not reach,
-    /// and for equilibrium of a body that is no laminate; the message names the
-    /// entry.
-    Sampler(const Bodies                        &bodies,
-            const std::vector<Probe>            &probes,
-            const std::vector<Line>             &lines,
-            const std::vector<Cut>              &cuts,
-            const std::vector<std::vector<Ply>> &plies = {});
+    /// All four are referred to and have to live longer. Throws InputError for
+    /// a probe, its box or a line's end outside of its body, for a cut that its
+    /// axis does not reach, and for equilibrium of a body that is no laminate;
+    /// the message names the entry.
+    Sampler(const Bodies             &bodies,
+            const std::vector<Probe> &probes,
+            const std::vector<Line>  &lines,
+            const std::vector<Cut>   &cuts);
 
     /**
      * Fills the probes, lines, cuts and jumps of @p results for the
@@ -54,6 +51,10 @@ namespace lamella
     sample(const BlockVector   &u,
            StepResults         &results,
            const FaceTractions &tractions = FaceTractions()) const;
+
+    /// The probes of the displacements @p u alone, as StepResults has them.
+    std::vector<std::vector<FieldRow>>
+    sample_probes(const BlockVector &u, const FaceTractions &tractions) const;
 
   private:
     /// A sample of a line and its arc length from the start [length].
@@ -74,6 +75,9 @@ namespace lamella
     /// The recoveries of one state, by body and kind.
     class Recoveries;
     using Fields = std::function<FieldSample(const Location &)>;
+    /// The probes and their closure errors, into @p results.
+    void
+    sample_probes(Recoveries &recoveries, StepResults &results) const;
     /// The mean of @p fields over @p points of the probe @p p.
     FieldRow
     mean_row(const unsigned int p,
@@ -97,8 +101,6 @@ namespace lamella
     const std::vector<Probe> &probes;
     const std::vector<Line>  &lines;
     const std::vector<Cut>   &cuts;
-    /// Of each body.
-    std::vector<std::vector<Ply>> plies;
 
     /// Of each probe the points of each of its rows; of each line its places,
     /// in order.
@@ -119,6 +121,16 @@ namespace lamella
   InterfaceJump
   interface_jump(const std::vector<LineRow> &rows,
                  const dealii::Tensor<1, 3> &d);
+
+  /// Calls @p use for what has stresses by equilibrium in @p closures, of a
+  /// load step of @p results: with `probe`, `line` or `cut`, its name and its
+  /// closure error.
+  void
+  for_each_closure(const Results                           &results,
+                   const Closures                          &closures,
+                   const std::function<void(const std::string &kind,
+                                            const std::string &name,
+                                            double             share)> &use);
 } // namespace lamella
 
 #endif

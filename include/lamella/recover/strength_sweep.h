@@ -74,13 +74,10 @@ namespace lamella
   class StrengthSweep
   {
   public:
-    /// @p bodies is referred to; @p plies are those of their sections, a list
-    /// a body. Throws InputError if a material lacks what a criterion needs,
-    /// with its entry, and for stresses by equilibrium of a body that is no
-    /// laminate. Collective.
-    StrengthSweep(const Bodies                        &bodies,
-                  const StrengthParameters            &parameters,
-                  const std::vector<std::vector<Ply>> &plies);
+    /// @p bodies is referred to. Throws InputError if a material lacks what a
+    /// criterion needs, with its entry, and for stresses by equilibrium of a
+    /// body that is no laminate. Collective.
+    StrengthSweep(const Bodies &bodies, const StrengthParameters &parameters);
 
     struct Found
     {
@@ -127,10 +124,9 @@ namespace lamella
       std::vector<std::array<bool, 4>> touched;
     };
 
-    /// The tasks of the plies @p plies of @p body, and whether one of them is
-    /// a core.
+    /// The tasks of the plies of @p body, and whether one of them is a core.
     std::vector<Task>
-    tasks_of(const Body &body, const std::vector<Ply> &plies) const;
+    tasks_of(const Body &body) const;
     /// Throws InputError unless @p ply of @p body has what @p criterion needs.
     void
     require(const Criterion criterion, const Ply &ply, const Body &body) const;
@@ -175,9 +171,7 @@ namespace lamella
     std::vector<Criterion>                       criteria;
     std::vector<std::array<dealii::Point<3>, 2>> leave_out;
     StressValues                                 stress;
-    /// Of each body.
-    std::vector<std::vector<Ply>> plies;
-    std::vector<Swept>            all;
+    std::vector<Swept>                           all;
   };
 
   /// Whether @p a is nearer to failure than @p b: by reserve factors, of none

@@ -16,6 +16,7 @@
 #include <lamella/contact/search_check.h>
 #include <lamella/recover/sampler.h>
 #include <lamella/recover/strength_sweep.h>
+#include <lamella/report/results_writer.h>
 #include <lamella/scene/scene.h>
 #include <lamella/solve/contact_solver.h>
 #include <lamella/solve/memory_budget.h>
@@ -176,11 +177,7 @@ namespace lamella
     /// stresses when loads grow.
     void
     find_cured_state();
-    /// What VTU files have reserve factors from: null where bodies are heated,
-    /// since points of pictures do not know which of their stress stays.
-    const StrengthSweep *
-    strength_of_pictures() const;
-    /// That of find_cured_state(), or null where nothing is heated.
+    /// That, or null where nothing is heated.
     const BlockVector *
     cured_state() const
     {
@@ -220,6 +217,9 @@ namespace lamella
     /// What acts on faces in the present state, that of load factor @p factor.
     FaceTractions
     tractions_at(const double factor) const;
+    /// What the files of a run are made of, beyond results.
+    ResultsWriter::Scenery
+    scenery() const;
     /// Reserve factors of plies of the present state, and warnings of places
     /// that tell nothing, into @p results.
     void
@@ -249,8 +249,6 @@ namespace lamella
     /// All sections of the scene, whether a body has them or not.
     SectionMeshes              sections;
     std::unique_ptr<Structure> structure;
-    /// Of each body those of its section.
-    std::vector<std::vector<Ply>> plies;
     /// Of each contact its rows with their geometry, and what tells whether
     /// its search distance was enough.
     std::vector<ContactInterface> contacts;
