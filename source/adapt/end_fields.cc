@@ -31,6 +31,20 @@ namespace lamella
 
 
 
+    /// The piece's element at its held end.
+    double
+    first_element(const Section       &section,
+                  const HeldSection   &held,
+                  const EndFieldRules &rules)
+    {
+      const double H = extents(section).first;
+      return std::clamp(held.element,
+                        rules.shortest_element * H,
+                        rules.longest_element * H);
+    }
+
+
+
     /// A beam of @p length with all fields, its axis graded to the held end.
     std::unique_ptr<Beam>
     make_piece(const std::shared_ptr<const Section> &section,
@@ -38,14 +52,11 @@ namespace lamella
                const double                          length,
                const EndFieldRules                  &rules)
     {
-      const double H = extents(*section).first;
-      AxisMesh     axis;
+      AxisMesh axis;
       axis.length = length;
       axis.breaks = graded_breaks(length,
                                   {{held.goes_forward ? 0. : length,
-                                    std::clamp(held.element,
-                                               rules.shortest_element * H,
-                                               rules.longest_element * H)}});
+                                    first_element(*section, held, rules)}});
       axis.elements.assign(axis.breaks.size() + 1, 1);
       return std::make_unique<Beam>("end",
                                     section,
@@ -132,14 +143,16 @@ namespace lamella
     std::vector<Vector>
     free_motions(const Beam &piece, const std::vector<PrescribedRow> &rows)
     {
-      constexpr double          nothing = 1e-12;
-      const std::vector<Vector> rigid   = piece.rigid_motions();
-      LAPACKFullMatrix<double>  gram(n_rigid, n_rigid);
+      constexpr double    nothing = 1e-12;
+      std::vector<Vector> rigid   = piece.rigid_motions();
+      for (Vector &motion : rigid)
+        motion /= motion.linfty_norm();
+      LAPACKFullMatrix<double> gram(n_rigid, n_rigid);
       for (const PrescribedRow &row : rows)
         {
           std::array<double, n_rigid> value;
           for (unsigned int j = 0; j < n_rigid; ++j)
-            value[j] = row.row.row(rigid[j]) / rigid[j].linfty_norm();
+            value[j] = row.row.row(rigid[j]);
           for (unsigned int i = 0; i < n_rigid; ++i)
             for (unsigned int j = 0; j < n_rigid; ++j)
               gram(i, j) += value[i] * value[j];
@@ -151,7 +164,7 @@ namespace lamella
           {
             Vector motion(piece.n_dofs());
             for (unsigned int j = 0; j < n_rigid; ++j)
-              motion.add(vectors(j, k) / rigid[j].linfty_norm(), rigid[j]);
+              motion.add(vectors(j, k), rigid[j]);
             result.push_back(motion);
           }
       return result;
@@ -434,6 +447,73 @@ namespace lamella
       return {};
     return zones_of(
       snapshots_of(*piece, u, held), warping, warpings, larger, rules);
+  }
+
+
+
+  namespace
+  {
+    /// Whether both have the same matrices, so that nothing tells them apart.
+    bool
+    are_equal(const Section &a, const Section &b)
+    {
+      if (&a == &b)
+        return true;
+      for (const auto &[p, q] :
+           {std::array<int, 2>{{0, 0}}, {{0, 1}}, {{1, 1}}})
+        {
+          const Matrix &A = a.S(p, q), &B = b.S(p, q);
+          if (A.m() != B.m() ||
+              A.n_nonzero_elements() != B.n_nonzero_elements() ||
+              !std::equal(A.begin(),
+                          A.end(),
+                          B.begin(),
+                          [](const auto &one, const auto &other) {
+                            return one.column() == other.column() &&
+                                   one.value() == other.value();
+                          }))
+            return false;
+        }
+      return true;
+    }
+
+
+
+    bool
+    are_equal(const FieldColumns &a, const FieldColumns &b)
+    {
+      return a.m() == b.m() && a.n() == b.n() &&
+             std::equal(&a(0, 0), &a(0, 0) + a.m() * a.n(), &b(0, 0));
+    }
+  } // namespace
+
+
+
+  EndFields::EndFields(const EndFieldRules &rules)
+    : rules(rules)
+  {}
+
+
+
+  std::vector<EndZone>
+  EndFields::zones(const std::shared_ptr<const Section> &section,
+                   const SaintVenant                    &states,
+                   const Warping                        &warping,
+                   const FieldColumns                   &warpings,
+                   const HeldSection                    &held)
+  {
+    HeldSection of_piece = held;
+    of_piece.element     = first_element(*section, held, rules);
+    for (const Known &one : known)
+      if (alike(one.held, of_piece) && are_equal(*one.section, *section) &&
+          are_equal(one.warpings, warpings))
+        return one.zones;
+    known.push_back(
+      {section,
+       warpings,
+       of_piece,
+       end_fields(section, states, warping, warpings, held, rules)});
+    return known.back().zones;
   }
 
 

@@ -119,8 +119,7 @@ namespace lamella
           end.zones = mirrored(known.zones, *section, held);
       }
     if (end.zones.empty())
-      end.zones =
-        end_fields(section, states, warping, warpings, held, rules.end_fields);
+      end.zones = rules.ends->zones(section, states, warping, warpings, held);
     for (const EndZone &zone : end.zones)
       {
         Group group;

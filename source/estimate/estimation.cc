@@ -137,7 +137,7 @@ namespace lamella
       return *known;
     std::ostream nowhere(nullptr);
     out << "  " << what << ": " << std::flush;
-    Simulation     simulation(scene, nowhere);
+    Simulation     simulation(scene, nowhere, run.rules());
     const Results &results = simulation.solve();
     const Model    model{simulation.solved_scene(),
                       ResultNumbers(results),

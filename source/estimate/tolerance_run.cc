@@ -61,9 +61,12 @@ namespace lamella
   ToleranceRun::make_pass()
   {
     std::ostream nowhere(nullptr);
-    auto         next = std::make_unique<Simulation>(scene, nowhere);
+    const auto   built = [&]() {
+      return std::make_unique<Simulation>(scene, nowhere, rules);
+    };
+    auto next = built();
     if (passes.empty() && begin_lower(scene, *next))
-      next = std::make_unique<Simulation>(scene, nowhere);
+      next = built();
     const double most = scene.goals.budget_dofs;
     if (most > 0 && next->results().n_dofs() > most)
       throw NumericsError("the next model has " +

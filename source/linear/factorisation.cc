@@ -80,8 +80,10 @@ namespace lamella
     {
       const std::size_t n     = matrix.m();
       std::size_t       count = 0;
-      for (const auto &entry : matrix)
-        count += entry.column() >= entry.row() && entry.value() != 0.;
+      // An entry of a whole matrix looks for its row, one of a row knows it.
+      for (std::size_t row = 0; row < n; ++row)
+        for (auto entry = matrix.begin(row); entry != matrix.end(row); ++entry)
+          count += entry->column() >= row && entry->value() != 0.;
 
       cholmod_sparse *A = cholmod_l_allocate_sparse(
         n, n, count, true, true, -1, CHOLMOD_REAL, &common);

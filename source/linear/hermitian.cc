@@ -53,17 +53,17 @@ namespace lamella
                    const Matrix   &imaginary,
                    cholmod_common &common)
     {
-      const std::size_t n       = real.m();
-      const auto        is_kept = [](const auto &p, const auto &q) {
-        return p->column() >= p->row() &&
-               (p->value() != 0. || q->value() != 0.);
-      };
+      const std::size_t n = real.m();
+      const auto        is_kept =
+        [](const auto &p, const auto &q, const std::size_t row) {
+          return p->column() >= row && (p->value() != 0. || q->value() != 0.);
+        };
       std::size_t count = 0;
       for (std::size_t row = 0; row < n; ++row)
         {
           auto q = imaginary.begin(row);
           for (auto p = real.begin(row); p != real.end(row); ++p, ++q)
-            count += is_kept(p, q);
+            count += is_kept(p, q, row);
         }
       cholmod_sparse *A = cholmod_l_allocate_sparse(
         n, n, count, true, true, -1, CHOLMOD_COMPLEX, &common);
@@ -78,7 +78,7 @@ namespace lamella
           start[row] = next;
           auto q     = imaginary.begin(row);
           for (auto p = real.begin(row); p != real.end(row); ++p, ++q)
-            if (is_kept(p, q))
+            if (is_kept(p, q, row))
               {
                 rows[next] = p->column();
                 x[next++]  = {p->value(), -q->value()};

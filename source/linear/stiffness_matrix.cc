@@ -45,8 +45,10 @@ namespace lamella
       for_each_entry(const std::function<void(DofIndex, DofIndex, double)> &use)
         const override
       {
-        for (const auto &entry : matrix)
-          use(entry.row(), entry.column(), entry.value());
+        for (DofIndex row = 0; row < matrix.m(); ++row)
+          for (auto entry = matrix.begin(row); entry != matrix.end(row);
+               ++entry)
+            use(row, entry->column(), entry->value());
       }
 
       Vector

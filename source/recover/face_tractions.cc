@@ -10,10 +10,13 @@ namespace lamella
 {
   using namespace dealii;
 
-  FaceTractions::FaceTractions(const std::vector<Load> &given,
-                               const double             factor)
+  FaceTractions::FaceTractions(const std::vector<Load>    &given,
+                               const double                factor,
+                               const std::vector<Support> &supports)
     : factor(factor)
   {
+    for (const Support &support : supports)
+      held.insert(held.end(), support.on.begin(), support.on.end());
     // Couples act on ends, temperatures on no face.
     for (const Load &load : given)
       if (!load.couple && load.temperature.empty())
@@ -44,6 +47,35 @@ namespace lamella
             {*second, point.second, -n, pressure, point.spacing});
       }
     contacts.push_back(std::move(pressed));
+  }
+
+
+
+  bool
+  FaceTractions::is_free(const Body &body, const Face &face) const
+  {
+    constexpr double same_way = 0.9;
+    const auto       is_on    = [&](const Region &region) {
+      if (region.body != face.body)
+        return false;
+      if (region.kind != Region::Kind::surface)
+        return region.kind == Region::Kind::body;
+      const auto facets = body.surface_facets(region.surface);
+      return std::any_of(
+        facets.begin(), facets.end(), [&](const SurfaceFacet &facet) {
+          const auto middle = body.surface_point(facet, Point<2>(0.5, 0.5));
+          return middle.normal * face.normal > same_way &&
+                 std::abs((middle.position - face.origin) * face.normal) <
+                   face.tolerance;
+        });
+    };
+    return std::none_of(held.begin(), held.end(), is_on) &&
+           std::none_of(loads.begin(),
+                        loads.end(),
+                        [&](const SurfaceLoad &load) {
+                          return is_on(load.region);
+                        }) &&
+           !OnFace(*this, face).has_contacts();
   }
 
 

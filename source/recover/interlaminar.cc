@@ -177,6 +177,25 @@ namespace lamella
 
 
 
+    /// That of the side x = 0 or x = W.
+    FaceTractions::Face
+    side_of(const unsigned int number,
+            const LaminateBox &box,
+            const unsigned int side)
+    {
+      const Triad        &axes = box.frame.axes;
+      FaceTractions::Face face;
+      face.body      = number;
+      face.origin    = box.frame.to_scene({side * box.size[0], 0., 0.});
+      face.normal    = side == 1 ? axes[0] : -axes[0];
+      face.along_s   = axes[1];
+      face.along_t   = axes[2];
+      face.tolerance = 1e-6 * box.size[2];
+      return face;
+    }
+
+
+
     std::vector<double>
     coordinates(const Quadrature<1> &rule)
     {
@@ -321,6 +340,16 @@ namespace lamella
         plane_stiffness.push_back(Q);
         ply_frames.push_back(ply.axes(Point<2>()));
       }
+    for (const unsigned int side : {0, 1})
+      is_free[side] = tractions.is_free(body, side_of(number, box, side));
+    double in_plane = 0., out_of_plane = 0.;
+    for (const Layer &layer : layers_at(0.5 * box.size[0], 0.))
+      {
+        const double share = (layer.top - layer.bottom) / box.size[2];
+        in_plane += share * plane_stiffness[layer.ply][0][0];
+        out_of_plane += share * shear_compliance[layer.ply][1][1];
+      }
+    decay = box.size[2] / numbers::PI * std::sqrt(in_plane * out_of_plane);
   }
 
 
@@ -457,6 +486,7 @@ namespace lamella
       }
     const QGauss<1> gauss(is_smooth ? degree + 1 : p);
     Stencil         result;
+    result.at = through[d];
     for (unsigned int k = first; k <= last; ++k)
       for (const double t : coordinates(gauss))
         result.points.push_back(box.size[d] *
@@ -484,7 +514,8 @@ namespace lamella
     for (unsigned int k = 0; k < layers.size(); ++k)
       {
         const Point<3> middle(x, y, 0.5 * (layers[k].bottom + layers[k].top));
-        add_sources(k, layers[k], stencil(0, middle), stencil(1, middle), all);
+        add_sources(
+          k, layers[k], x, stencil(0, middle), stencil(1, middle), all);
       }
     return all;
   }
@@ -518,9 +549,58 @@ namespace lamella
 
 
 
+  EquilibriumStress::EdgeShape
+  EquilibriumStress::edge_shape(const unsigned int side, const double x) const
+  {
+    // sinh((W - d) / l) / sinh(W / l), d from the side, without overflow.
+    const double W    = box.size[0] / decay,
+                 d    = (side == 0 ? x : box.size[0] - x) / decay,
+                 size = std::exp(-d) / -std::expm1(-2. * W),
+                 back = std::exp(-2. * (W - d));
+    return {size * (1. - back),
+            (side == 0 ? -1. : 1.) * size * (1. + back) / decay};
+  }
+
+
+
+  EquilibriumStress::EdgeShare
+  EquilibriumStress::edge_share(const Point<3>    &at,
+                                const unsigned int ply,
+                                const Stencil     &along_y)
+  {
+    constexpr double nothing = 1e-12;
+    EdgeShare        share;
+    for (const unsigned int side : {0, 1})
+      {
+        const EdgeShape shape = edge_shape(side, at[0]);
+        if (!is_free[side] || std::abs(shape.slope) * decay < nothing)
+          continue;
+        Point<3> edge         = at;
+        edge[0]               = side * box.size[0];
+        const Stencil along_x = stencil(0, edge);
+        Tensor<1, 5>  stress;
+        for (unsigned int i = 0; i < along_x.points.size(); ++i)
+          for (unsigned int j = 0; j < along_y.points.size(); ++j)
+            {
+              const double value =
+                sampled_at({along_x.points[i], along_y.points[j], at[2]},
+                           ply)[2];
+              for (unsigned int b = 0; b < 5; ++b)
+                stress[b] +=
+                  along_x.weights[0][i] * along_y.weights[b][j] * value;
+            }
+        share.of_value += shape.value * stress;
+        share.of_slope += shape.slope * stress;
+      }
+    return share;
+  }
+
+
+
   void
   EquilibriumStress::add_sources(const unsigned int k,
                                  const Layer       &layer,
+                                 const double       x,
                                  const Stencil     &along_x,
                                  const Stencil     &along_y,
                                  Sources           &all)
@@ -547,6 +627,13 @@ namespace lamella
                     d[a][b][c] +=
                       along_x.weights[a][i] * along_y.weights[b][j] * values[c];
             }
+        const EdgeShare edge =
+          edge_share({x, along_y.at, z}, layer.ply, along_y);
+        for (unsigned int b = 0; b < 5; ++b)
+          {
+            d[0][b][s_xy] -= edge.of_value[b];
+            d[1][b][s_xy] -= edge.of_slope[b];
+          }
         for (unsigned int i = 0; i < n; ++i)
           {
             const double       w  = to_nodes(i, q);

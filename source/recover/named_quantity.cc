@@ -382,6 +382,37 @@ namespace lamella
 
 
 
+  void
+  require_ply(const NamedQuantity            &quantity,
+              const std::vector<std::string> &plies)
+  {
+    if (quantity.ply == 0 ||
+        std::find(plies.begin(), plies.end(), std::to_string(quantity.ply)) !=
+          plies.end())
+      return;
+    const Entry entry(quantity.path, quantity.label());
+    if (plies == std::vector<std::string>{"0"})
+      entry.refuse("the probe is a box that reaches into several plies, and "
+                   "its mean is one of all of them",
+                   "Leave out the ply, or make the box smaller.");
+    entry.refuse("the probe does not lie in this ply but in " + joined(plies));
+  }
+
+
+
+  void
+  refuse_interface(const NamedQuantity            &quantity,
+                   const std::vector<std::string> &plies)
+  {
+    Entry(quantity.path, quantity.label())
+      .refuse("the probe lies between the plies " + joined(plies) +
+                ", and the values there differ",
+              "Name one: " + quantity.name + "/" + plies.front() + ": " +
+                quantity.column + ".");
+  }
+
+
+
   ResultNumbers::ResultNumbers(const nlohmann::json &json)
   {
     for (const auto &[name, list] : json.at("points").items())
@@ -462,7 +493,6 @@ namespace lamella
              quantity.over;
     if (quantity.of != NamedQuantity::Of::probe)
       return value_of_resultant(quantity);
-    const Entry              entry(quantity.path, quantity.label());
     std::vector<std::string> plies;
     std::vector<double>      values;
     for (const ProbeRow *row : rows_of(quantity.name))
@@ -471,22 +501,12 @@ namespace lamella
         if (quantity.ply == 0 || quantity.ply == row->ply)
           values.push_back(row->columns.at(quantity.column));
       }
-    if (values.empty() && plies == std::vector<std::string>{"0"})
-      entry.refuse(
-        "the probe is a box that reaches into several plies, and its "
-        "mean is one of all of them",
-        "Leave out the ply, or make the box smaller.");
-    if (values.empty())
-      entry.refuse("the probe does not lie in this ply but in " +
-                   joined(plies));
+    require_ply(quantity, plies);
     const auto [least, greatest] =
       std::minmax_element(values.begin(), values.end());
     if (*greatest - *least >
         1e-9 * std::max(std::abs(*least), std::abs(*greatest)))
-      entry.refuse("the probe lies between the plies " + joined(plies) +
-                     " and the values there differ",
-                   "Name one: " + quantity.name + "/" + plies.front() + ": " +
-                     quantity.column + ".");
+      refuse_interface(quantity, plies);
     return values.front();
   }
 

@@ -61,6 +61,41 @@ namespace lamella
 
 
   void
+  Sampler::check(const NamedQuantity &quantity) const
+  {
+    for (const NamedQuantity &term : quantity.terms)
+      check(term);
+    if (quantity.of != NamedQuantity::Of::probe)
+      return;
+    const auto probe =
+      std::find_if(probes.begin(), probes.end(), [&](const Probe &one) {
+        return one.name == quantity.name;
+      });
+    AssertThrow(probe != probes.end(), ExcInternalError());
+    std::vector<std::string> plies;
+    for (const BoxPoints &points : probe_points[probe - probes.begin()])
+      {
+        const unsigned int ply = 1 + points[0].second.ply;
+        const bool         is_one =
+          std::all_of(points.begin(), points.end(), [ply](const auto &point) {
+            return 1 + point.second.ply == ply;
+          });
+        plies.push_back(is_one ? std::to_string(ply) : "0");
+      }
+    require_ply(quantity, plies);
+    // Tractions on the interface are one where they come from equilibrium.
+    const std::string &column = quantity.column;
+    const bool         is_one =
+      column[0] != 's' ||
+      (probe->stress == StressValues::equilibrium &&
+       (column == "szz" || column == "sxz" || column == "syz"));
+    if (quantity.ply == 0 && plies.size() > 1 && !is_one)
+      refuse_interface(quantity, plies);
+  }
+
+
+
+  void
   Sampler::check_cut(const Cut &cut) const
   {
     const Body &body = *bodies[cut.body];

@@ -109,9 +109,12 @@ namespace lamella
 
 
 
-  Simulation::Simulation(const Scene &given, std::ostream &out)
+  Simulation::Simulation(const Scene      &given,
+                         std::ostream     &out,
+                         const FieldRules &rules)
     : scene(given)
     , out(out)
+    , field_rules(rules)
     , timer(out, TimerOutput::never, TimerOutput::wall_times)
   {
     {
@@ -127,6 +130,13 @@ namespace lamella
                                         scene.probes,
                                         scene.lines,
                                         scene.cuts);
+    for (const Measure &measure : scene.measures)
+      sampler->check(measure.quantity);
+    // What stands in for goals (a trade's quantities) is looked at by who asks
+    // for it.
+    for (const NamedQuantity &quantity : scene.goals.quantities)
+      if (quantity.path.rfind("Goals/", 0) == 0)
+        sampler->check(quantity);
     build_strength();
     describe();
   }
@@ -176,7 +186,7 @@ namespace lamella
           scene.loads,
           touching,
           stress_places(bodies, scene.probes, scene.lines, scene.cuts),
-          FieldRules(),
+          field_rules,
           scene.gravity);
       }
     return bodies;
@@ -218,7 +228,7 @@ namespace lamella
   FaceTractions
   Simulation::tractions_at(const double factor) const
   {
-    FaceTractions tractions(scene.loads, factor);
+    FaceTractions tractions(scene.loads, factor, scene.supports);
     for (unsigned int c = 0; c < contacts.size(); ++c)
       tractions.add_contact(contacts[c].first_body,
                             contacts[c].second_body,

@@ -30,7 +30,8 @@ import sys
 from pathlib import Path
 
 KINDS = {"displacement": r"(u[xyz]|gap)$", "stress": r"(s[xyz123]{2}|.*pressure)$",
-         "force": r".*force.*|.*f[xyz]$", "reserve": r"reserve_factor$"}
+         "force": r".*force.*|.*f[xyz]$", "reserve": r".*reserve_factor$",
+         "goal": r"(value|corrected|bar)$"}
 
 
 def read_case(path):
@@ -75,6 +76,8 @@ def differences(one, many):
     """Of each kind of columns, the largest difference over the largest value."""
     if len(one) != len(many):
         raise SystemExit(f"FAIL: {len(many)} rows, not {len(one)}")
+    if not any(re.match(pattern, c) for pattern in KINDS.values() for c in one[0]):
+        raise SystemExit(f"FAIL: nothing to compare among {', '.join(one[0])}")
     for kind, pattern in KINDS.items():
         columns = [c for c in one[0] if re.match(pattern, c)]
         pairs = [(float(a[c]), float(b[c])) for a, b in zip(one, many)
@@ -105,7 +108,7 @@ def check_results(done, case, workdir, processes):
     if done.returncode != 0:
         yield f"exit status {done.returncode}\n{done.stderr}"
         return
-    if done.stdout.count("DoFs in all") != 1:
+    if done.stdout.count("Results are in") != 1:
         yield "the report is printed more than once"
     for name in case["compare"] or ["probes.csv"]:
         one, many = (table(workdir / folder / name)

@@ -378,6 +378,39 @@ BOOST_AUTO_TEST_CASE(end_fields_are_new_and_nested)
 
 
 
+BOOST_AUTO_TEST_CASE(end_fields_are_made_once)
+{
+  // For sections with the same matrices, held alike; and a halved axis finds
+  // those of the axis that `auto` makes.
+  const End  end("strip"), again("strip"), other("coupled");
+  EndFields  ends;
+  const auto zones = [&ends](const End &of, const HeldSection &held) {
+    return ends.zones(of.section, of.states, of.warping, of.warpings, held);
+  };
+  HeldSection  held   = end.held({clamp()})[0];
+  const auto   box    = end.section->element().bounding_box();
+  const double height = std::min(box.side_length(0), box.side_length(1));
+  held.element        = 0.15 * height;
+  const auto first    = zones(end, held);
+  BOOST_TEST(ends.n_made() == 1);
+  held.element /= 2.;
+  const auto second = zones(again, held);
+  BOOST_TEST(ends.n_made() == 1);
+  BOOST_REQUIRE(first.size() == second.size());
+  for (unsigned int z = 0; z < first.size(); ++z)
+    BOOST_TEST(first[z].fields.n() == second[z].fields.n());
+
+  held.element = height;
+  zones(end, held);
+  BOOST_TEST(ends.n_made() == 2);
+  zones(other, other.held({clamp()})[0]);
+  BOOST_TEST(ends.n_made() == 3);
+  zones(end, end.held({clamp()})[1]);
+  BOOST_TEST(ends.n_made() == 4);
+}
+
+
+
 BOOST_AUTO_TEST_CASE(nothing_to_hold_has_no_end_fields)
 {
   // What is held the way it deforms on its own is not disturbed: supports that

@@ -20,8 +20,11 @@ namespace lamella
     /// Of the piece, over B.
     double length = 8.;
     /// The piece's element at its held end is as long as the scene's, but no
-    /// less and no more than these times H.
-    double shortest_element = 0.05, longest_element = 0.5;
+    /// less and no more than these times H. The least is what `auto` puts
+    /// there: on an axis that is halved the fields are the same, so estimates
+    /// compare nested models; and finer pieces are worse, since the strongest
+    /// disturbance, which reaches are told by, grows without limit at corners.
+    double shortest_element = 0.15, longest_element = 0.5;
     /// Where zones begin, over B, ascending.
     std::vector<double> zones{0., 1., 3.};
     /// Combinations are cut below this amplitude; that of a Saint-Venant state
@@ -101,6 +104,45 @@ namespace lamella
              const FieldColumns                   &warpings,
              const HeldSection                    &held,
              const EndFieldRules                  &rules = {});
+
+  /**
+   * End fields that are made once and asked for by many: those of models of one
+   * scene differ in their axes and loads, and have the same ends.
+   */
+  class EndFields
+  {
+  public:
+    explicit EndFields(const EndFieldRules &rules = {});
+
+    /// end_fields(), or what it said of a section with the same matrices and
+    /// fields, held alike. Collective.
+    std::vector<EndZone>
+    zones(const std::shared_ptr<const Section> &section,
+          const SaintVenant                    &states,
+          const Warping                        &warping,
+          const FieldColumns                   &warpings,
+          const HeldSection                    &held);
+
+    /// How many different ones were asked for.
+    std::size_t
+    n_made() const
+    {
+      return known.size();
+    }
+
+  private:
+    struct Known
+    {
+      std::shared_ptr<const Section> section;
+      FieldColumns                   warpings;
+      /// Its element is that of the piece.
+      HeldSection          held;
+      std::vector<EndZone> zones;
+    };
+
+    EndFieldRules      rules;
+    std::vector<Known> known;
+  };
 
   /**
    * The zones of the same support at the other end of a body, @p zones seen in

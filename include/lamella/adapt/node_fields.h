@@ -12,6 +12,7 @@
 #include <lamella/body/parameters.h>
 #include <lamella/recover/requests.h>
 
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -48,8 +49,9 @@ namespace lamella
       tractions,
       both
     };
-    Clamps        clamps = Clamps::end_fields;
-    EndFieldRules end_fields;
+    Clamps clamps = Clamps::end_fields;
+    /// Who makes these: models of one scene that share it have them made once.
+    std::shared_ptr<EndFields> ends = std::make_shared<EndFields>();
     /// A body keeps all fields of its section where its nodes would carry more
     /// than this share of them on average, or where its axis has no more nodes
     /// than that: nothing would be won.

@@ -95,8 +95,10 @@ namespace lamella
     std::ostream               &out;
     std::unique_ptr<Simulation> simulation;
     ModelCache                  cache;
-    std::vector<Pass>           passes;
-    dealii::Timer               wall;
+    /// Of all models, so that they share end fields.
+    FieldRules        rules;
+    std::vector<Pass> passes;
+    dealii::Timer     wall;
   };
 
   /// Whether all of @p goals have bars within their tolerances.

@@ -3,6 +3,8 @@
 #ifndef lamella_recover_face_tractions_h
 #define lamella_recover_face_tractions_h
 
+#include <lamella/body/body.h>
+#include <lamella/conditions/support.h>
 #include <lamella/conditions/traction.h>
 #include <lamella/solve/results.h>
 
@@ -32,9 +34,12 @@ namespace lamella
     /// Nothing acts anywhere.
     FaceTractions() = default;
 
-    /// @p loads at load factor @p factor. Throws InputError for expressions
-    /// that do not parse.
-    FaceTractions(const std::vector<Load> &loads, const double factor);
+    /// @p loads at load factor @p factor, and what @p supports hold, with
+    /// forces that are not known. Throws InputError for expressions that do not
+    /// parse.
+    FaceTractions(const std::vector<Load>    &loads,
+                  const double                factor,
+                  const std::vector<Support> &supports = {});
 
     /// The pressure of a contact with the @p forces at its @p points;
     /// @p second is the body on its second side, none for an obstacle.
@@ -56,6 +61,11 @@ namespace lamella
       double tolerance = 0.;
     };
 
+    /// Whether nothing is on any part of @p face of @p body: no load on a
+    /// surface, support of a surface or of all the body, nor contact.
+    bool
+    is_free(const Body &body, const Face &face) const;
+
     /// The traction at points of one face. Refers to the tractions it is of.
     class OnFace
     {
@@ -66,6 +76,13 @@ namespace lamella
       /// Scene components [force/length^2]. @p x a point of the face.
       dealii::Tensor<1, 3>
       operator()(const dealii::Point<3> &x) const;
+
+      /// Whether a contact has points on the face.
+      bool
+      has_contacts() const
+      {
+        return !contacts.empty();
+      }
 
     private:
       /// Of one contact: the places on the face, by their coordinates along it
@@ -107,6 +124,7 @@ namespace lamella
 
     double                            factor = 0.;
     std::vector<SurfaceLoad>          loads;
+    std::vector<Region>               held;
     std::vector<std::vector<Pressed>> contacts;
   };
 } // namespace lamella

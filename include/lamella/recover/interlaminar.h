@@ -83,6 +83,17 @@ namespace lamella
    * tau_0 is at most linear. It is left out where it is no correction any more:
    * above half of tau_0.
    *
+   * *Free edges.* What twists has sigma_xy up to its free sides in elements
+   * that are wider than thick; it falls to zero there within about one height.
+   * At a side that nothing is on, e the sigma_xy of the fit there, sigma_xy is
+   * taken as
+   *   sigma_xy - e phi(x),   phi = 1 at the side and 0 at the other,
+   *   phi'' = (pi / H)^2 (G_yz / G_xy) phi,
+   * the slowest decay of the warping by torsion (Timoshenko and Goodier, Theory
+   * of Elasticity, Art. 109, for one material), G_xy the mean of the plies' Q
+   * and 1 / G_yz that of their compliances. Whatever phi, the resultant of what
+   * is added is exact. Where elements resolve the layer e is nothing.
+   *
    * *Closure.* What is found on the upper face differs from the traction there
    * by what the mesh leaves open. This closure error is kept, and then
    * distributed: subtracted in proportion to the height above the lower face.
@@ -135,9 +146,10 @@ namespace lamella
     };
 
     /// How derivatives at a place of a line are made of the values at points
-    /// of it: the m-th one is sum_i weights[m][i] f(points[i]).
+    /// of it: the m-th one at `at` is sum_i weights[m][i] f(points[i]).
     struct Stencil
     {
+      double                           at;
       std::vector<double>              points;
       std::vector<std::vector<double>> weights;
     };
@@ -167,13 +179,31 @@ namespace lamella
     stencil(const unsigned int d, const dealii::Point<3> &through) const;
     Sources
     sources(const std::vector<Layer> &layers, const double x, const double y);
-    /// Those of layer number @p k into @p all.
+    /// Those of layer number @p k at @p x into @p all.
     void
     add_sources(const unsigned int k,
                 const Layer       &layer,
+                const double       x,
                 const Stencil     &along_x,
                 const Stencil     &along_y,
                 Sources           &all);
+    /// phi of a side and its derivative along x.
+    struct EdgeShape
+    {
+      double value, slope;
+    };
+    EdgeShape
+    edge_shape(const unsigned int side, const double x) const;
+    /// By places through a layer of cells, what free sides take off sigma_xy,
+    /// and off its derivative along x, each with derivatives along y.
+    struct EdgeShare
+    {
+      dealii::Tensor<1, 5> of_value, of_slope;
+    };
+    EdgeShare
+    edge_share(const dealii::Point<3> &at,
+               const unsigned int      ply,
+               const Stencil          &along_y);
     /// sigma_xx, yy, xy and gamma_xz, yz of the element.
     using Sampled = std::array<double, 5>;
     /// At @p x of the body, inside of an element of @p ply; each point is
@@ -221,6 +251,9 @@ namespace lamella
     StressRecovery    recovery;
     /// Of the lower and the upper face.
     std::vector<FaceTractions::OnFace> faces;
+    /// The sides x = 0 and x = W; the length on which torsion decays from them.
+    std::array<bool, 2> is_free{};
+    double              decay = 0.;
     /// Strains, and so stresses, from the scene's axes to the body's and back.
     ElasticTensor to_body, to_scene;
 

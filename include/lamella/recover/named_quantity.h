@@ -70,6 +70,17 @@ namespace lamella
     std::vector<Reference> references;
   };
 
+  /// Throws InputError with the entry of @p quantity, of a probe in @p plies
+  /// (counted from 1; "0" for a mean over several), if it names another one.
+  void
+  require_ply(const NamedQuantity            &quantity,
+              const std::vector<std::string> &plies);
+
+  /// Throws that the probe of @p quantity has different values in @p plies.
+  [[noreturn]] void
+  refuse_interface(const NamedQuantity            &quantity,
+                   const std::vector<std::string> &plies);
+
   /// What the names in a quantity can mean: the names of a scene, with the
   /// References that it gives for each.
   struct QuantityNames

@@ -5,6 +5,7 @@
 
 #include <lamella/recover/box_points.h>
 #include <lamella/recover/face_tractions.h>
+#include <lamella/recover/named_quantity.h>
 #include <lamella/recover/requests.h>
 #include <lamella/shape/section_mesh.h>
 #include <lamella/solve/results.h>
@@ -51,6 +52,12 @@ namespace lamella
     sample(const BlockVector   &u,
            StepResults         &results,
            const FaceTractions &tractions = FaceTractions()) const;
+
+    /// Throws InputError with the entry of @p quantity if its probe does not
+    /// lie in the ply that it names, or between two in which this stress
+    /// differs while it names none. Looks at the terms of measures, too.
+    void
+    check(const NamedQuantity &quantity) const;
 
     /// The probes of the displacements @p u alone, as StepResults has them.
     std::vector<std::vector<FieldRow>>

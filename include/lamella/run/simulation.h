@@ -13,6 +13,7 @@
 #ifndef lamella_run_simulation_h
 #define lamella_run_simulation_h
 
+#include <lamella/adapt/node_fields.h>
 #include <lamella/contact/search_check.h>
 #include <lamella/recover/sampler.h>
 #include <lamella/recover/strength_sweep.h>
@@ -53,8 +54,11 @@ namespace lamella
     /// Builds everything that a scene can be wrong in: bodies, supports, loads,
     /// contacts, probes. Throws InputError; nothing is written. Progress goes
     /// to @p out, which is referred to. What it needs of @p given is copied. No
-    /// stiffness matrix of a body is assembled yet. Collective.
-    Simulation(const Scene &given, std::ostream &out);
+    /// stiffness matrix of a body is assembled yet. Fields of SV-N are chosen
+    /// by @p rules. Collective.
+    Simulation(const Scene      &given,
+               std::ostream     &out,
+               const FieldRules &rules = FieldRules());
     ~Simulation();
 
     /// Is handed the results each time that a load step is added to them; what
@@ -114,6 +118,13 @@ namespace lamella
     solved_scene() const
     {
       return scene;
+    }
+
+    /// By which the fields of SV-N were chosen.
+    const FieldRules &
+    rules() const
+    {
+      return field_rules;
     }
 
     /// What is solved, for who looks into the error of it: the structure, the
@@ -243,6 +254,7 @@ namespace lamella
     /// As given, with the axes that grade themselves made.
     Scene         scene;
     std::ostream &out;
+    FieldRules    field_rules;
     /// Wall seconds of each Phase, and of the object's whole life.
     dealii::TimerOutput timer;
     dealii::Timer       wall;
