@@ -208,7 +208,7 @@ def is_compared(row):
 
 def cells(row):
     if len(row) == 3:
-        return row[:2] + ["", "", "", "", "", "", row[2][:60]]
+        return row[:2] + ["", "", "", "", "", "", row[2][:160]]
     name, theory, quantity, error, estimate, bar, floor = row
     return [name, theory, quantity, f"{100 * error:.3g}", f"{100 * floor:.2g}",
             f"{100 * estimate:.3g}", "none" if bar is None else f"{100 * bar:.3g}",
@@ -218,7 +218,7 @@ def cells(row):
 
 
 def share(some, of):
-    return f"{100 * sum(some) / len(of):.0f} % of {len(of)}" if of else "none"
+    return f"{100 * sum(some) / len(of):.3g} % of {len(of)}" if of else "none"
 
 
 def summary(rows):
@@ -248,7 +248,7 @@ def summary(rows):
 
 
 def bars(pick=""):
-    """doc/error-bars.md: every bar beside the error that it is of."""
+    """doc/bars-measured.md: every bar beside the error that it is of."""
     rows = []
     for case in [*shipped(), *paganos(), *cantilevers()]:
         if pick in case[0]:
