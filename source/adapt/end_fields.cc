@@ -2,6 +2,7 @@
 
 #include <lamella/adapt/end_fields.h>
 #include <lamella/adapt/graded_axis.h>
+#include <lamella/base/processes.h>
 #include <lamella/body/beam.h>
 #include <lamella/conditions/row_reduction.h>
 #include <lamella/conditions/stabilisation.h>
@@ -504,10 +505,17 @@ namespace lamella
   {
     HeldSection of_piece = held;
     of_piece.element     = first_element(*section, held, rules);
-    for (const Known &one : known)
-      if (alike(one.held, of_piece) && are_equal(*one.section, *section) &&
-          are_equal(one.warpings, warpings))
-        return one.zones;
+    const auto same =
+      std::find_if(known.begin(), known.end(), [&](const Known &one) {
+        return alike(one.held, of_piece) && are_equal(*one.section, *section) &&
+               are_equal(one.warpings, warpings);
+      });
+    // Making them is collective: processes that differ in a last bit make them.
+    const int number = same - known.begin(),
+              least  = Utilities::MPI::min(number, communicator()),
+              most   = Utilities::MPI::max(number, communicator());
+    if (least == most && same != known.end())
+      return same->zones;
     known.push_back(
       {section,
        warpings,

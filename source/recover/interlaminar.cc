@@ -108,6 +108,35 @@ namespace lamella
         }
       return cells;
     }
+
+
+
+    /// Refuses a section, with the cells @p cells in @p frame, that has
+    /// different plies at one height.
+    void
+    refuse_side_by_side(const Body                        &body,
+                        const Placement                   &frame,
+                        const std::vector<BoundingBox<2>> &cells,
+                        const std::string                 &path)
+    {
+      const double y =
+        frame.to_body(body.surface_facets("start")[0].corners[0])[1];
+      std::vector<Point<3>> middles;
+      for (const BoundingBox<2> &cell : cells)
+        middles.push_back(
+          frame.to_scene({cell.center()[0], y, cell.center()[1]}));
+      const auto found = body.locate(middles);
+      for (unsigned int a = 0; a < cells.size(); ++a)
+        for (unsigned int b = 0; b < a; ++b)
+          {
+            const double overlap =
+              std::min(cells[a].upper_bound(1), cells[b].upper_bound(1)) -
+              std::max(cells[a].lower_bound(1), cells[b].lower_bound(1));
+            if (overlap > rounding * cells[a].side_length(1) &&
+                found[a].front().ply != found[b].front().ply)
+              refuse(body, path, "has plies side by side");
+          }
+    }
   } // namespace
 
 
@@ -134,6 +163,7 @@ namespace lamella
     box.frame        = Placement::from_directions(Point<3>(), along, up);
     const auto cells = rectangles(body, box.frame, path);
 
+    refuse_side_by_side(body, box.frame, cells, path);
     std::vector<Point<2>> corners;
     double                area = 0.;
     for (const BoundingBox<2> &cell : cells)
@@ -305,7 +335,9 @@ namespace lamella
     const unsigned int degree =
       body.line_degree(box.frame.to_scene(Point<3>()),
                        box.frame.to_scene({0., 0., box.size[2]}));
-    samples = coordinates(QGauss<1>(degree + 1));
+    const QGauss<1> through(degree + 1);
+    samples        = coordinates(through);
+    sample_weights = through.get_weights();
     // The correction integrates three times; its polynomials are cut off here.
     const QGaussLobatto<1> rule(degree + 6);
     nodes        = coordinates(rule);
@@ -511,11 +543,16 @@ namespace lamella
     for (Profile &profile : all.strain)
       profile.reinit(2 * size);
     all.normal.reinit(size);
+    const std::vector<EdgeShare> edges_here = edge_shares(layers, x, y);
     for (unsigned int k = 0; k < layers.size(); ++k)
       {
         const Point<3> middle(x, y, 0.5 * (layers[k].bottom + layers[k].top));
-        add_sources(
-          k, layers[k], x, stencil(0, middle), stencil(1, middle), all);
+        add_sources(k,
+                    layers[k],
+                    edges_here,
+                    stencil(0, middle),
+                    stencil(1, middle),
+                    all);
       }
     return all;
   }
@@ -563,47 +600,77 @@ namespace lamella
 
 
 
-  EquilibriumStress::EdgeShare
-  EquilibriumStress::edge_share(const Point<3>    &at,
-                                const unsigned int ply,
-                                const Stencil     &along_y)
+  const std::vector<Tensor<1, 5>> &
+  EquilibriumStress::edge_stress(const unsigned int        side,
+                                 const std::vector<Layer> &layers,
+                                 const double              y)
   {
-    constexpr double nothing = 1e-12;
-    EdgeShare        share;
+    const double unit = 1e-9 * box.size.norm();
+    const auto [known, is_new] =
+      edges.try_emplace({{long(side), std::lround(y / unit)}});
+    if (!is_new)
+      return known->second;
+    Tensor<1, 5> mean;
+    for (const Layer &layer : layers)
+      {
+        const double   thickness = layer.top - layer.bottom;
+        const Point<3> edge(side * box.size[0],
+                            y,
+                            0.5 * (layer.bottom + layer.top));
+        const Stencil  along_x = stencil(0, edge), along_y = stencil(1, edge);
+        for (unsigned int q = 0; q < samples.size(); ++q)
+          {
+            const double z = layer.bottom + samples[q] * thickness;
+            Tensor<1, 5> stress;
+            for (unsigned int i = 0; i < along_x.points.size(); ++i)
+              for (unsigned int j = 0; j < along_y.points.size(); ++j)
+                for (unsigned int b = 0; b < 5; ++b)
+                  stress[b] +=
+                    along_x.weights[0][i] * along_y.weights[b][j] *
+                    sampled_at({along_x.points[i], along_y.points[j], z},
+                               layer.ply)[2];
+            known->second.push_back(stress);
+            mean += thickness / box.size[2] * sample_weights[q] * stress;
+          }
+      }
+    for (Tensor<1, 5> &stress : known->second)
+      stress -= mean;
+    return known->second;
+  }
+
+
+
+  std::vector<EquilibriumStress::EdgeShare>
+  EquilibriumStress::edge_shares(const std::vector<Layer> &layers,
+                                 const double              x,
+                                 const double              y)
+  {
+    constexpr double       nothing = 1e-12;
+    std::vector<EdgeShare> shares(layers.size() * samples.size());
     for (const unsigned int side : {0, 1})
       {
-        const EdgeShape shape = edge_shape(side, at[0]);
+        const EdgeShape shape = edge_shape(side, x);
         if (!is_free[side] || std::abs(shape.slope) * decay < nothing)
           continue;
-        Point<3> edge         = at;
-        edge[0]               = side * box.size[0];
-        const Stencil along_x = stencil(0, edge);
-        Tensor<1, 5>  stress;
-        for (unsigned int i = 0; i < along_x.points.size(); ++i)
-          for (unsigned int j = 0; j < along_y.points.size(); ++j)
-            {
-              const double value =
-                sampled_at({along_x.points[i], along_y.points[j], at[2]},
-                           ply)[2];
-              for (unsigned int b = 0; b < 5; ++b)
-                stress[b] +=
-                  along_x.weights[0][i] * along_y.weights[b][j] * value;
-            }
-        share.of_value += shape.value * stress;
-        share.of_slope += shape.slope * stress;
+        const auto &stress = edge_stress(side, layers, y);
+        for (unsigned int k = 0; k < shares.size(); ++k)
+          {
+            shares[k].of_value += shape.value * stress[k];
+            shares[k].of_slope += shape.slope * stress[k];
+          }
       }
-    return share;
+    return shares;
   }
 
 
 
   void
-  EquilibriumStress::add_sources(const unsigned int k,
-                                 const Layer       &layer,
-                                 const double       x,
-                                 const Stencil     &along_x,
-                                 const Stencil     &along_y,
-                                 Sources           &all)
+  EquilibriumStress::add_sources(const unsigned int            k,
+                                 const Layer                  &layer,
+                                 const std::vector<EdgeShare> &edges_here,
+                                 const Stencil                &along_x,
+                                 const Stencil                &along_y,
+                                 Sources                      &all)
   {
     // Of Sampled.
     constexpr unsigned int s_xx = 0, s_yy = 1, s_xy = 2, g_xz = 3, g_yz = 4;
@@ -627,8 +694,7 @@ namespace lamella
                     d[a][b][c] +=
                       along_x.weights[a][i] * along_y.weights[b][j] * values[c];
             }
-        const EdgeShare edge =
-          edge_share({x, along_y.at, z}, layer.ply, along_y);
+        const EdgeShare &edge = edges_here[k * samples.size() + q];
         for (unsigned int b = 0; b < 5; ++b)
           {
             d[0][b][s_xy] -= edge.of_value[b];

@@ -60,6 +60,18 @@ namespace lamella
 
 
 
+  namespace
+  {
+    bool
+    are_alike(const Ply &a, const Ply &b)
+    {
+      return a.material == b.material && a.angle == b.angle &&
+             a.plane.normal == b.plane.normal;
+    }
+  } // namespace
+
+
+
   void
   Sampler::check(const NamedQuantity &quantity) const
   {
@@ -83,13 +95,14 @@ namespace lamella
         plies.push_back(is_one ? std::to_string(ply) : "0");
       }
     require_ply(quantity, plies);
-    // Tractions on the interface are one where they come from equilibrium.
-    const std::string &column = quantity.column;
-    const bool         is_one =
-      column[0] != 's' ||
-      (probe->stress == StressValues::equilibrium &&
-       (column == "szz" || column == "sxz" || column == "syz"));
-    if (quantity.ply == 0 && plies.size() > 1 && !is_one)
+    // Plies of one law, and tractions by equilibrium, may agree.
+    const std::vector<Ply> &laws   = bodies[probe->body]->plies();
+    const bool              differ = plies.size() == 2 && plies[0] != "0" &&
+                        plies[1] != "0" &&
+                        !are_alike(laws[std::stoul(plies[0]) - 1],
+                                   laws[std::stoul(plies[1]) - 1]);
+    if (quantity.ply == 0 && differ && quantity.column[0] == 's' &&
+        probe->stress != StressValues::equilibrium)
       refuse_interface(quantity, plies);
   }
 

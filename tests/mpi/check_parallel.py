@@ -80,7 +80,11 @@ def differences(one, many):
         raise SystemExit(f"FAIL: nothing to compare among {', '.join(one[0])}")
     for kind, pattern in KINDS.items():
         columns = [c for c in one[0] if re.match(pattern, c)]
-        pairs = [(float(a[c]), float(b[c])) for a, b in zip(one, many)
+        if any(bool(a[c]) != bool(b[c]) for a, b in zip(one, many) for c in columns):
+            raise SystemExit(f"FAIL: a {kind} that only some have")
+        # Goals have units of their own, and a scale.
+        pairs = [(float(a[c]) / float(a.get("scale") or 1.),
+                  float(b[c]) / float(a.get("scale") or 1.)) for a, b in zip(one, many)
                  for c in columns if a[c]]
         largest = max((abs(a) for a, _ in pairs), default=0.)
         if largest > 0.:

@@ -21,8 +21,8 @@ namespace lamella
     double length = 8.;
     /// The piece's element at its held end is as long as the scene's, but no
     /// less and no more than these times H. The least is what `auto` puts
-    /// there: on an axis that is halved the fields are the same, so estimates
-    /// compare nested models; and finer pieces are worse, since the strongest
+    /// there: when such an axis is halved the fields stay, so estimates compare
+    /// nested models; and finer pieces are no better, since the strongest
     /// disturbance, which reaches are told by, grows without limit at corners.
     double shortest_element = 0.15, longest_element = 0.5;
     /// Where zones begin, over B, ascending.

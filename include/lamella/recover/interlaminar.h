@@ -85,14 +85,16 @@ namespace lamella
    *
    * *Free edges.* What twists has sigma_xy up to its free sides in elements
    * that are wider than thick; it falls to zero there within about one height.
-   * At a side that nothing is on, e the sigma_xy of the fit there, sigma_xy is
-   * taken as
+   * At a side that nothing is on, e the sigma_xy of the fit there less its mean
+   * through the thickness, sigma_xy is taken as
    *   sigma_xy - e phi(x),   phi = 1 at the side and 0 at the other,
    *   phi'' = (pi / H)^2 (G_yz / G_xy) phi,
    * the slowest decay of the warping by torsion (Timoshenko and Goodier, Theory
    * of Elasticity, Art. 109, for one material), G_xy the mean of the plies' Q
    * and 1 / G_yz that of their compliances. Whatever phi, the resultant of what
-   * is added is exact. Where elements resolve the layer e is nothing.
+   * is added is exact. Where elements resolve the layer e is what their fit
+   * leaves, a few per cent. Layers between plies that differ, as of a pulled
+   * angle-ply laminate, are as thin as a ply and are not described.
    *
    * *Closure.* What is found on the upper face differs from the traction there
    * by what the mesh leaves open. This closure error is kept, and then
@@ -179,14 +181,6 @@ namespace lamella
     stencil(const unsigned int d, const dealii::Point<3> &through) const;
     Sources
     sources(const std::vector<Layer> &layers, const double x, const double y);
-    /// Those of layer number @p k at @p x into @p all.
-    void
-    add_sources(const unsigned int k,
-                const Layer       &layer,
-                const double       x,
-                const Stencil     &along_x,
-                const Stencil     &along_y,
-                Sources           &all);
     /// phi of a side and its derivative along x.
     struct EdgeShape
     {
@@ -194,16 +188,31 @@ namespace lamella
     };
     EdgeShape
     edge_shape(const unsigned int side, const double x) const;
-    /// By places through a layer of cells, what free sides take off sigma_xy,
-    /// and off its derivative along x, each with derivatives along y.
+    /// What free sides take off sigma_xy, and off its derivative along x, each
+    /// with derivatives along y.
     struct EdgeShare
     {
       dealii::Tensor<1, 5> of_value, of_slope;
     };
-    EdgeShare
-    edge_share(const dealii::Point<3> &at,
-               const unsigned int      ply,
-               const Stencil          &along_y);
+    /// At the places of each of @p layers where stresses are taken.
+    std::vector<EdgeShare>
+    edge_shares(const std::vector<Layer> &layers,
+                const double              x,
+                const double              y);
+    /// e at a side less its mean through the thickness, with derivatives along
+    /// y, at these places.
+    const std::vector<dealii::Tensor<1, 5>> &
+    edge_stress(const unsigned int        side,
+                const std::vector<Layer> &layers,
+                const double              y);
+    /// Those of layer number @p k into @p all, less @p edges_here.
+    void
+    add_sources(const unsigned int            k,
+                const Layer                  &layer,
+                const std::vector<EdgeShare> &edges_here,
+                const Stencil                &along_x,
+                const Stencil                &along_y,
+                Sources                      &all);
     /// sigma_xx, yy, xy and gamma_xz, yz of the element.
     using Sampled = std::array<double, 5>;
     /// At @p x of the body, inside of an element of @p ply; each point is
@@ -260,7 +269,7 @@ namespace lamella
     /// Places through a layer, from 0 to 1: those where stresses are taken, and
     /// the nodes of what is made of them, with their weights; from values at
     /// the former to those at nodes, and from these to int_0^t at nodes.
-    std::vector<double>        samples, nodes, node_weights;
+    std::vector<double>        samples, sample_weights, nodes, node_weights;
     dealii::FullMatrix<double> to_nodes, integrate;
     /// By plies, {xz, yz}: strains of stresses; and of {xy, yy} in plane stress
     /// (sigma_zz as it is) stresses of strains.
@@ -268,9 +277,11 @@ namespace lamella
     /// By plies, in the body's axes.
     std::vector<Triad> ply_frames;
 
-    std::map<std::array<long, 2>, Column>  columns;
-    std::map<std::array<long, 3>, Sampled> sampled;
-    ClosureError                           closure;
+    std::map<std::array<long, 2>, Column> columns;
+    /// By side and y, see edge_stress().
+    std::map<std::array<long, 2>, std::vector<dealii::Tensor<1, 5>>> edges;
+    std::map<std::array<long, 3>, Sampled>                           sampled;
+    ClosureError                                                     closure;
   };
 } // namespace lamella
 

@@ -54,8 +54,9 @@ namespace lamella
            const FaceTractions &tractions = FaceTractions()) const;
 
     /// Throws InputError with the entry of @p quantity if its probe does not
-    /// lie in the ply that it names, or between two in which this stress
-    /// differs while it names none. Looks at the terms of measures, too.
+    /// lie in the ply that it names, or between two of different laws while it
+    /// is a stress that is not by equilibrium and names none. Looks at the
+    /// terms of measures, too.
     void
     check(const NamedQuantity &quantity) const;
 
