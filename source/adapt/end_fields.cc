@@ -6,6 +6,7 @@
 #include <lamella/body/beam.h>
 #include <lamella/conditions/row_reduction.h>
 #include <lamella/conditions/stabilisation.h>
+#include <lamella/section/embedding.h>
 
 #include <algorithm>
 #include <cmath>
@@ -46,14 +47,14 @@ namespace lamella
 
 
 
-    /// A beam of @p length with all fields, its axis graded to the held end.
+    /// A beam with all fields, its axis graded to the held end.
     std::unique_ptr<Beam>
     make_piece(const std::shared_ptr<const Section> &section,
                const HeldSection                    &held,
-               const double                          length,
                const EndFieldRules                  &rules)
     {
-      AxisMesh axis;
+      const double length = rules.length * extents(*section).second;
+      AxisMesh     axis;
       axis.length = length;
       axis.breaks = graded_breaks(length,
                                   {{held.goes_forward ? 0. : length,
@@ -329,7 +330,12 @@ namespace lamella
     held.element = touches[t].element;
     for (const Touch &touch : touches)
       if (touch.holds_section && std::abs(touch.begin - y) < tolerance)
-        held.rows.insert(held.rows.end(), touch.held.begin(), touch.held.end());
+        {
+          held.rows.insert(held.rows.end(),
+                           touch.held.begin(),
+                           touch.held.end());
+          held.by.push_back(touch.name);
+        }
     std::vector<HeldSection> result;
     for (const bool forward : {true, false})
       if (forward ? y < axis.length() - tolerance : y > tolerance)
@@ -342,12 +348,26 @@ namespace lamella
 
 
 
+  namespace
+  {
+    // Of lengths, and of weights.
+    constexpr double rounding = 1e-6;
+
+    /// Whether their axis elements are.
+    bool
+    is_as_long(const HeldSection &a, const HeldSection &b)
+    {
+      return std::abs(a.element - b.element) <= rounding * a.element;
+    }
+  } // namespace
+
+
+
   bool
   alike(const HeldSection &a, const HeldSection &b)
   {
-    constexpr double rounding = 1e-6;
     if (a.goes_forward != b.goes_forward || a.rows.size() != b.rows.size() ||
-        std::abs(a.element - b.element) > rounding * a.element)
+        !is_as_long(a, b))
       return false;
     const auto same = [](const Row &r, const Row &s) {
       return std::equal(r.entries().begin(),
@@ -439,7 +459,7 @@ namespace lamella
              const EndFieldRules                  &rules)
   {
     const double larger = extents(*section).second;
-    const auto piece = make_piece(section, held, rules.length * larger, rules);
+    const auto   piece  = make_piece(section, held, rules);
     if (piece->n_dofs() > rules.most_dofs)
       return {};
     const std::vector<Vector> u =
@@ -448,6 +468,27 @@ namespace lamella
       return {};
     return zones_of(
       snapshots_of(*piece, u, held), warping, warpings, larger, rules);
+  }
+
+
+
+  unsigned int
+  nodes_of_pieces(const Beam                 &beam,
+                  const unsigned int          body,
+                  const Bodies               &bodies,
+                  const std::vector<Support> &supports,
+                  const EndFieldRules        &rules)
+  {
+    const auto   section = beam.fields().shared_section();
+    const auto   touches = find_touches(beam, body, bodies, supports, {}, {});
+    unsigned int nodes   = 0;
+    for (unsigned int t = 0; t < touches.size(); ++t)
+      // Touches that hold a section together have one piece.
+      if (touches[t].holds_section &&
+          (t == 0 || touches[t - 1].begin != touches[t].begin))
+        for (const HeldSection &held : held_sections(touches, t, beam.axis()))
+          nodes += make_piece(section, held, rules)->axis().n_nodes();
+    return nodes;
   }
 
 
@@ -490,6 +531,36 @@ namespace lamella
 
 
 
+  std::vector<EndZone>
+  embedded(const std::vector<EndZone> &zones,
+           const Section              &from,
+           const Section              &section,
+           const Warping              &warping,
+           const FieldColumns         &warpings,
+           const EndFieldRules        &rules)
+  {
+    std::vector<EndZone> result;
+    FieldColumns         known = warpings;
+    for (const EndZone &zone : zones)
+      {
+        const FieldColumns  columns = embedded(zone.fields, from, section);
+        std::vector<Vector> fields;
+        for (unsigned int j = 0; j < columns.n(); ++j)
+          fields.push_back(column_of(columns, j));
+        EndZone richer;
+        richer.reach = zone.reach;
+        richer.fields =
+          warping.weighted_basis(fields, warpings, known, rules.tolerance);
+        if (richer.fields.n() == 0)
+          continue;
+        known = beside(known, richer.fields);
+        result.push_back(std::move(richer));
+      }
+    return result;
+  }
+
+
+
   EndFields::EndFields(const EndFieldRules &rules)
     : rules(rules)
   {}
@@ -516,12 +587,36 @@ namespace lamella
               most   = Utilities::MPI::max(number, communicator());
     if (least == most && same != known.end())
       return same->zones;
-    known.push_back(
-      {section,
-       warpings,
-       of_piece,
-       end_fields(section, states, warping, warpings, held, rules)});
-    return known.back().zones;
+    const Known *const   other = poorer(*section, of_piece);
+    std::vector<EndZone> zones;
+    if (other != nullptr)
+      zones = embedded(
+        other->zones, *other->section, *section, warping, warpings, rules);
+    else
+      {
+        zones = end_fields(section, states, warping, warpings, held, rules);
+        ++n_pieces;
+      }
+    known.push_back({section, warpings, of_piece, zones});
+    return zones;
+  }
+
+
+
+  const EndFields::Known *
+  EndFields::poorer(const Section &section, const HeldSection &held) const
+  {
+    if (held.is_looked_at)
+      return nullptr;
+    // The richest of them has made the last piece.
+    for (auto one = known.rbegin(); one != known.rend(); ++one)
+      if (one->section->element().degree() < section.element().degree() &&
+          one->held.by == held.by &&
+          one->held.goes_forward == held.goes_forward &&
+          is_as_long(one->held, held) &&
+          have_same_cells(*one->section, section))
+        return &*one;
+    return nullptr;
   }
 
 

@@ -321,20 +321,61 @@ namespace lamella
 
 
 
-    /// Those of each of the touches of @p body, whose axis is @p axis; without
-    /// end fields, which cost a solution, unless @p wants_responses.
+    /// Whether @p body has responses and end fields at all: one that is going
+    /// to keep all fields of its section wants none.
+    bool
+    wants_responses(const BodyDescription &description,
+                    const Beam            &beam,
+                    const TouchedBody     &body,
+                    const FieldRules      &rules)
+    {
+      return description.theory.order > 0 &&
+             ((beam.axis().n_nodes() > rules.least_nodes &&
+               !is_held_all_along(body, beam.axis())) ||
+              !description.pieces.empty());
+    }
+
+
+
+    /// What holds @p beam at the touch number @p t of @p body.
+    std::vector<HeldSection>
+    looked_at_sections(const Beam          &beam,
+                       const TouchedBody   &body,
+                       const unsigned int   t,
+                       const EndFieldRules &rules)
+    {
+      const BoundingBox<2> box  = beam.section().element().bounding_box();
+      const double         near = rules.looked_at *
+                          std::max(box.side_length(0), box.side_length(1)),
+                   y = body.touches[t].begin;
+      auto held      = held_sections(body.touches, t, beam.axis());
+      for (HeldSection &one : held)
+        one.is_looked_at =
+          std::any_of(body.asked.begin(),
+                      body.asked.end(),
+                      [&](const auto &at) {
+                        return at.second > y - near && at.first < y + near;
+                      });
+      return held;
+    }
+
+
+
+    /// Those of each of the touches of @p body, which is @p beam; without end
+    /// fields, which cost a solution, unless @p wants_responses.
     std::vector<std::vector<unsigned int>>
-    groups_of(const Axis        &axis,
+    groups_of(const Beam        &beam,
               const TouchedBody &body,
               FieldsOfSection   &fields,
+              const FieldRules  &rules,
               const bool         wants_responses)
     {
       std::vector<std::vector<unsigned int>> groups;
       for (unsigned int t = 0; t < body.touches.size(); ++t)
         if (const Touch &touch = body.touches[t];
             touch.holds_section && wants_responses)
-          groups.push_back(
-            fields.groups_of(touch, held_sections(body.touches, t, axis)));
+          groups.push_back(fields.groups_of(
+            touch, looked_at_sections(beam, body, t, rules.ends->limits())));
         else
           groups.push_back({fields.group_of(touch)});
       return groups;
@@ -414,16 +455,13 @@ namespace lamella
       FieldsOfSection fields(section, theory, rules, everywhere);
       for (TouchedBody &body : touched)
         {
-          // A body that is going to keep all fields wants none.
-          const Axis &axis = beam_of(body.number).axis();
-          body.groups =
-            groups_of(axis,
-                      body,
-                      fields,
-                      theory.order > 0 &&
-                        ((axis.n_nodes() > rules.least_nodes &&
-                          !is_held_all_along(body, axis)) ||
-                         !descriptions[body.number].pieces.empty()));
+          const Beam &beam = beam_of(body.number);
+          body.groups      = groups_of(
+            beam,
+            body,
+            fields,
+            rules,
+            wants_responses(descriptions[body.number], beam, body, rules));
         }
 
       std::vector<std::vector<std::vector<unsigned int>>> lists;

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 namespace lamella
 {
@@ -58,8 +59,9 @@ namespace lamella
     void
     enrich_fields(BodyDescription &body, const BodySize &size)
     {
-      const bool layers_are_cheap = size.nodes > 0 && body.pieces.empty() &&
-                                    dofs_of_layers(size, 2) <= cheap_dofs;
+      const bool layers_are_cheap =
+        size.nodes > 0 && body.pieces.empty() &&
+        (dofs_of_layers(size, 2) <= cheap_dofs || size.touched > long_contact);
       // Pieces of plain SV beside LE say by hand where responses are wanted.
       for (Theory *theory : theories_of(body))
         if (is_poorer_than_sv(*theory) ||
@@ -124,6 +126,28 @@ namespace lamella
             std::min(theory->section_order + 1, highest_degree);
         }
     }
+
+
+
+    /// The share of the length of the beam @p body that gap rows see.
+    double
+    touched_share(const Simulation  &model,
+                  const Beam        &whole,
+                  const unsigned int body)
+    {
+      std::set<unsigned int> nodes;
+      for (const ContactInterface &contact : model.interfaces())
+        for (const GapRow &row : contact.rows)
+          for (const BodyRow &part : row.parts)
+            if (part.body == body)
+              for (const auto &entry : part.row.entries())
+                nodes.insert(whole.dofs().node_of(entry.first));
+      const std::vector<double> weights = whole.axis().node_weights();
+      double                    length  = 0.;
+      for (const unsigned int node : nodes)
+        length += weights[node];
+      return length / whole.axis().length();
+    }
   } // namespace
 
 
@@ -143,9 +167,10 @@ namespace lamella
                                       region.body + 1 == sizes.size());
         if (const auto *const beam = dynamic_cast<const Beam *>(body.get()))
           {
-            size.nodes  = beam->axis().n_nodes();
-            size.fields = beam->section().n_fields();
-            size.cells  = beam->section().n_cells();
+            size.nodes   = beam->axis().n_nodes();
+            size.fields  = beam->section().n_fields();
+            size.cells   = beam->section().n_cells();
+            size.touched = touched_share(model, *beam, sizes.size() - 1);
           }
       }
     return sizes;
@@ -157,7 +182,8 @@ namespace lamella
   may_have_responses(const BodyDescription &body, const BodySize &size)
   {
     return body.theory.kind == Kind::LE && body.pieces.empty() &&
-           !size.held_all_along && size.fields > 2. * fields_of_responses;
+           !size.held_all_along && size.touched <= long_contact &&
+           size.fields > 2. * fields_of_responses;
   }
 
 
@@ -225,83 +251,6 @@ namespace lamella
       for (ContactPair &contact : result.contacts)
         contact.enforcement = Enforcement::exact;
     return result;
-  }
-
-
-
-  Scene
-  bisected(Scene scene, const std::vector<ElementError> &marked)
-  {
-    for (unsigned int b = 0; b < scene.bodies.size(); ++b)
-      {
-        AxisMesh           &axis = scene.bodies[b].axis;
-        std::vector<double> breaks;
-        double              begin = 0.;
-        for (const double length : element_lengths(axis))
-          {
-            const double near = 1e-6 * length;
-            for (const ElementError &element : marked)
-              if (element.body == b && std::abs(element.begin - begin) < near)
-                breaks.push_back(begin + 0.5 * length);
-            begin += length;
-            breaks.push_back(begin);
-          }
-        // The last is the end of the axis.
-        breaks.pop_back();
-        axis.breaks = breaks;
-        axis.elements.assign(breaks.size() + 1, 1);
-      }
-    return scene;
-  }
-
-
-
-  std::optional<std::vector<ElementError>>
-  marked_elements(const Scene                   &scene,
-                  const std::vector<GoalResult> &goals,
-                  const double                   left,
-                  const double                   share)
-  {
-    for (const ContactPair &contact : scene.contacts)
-      if (contact.discretisation == Discretisation::node_to_node)
-        return std::nullopt;
-    std::vector<ElementError> marked;
-    const auto is_marked = [&marked](const ElementError &element) {
-      return std::any_of(marked.begin(),
-                         marked.end(),
-                         [&element](const ElementError &other) {
-                           return other.body == element.body &&
-                                  other.begin == element.begin;
-                         });
-    };
-    for (const GoalResult &goal : goals)
-      {
-        if (goal.met())
-          continue;
-        if (!goal.local)
-          return std::nullopt;
-        std::vector<ElementError> elements = goal.local->elements;
-        std::sort(elements.begin(),
-                  elements.end(),
-                  [](const ElementError &a, const ElementError &b) {
-                    return std::abs(a.error) * b.dofs >
-                           std::abs(b.error) * a.dofs;
-                  });
-        double sum = 0.;
-        for (const ElementError &element : elements)
-          sum += std::abs(element.error);
-        const double most =
-          std::min((1. - share) * sum, left * *goal.tolerance * goal.scale);
-        for (const ElementError &element : elements)
-          {
-            if (sum <= most)
-              break;
-            sum -= std::abs(element.error);
-            if (!is_marked(element))
-              marked.push_back(element);
-          }
-      }
-    return marked;
   }
 
 

@@ -18,8 +18,8 @@ namespace lamella
     constexpr double most_of_run = 0.5;
 
     /// The shares of a tolerance that a source of error has to have for
-    /// mattering.
-    constexpr double least_that_matters = 0.1;
+    /// mattering, and those of what all sources do where there is none.
+    constexpr double least_of_tolerance = 0.1, least_of_all = 0.02;
 
     /// Values below this share of the largest of their kind have that for a
     /// scale.
@@ -185,9 +185,11 @@ namespace lamella
     for (const NamedQuantity &quantity : quantities())
       {
         const GoalResult bare = goal_without_bar(quantity, number++);
-        weight                = std::max(weight,
-                          std::abs(share_of(step, quantity)) /
-                            (*bare.tolerance * bare.scale));
+        const double     most =
+          bare.tolerance ? least_of_tolerance * *bare.tolerance * bare.scale :
+                               least_of_all * first_refinement(quantity).shares;
+        if (most > 0.)
+          weight = std::max(weight, std::abs(share_of(step, quantity)) / most);
       }
     return weight;
   }
@@ -261,23 +263,16 @@ namespace lamella
   std::vector<Source>
   Estimation::sources_that_matter() const
   {
-    std::vector<Source> all;
-    for (const Source source : {Source::axis, Source::fields, Source::section})
-      if (has_source(models[base].scene, source))
-        all.push_back(source);
-    if (run.solved_scene().goals.tolerances.empty())
-      return all;
     double largest = 0.;
     for (const Step &step : steps)
       if (step.source != Source::contact)
         largest = std::max(largest, weight_of(step));
     std::vector<Source> some;
     for (const Step &step : steps)
-      if (has_source(models[base].scene, step.source) &&
-          step.source != Source::contact &&
-          weight_of(step) >= std::min(least_that_matters, largest))
+      if (step.source != Source::contact &&
+          weight_of(step) >= std::min(1., largest))
         some.push_back(step.source);
-    return some.empty() ? all : some;
+    return some;
   }
 
 
@@ -295,8 +290,8 @@ namespace lamella
                                              solved(scene, what));
     const Step step{source, base, static_cast<unsigned int>(models.size() - 1)};
     steps.push_back(step);
-    const bool matters = run.solved_scene().goals.tolerances.empty() ||
-                         weight_of(step) >= least_that_matters;
+    const bool matters =
+      run.solved_scene().goals.tolerances.empty() || weight_of(step) >= 1.;
     if (is_first && is_known && matters)
       solved(scene, what + " (again, for where)", look);
     if (matters)
@@ -316,19 +311,35 @@ namespace lamella
         add_step(source);
     if (effort == Effort::as_needed && (is_far_off() || agrees_with_poorer()))
       return;
+    climb_once_more();
+  }
+
+
+
+  void
+  Estimation::climb_once_more()
+  {
     const std::vector<Source> some = sources_that_matter();
     before_richest                 = base;
-    // What does not matter is not in the chain, and M_r is a second refinement.
+    // One source alone is refined a second time right after it was: what comes
+    // behind it in the chain does not matter.
     for (const Step &step : steps)
       if (some.size() == 1 && some.front() == step.source)
         before_richest = step.to;
-    Scene       scene = models[before_richest].scene;
-    std::string what;
+    // LE that stands in for fields has more of its section instead, which may
+    // be a model that is known.
+    std::vector<Source> refined;
     for (Source source : some)
       {
-        // LE that stands in for fields has more of its section instead.
-        if (!has_source(scene, source))
+        if (!has_source(models[before_richest].scene, source))
           source = Source::section;
+        if (std::find(refined.begin(), refined.end(), source) == refined.end())
+          refined.push_back(source);
+      }
+    Scene       scene = models[before_richest].scene;
+    std::string what;
+    for (const Source source : refined)
+      {
         scene = enriched(scene, source, models[before_richest].sizes);
         what += std::string(what.empty() ? "" : ", ") + name_of(source);
       }

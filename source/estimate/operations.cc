@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <lamella/adapt/end_fields.h>
+#include <lamella/body/beam.h>
 #include <lamella/estimate/enrichment.h>
 #include <lamella/estimate/operations.h>
 
@@ -7,13 +9,47 @@
 
 namespace lamella
 {
+  namespace
+  {
+    /// A factor with n columns and z non-zeros.
+    double
+    operations(const BodyFacts &body)
+    {
+      return body.solver ?
+               body.solver->non_zeros * body.solver->non_zeros / body.dofs :
+               0.;
+    }
+
+
+
+    /// All that touches the body number @p body, of LE-N.
+    std::size_t
+    n_load_vectors(const Simulation &run, const unsigned int body)
+    {
+      const Bodies &bodies = run.solved_structure().bodies();
+      const Scene  &scene  = run.solved_scene();
+      std::size_t   n      = 0;
+      for (const Touch &touch :
+           find_touches(dynamic_cast<const Beam &>(*bodies[body]),
+                        body,
+                        bodies,
+                        scene.supports,
+                        scene.loads,
+                        run.interfaces()))
+        if (!touch.holds_section)
+          n += touch.loads.size();
+      return n;
+    }
+  } // namespace
+
+
+
   double
   operations(const Simulation &run)
   {
     double sum = 0.;
     for (const BodyFacts &body : run.results().bodies)
-      if (body.solver)
-        sum += body.solver->non_zeros * body.solver->non_zeros / body.dofs;
+      sum += operations(body);
     return sum;
   }
 
@@ -22,16 +58,28 @@ namespace lamella
   double
   operations_of_bars(const Simulation &run)
   {
-    constexpr double            axes = 8., of_block = 5.;
-    const double                m     = fields_of_responses;
-    double                      sum   = 0.;
-    const std::vector<BodySize> sizes = sizes_of(run);
+    constexpr double axes = 8., of_block = 5., waves = 10.,
+                     of_eigenvectors   = 10.;
+    const double                m      = fields_of_responses;
+    double                      sum    = 0.;
+    const std::vector<BodySize> sizes  = sizes_of(run);
+    const Bodies               &bodies = run.solved_structure().bodies();
     for (unsigned int b = 0; b < sizes.size(); ++b)
       {
         if (!may_have_responses(run.solved_scene().bodies[b], sizes[b]) ||
             2. * sizes[b].dofs <= most_dofs_of_layers)
           return std::numeric_limits<double>::infinity();
         sum += axes * sizes[b].nodes * of_block * m * m * m;
+        const double answers = 2. * waves * n_load_vectors(run, b);
+        sum += sizes[b].fields * answers * answers +
+               of_eigenvectors * answers * answers * answers;
+        const unsigned int in_pieces =
+          nodes_of_pieces(dynamic_cast<const Beam &>(*bodies[b]),
+                          b,
+                          bodies,
+                          run.solved_scene().supports);
+        sum += double(in_pieces) / sizes[b].nodes *
+               operations(run.results().bodies[b]);
       }
     return sum;
   }

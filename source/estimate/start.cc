@@ -6,42 +6,11 @@
 
 #include <algorithm>
 #include <ostream>
-#include <set>
 
 namespace lamella
 {
   namespace
   {
-    const Beam *
-    beam(const Simulation &model, const unsigned int body)
-    {
-      return dynamic_cast<const Beam *>(
-        model.solved_structure().bodies()[body].get());
-    }
-
-
-
-    /// The share of the length of the beam @p body that gap rows see.
-    double
-    touched_share(const Simulation &model, const unsigned int body)
-    {
-      const Beam            &whole = *beam(model, body);
-      std::set<unsigned int> nodes;
-      for (const ContactInterface &contact : model.interfaces())
-        for (const GapRow &row : contact.rows)
-          for (const BodyRow &part : row.parts)
-            if (part.body == body)
-              for (const auto &entry : part.row.entries())
-                nodes.insert(whole.dofs().node_of(entry.first));
-      const std::vector<double> weights = whole.axis().node_weights();
-      double                    length  = 0.;
-      for (const unsigned int node : nodes)
-        length += weights[node];
-      return length / whole.axis().length();
-    }
-
-
-
     void
     make_lower(BodyDescription &body)
     {
@@ -116,7 +85,7 @@ namespace lamella
     for (unsigned int b = 0; b < scene.bodies.size(); ++b)
       if (is_assumed(scene, b))
         {
-          touched_all_along[b] = touched_share(model, b) > long_contact;
+          touched_all_along[b] = sizes[b].touched > long_contact;
           if (touched_all_along[b] || dofs_of_layers(sizes[b], 2) <= cheap_dofs)
             make_lower(scene.bodies[b]);
         }
@@ -133,7 +102,8 @@ namespace lamella
     for (unsigned int b = 0; b < scene.bodies.size(); ++b)
       if (is_assumed(scene, b))
         {
-          const Beam &body = *beam(model, b);
+          const auto &body =
+            dynamic_cast<const Beam &>(*model.solved_structure().bodies()[b]);
           if (body.n_dofs() < body.axis().n_nodes() * body.section().n_fields())
             continue;
           make_lower(scene.bodies[b]);

@@ -4,6 +4,7 @@
 #include <lamella/base/output_file.h>
 #include <lamella/base/processes.h>
 #include <lamella/base/text.h>
+#include <lamella/estimate/axis_marks.h>
 #include <lamella/estimate/start.h>
 #include <lamella/estimate/tolerance_run.h>
 #include <lamella/report/fields_table.h>
@@ -83,6 +84,8 @@ namespace lamella
     Estimation estimation(*next, out, cache, Estimation::Effort::as_needed);
     if (simulation != nullptr)
       estimation.comes_after(ResultNumbers(simulation->results()));
+    else
+      first = next->solved_scene();
     pass.goals   = estimation.goals();
     pass.seconds = wall.wall_time();
     for (const BodyFacts &body : next->results().bodies)
@@ -193,16 +196,19 @@ namespace lamella
     // What elements may do to a goal when they stay as they are, over its
     // tolerance, and what those that are bisected do at least of all.
     constexpr double most_left = 0.1, least_done = 0.65;
+    // And what elements may do that become one.
+    constexpr double most_merged = 0.05;
 
+    const auto  &goals = passes.back().goals;
     Scene        next  = simulation->solved_scene();
     const Model &model = *cache.find(next);
+    next               = merged(next, *first, goals, most_merged);
     for (const Source source : wanted())
       {
-        const auto marked =
-          marked_elements(next, passes.back().goals, most_left, least_done);
-        next = source == Source::axis && marked ?
-                 bisected(next, *marked) :
-                 enriched(next, source, model.sizes);
+        const auto marked = marked_elements(next, goals, most_left, least_done);
+        next              = source == Source::axis && marked ?
+                              bisected(next, *marked) :
+                              enriched(next, source, model.sizes);
       }
     return next;
   }

@@ -32,7 +32,8 @@ ARROWS = {
               "contact", "solve", "recover"),
     "handout": ("base", "material", "scene"),
     "run": ("base", "contact", "solve", "recover", "adapt", "report", "scene"),
-    "estimate": ("base", "section", "axis", "body", "contact", "solve", "recover", "report", "scene", "run"),
+    "estimate": ("base", "section", "axis", "body", "contact", "solve", "recover", "adapt", "report", "scene",
+                 "run"),
     "trade": ("base", "section", "body", "solve", "report", "scene", "run", "estimate"),
     "export": ("base", "body", "contact", "adapt", "scene"),
 }

@@ -8,6 +8,7 @@
 #include <lamella/adapt/end_fields.h>
 #include <lamella/adapt/graded_axis.h>
 #include <lamella/adapt/node_fields.h>
+#include <lamella/section/embedding.h>
 #include <lamella/shape/shapes.h>
 
 #include <boost/test/unit_test.hpp>
@@ -104,8 +105,8 @@ namespace
   /// Of a short beam of the section @p name what end fields are made of.
   struct End
   {
-    explicit End(const std::string &name)
-      : bodies(make_bodies({graded("LE-2", name)}, meshes()))
+    explicit End(const std::string &name, const std::string &theory = "LE-2")
+      : bodies(make_bodies({graded(theory, name)}, meshes()))
       , beam(dynamic_cast<const Beam &>(*bodies[0]))
       , section(beam.fields().shared_section())
       , states(*section)
@@ -413,6 +414,64 @@ BOOST_AUTO_TEST_CASE(end_fields_are_made_once)
   BOOST_TEST(ends.n_made() == 3);
   zones(end, end.held({clamp()})[1]);
   BOOST_TEST(ends.n_made() == 4);
+}
+
+
+
+BOOST_AUTO_TEST_CASE(richer_sections_have_the_fields_of_poorer_ones)
+{
+  // LE-2 is in LE-3: energies of a field are the same in both, and what is
+  // looked at gets a piece of its own.
+  const End end("coupled"), richer("coupled", "LE-3"), other("strip", "LE-3");
+  BOOST_TEST(have_same_cells(*end.section, *richer.section));
+  BOOST_TEST(!have_same_cells(*end.section, *other.section));
+  const HeldSection  held   = end.held({clamp()})[0];
+  const auto         zones  = end.zones(held);
+  const FieldColumns fields = fields_of(zones),
+                     same   = embedded(fields, *end.section, *richer.section);
+  for (unsigned int j = 0; j < fields.n(); ++j)
+    for (const auto &[p, q] : {std::array<int, 2>{{0, 0}}, {{0, 1}}, {{1, 1}}})
+      {
+        const Vector one = column_of(fields, j), three = column_of(same, j);
+        const double energy = end.section->S(p, q).matrix_norm_square(one),
+                     scale  = end.section->S(p, p).matrix_norm_square(one) +
+                             end.section->S(q, q).matrix_norm_square(one);
+        BOOST_TEST(std::abs(richer.section->S(p, q).matrix_norm_square(three) -
+                            energy) < 1e-9 * scale);
+      }
+
+  EndFields  ends;
+  const auto made_for = [&ends](const End &of, const HeldSection &one) {
+    return ends.zones(of.section, of.states, of.warping, of.warpings, one);
+  };
+  made_for(end, held);
+  HeldSection of_richer = richer.held({clamp()})[0];
+  BOOST_TEST(of_richer.by == std::vector<std::string>({"support clamps"}),
+             boost::test_tools::per_element());
+  const auto reused = made_for(richer, of_richer);
+  BOOST_TEST(ends.n_made() == 1);
+  BOOST_REQUIRE(reused.size() == zones.size());
+  for (unsigned int z = 0; z < zones.size(); ++z)
+    {
+      BOOST_TEST(reused[z].reach == zones[z].reach);
+      BOOST_TEST(reused[z].fields.n() == zones[z].fields.n());
+    }
+  BOOST_TEST(
+    largest_product(richer.warping, richer.warpings, fields_of(reused)) < 1e-9);
+  // Once more, from what is known of it now.
+  made_for(richer, of_richer);
+  BOOST_TEST(ends.n_made() == 1);
+  // At the other end, of another section, or under somebody's eyes.
+  made_for(richer, richer.held({clamp()})[1]);
+  BOOST_TEST(ends.n_made() == 2);
+  made_for(other, other.held({clamp()})[0]);
+  BOOST_TEST(ends.n_made() == 3);
+  EndFields looked_at;
+  looked_at.zones(end.section, end.states, end.warping, end.warpings, held);
+  of_richer.is_looked_at = true;
+  looked_at.zones(
+    richer.section, richer.states, richer.warping, richer.warpings, of_richer);
+  BOOST_TEST(looked_at.n_made() == 2);
 }
 
 

@@ -35,6 +35,9 @@ namespace lamella
     double rest = 1e-2;
     /// There are no end fields where the piece would have more DoFs.
     double most_dofs = 1e5;
+    /// Over B: how near to an end stresses have to be asked for, if a richer
+    /// section is to have a piece of its own (EndFields).
+    double looked_at = 1.;
   };
 
   /// How a section is held as a whole, and on which side of it the body is.
@@ -46,6 +49,10 @@ namespace lamella
     bool goes_forward = true;
     /// The axis element beside it [length].
     double element = 0.;
+    /// What holds it, as touches are called, in their order.
+    std::vector<std::string> by;
+    /// Whether stresses are asked for within EndFieldRules::looked_at of it.
+    bool is_looked_at = false;
   };
 
   /**
@@ -105,9 +112,36 @@ namespace lamella
              const HeldSection                    &held,
              const EndFieldRules                  &rules = {});
 
+  /// The nodes of the pieces that end_fields() would solve for the body number
+  /// @p body, which carries all fields at all nodes: what they cost is to the
+  /// body's factor as these to its nodes. No piece is solved; that one end may
+  /// be another one's mirror image is not looked at. Collective.
+  unsigned int
+  nodes_of_pieces(const Beam                 &beam,
+                  const unsigned int          body,
+                  const Bodies               &bodies,
+                  const std::vector<Support> &supports,
+                  const EndFieldRules        &rules = {});
+
+  /// Those that a section has from another one of the same cells and of a lower
+  /// degree: its zones @p zones embedded in @p section (embedded()) and freed
+  /// of what this one has for warpings, @p warpings. They are as good as they
+  /// were.
+  std::vector<EndZone>
+  embedded(const std::vector<EndZone> &zones,
+           const Section              &from,
+           const Section              &section,
+           const Warping              &warping,
+           const FieldColumns         &warpings,
+           const EndFieldRules        &rules = {});
+
   /**
    * End fields that are made once and asked for by many: those of models of one
-   * scene differ in their axes and loads, and have the same ends.
+   * scene differ in their axes and loads, and have the same ends. A richer
+   * section, LE-4 for LE-3, has those of the poorer one embedded where nobody
+   * looks at the end itself (HeldSection::is_looked_at): what the degree
+   * changes of them does not reach far, and the piece is most of what such a
+   * model costs.
    */
   class EndFields
   {
@@ -115,7 +149,7 @@ namespace lamella
     explicit EndFields(const EndFieldRules &rules = {});
 
     /// end_fields(), or what it said of a section with the same matrices and
-    /// fields, held alike. Collective.
+    /// fields, held alike; or those of a poorer one, embedded. Collective.
     std::vector<EndZone>
     zones(const std::shared_ptr<const Section> &section,
           const SaintVenant                    &states,
@@ -123,11 +157,17 @@ namespace lamella
           const FieldColumns                   &warpings,
           const HeldSection                    &held);
 
-    /// How many different ones were asked for.
+    const EndFieldRules &
+    limits() const
+    {
+      return rules;
+    }
+
+    /// How many pieces were solved.
     std::size_t
     n_made() const
     {
-      return known.size();
+      return n_pieces;
     }
 
   private:
@@ -140,8 +180,13 @@ namespace lamella
       std::vector<EndZone> zones;
     };
 
+    /// Those of a poorer section held by the same, or null.
+    const Known *
+    poorer(const Section &section, const HeldSection &held) const;
+
     EndFieldRules      rules;
     std::vector<Known> known;
+    std::size_t        n_pieces = 0;
   };
 
   /**

@@ -51,7 +51,14 @@ namespace lamella
     unsigned int nodes = 0, fields = 0, cells = 0;
     /// Whether a support holds all of it, as in plane strain.
     bool held_all_along = false;
+    /// The share of its length along which others may touch it.
+    double touched = 0.;
   };
+
+  /// The share of a beam's length along which others may touch it above which
+  /// its own fields are no smaller than LE, and take long to be made: there is
+  /// a response to each row of the contact.
+  constexpr double long_contact = 0.5;
 
   /// Those of the bodies of @p model.
   std::vector<BodySize>
@@ -71,14 +78,16 @@ namespace lamella
    * @p scene with less of one source of error, in all bodies:
    *   axis      elements along beams halved;
    *   fields    EBBT, TBT and TE-N become SV-10, SV to SV-5 SV-6, or all of
-   *             these LE-2 where that has at most cheap_dofs; SV-N gets four
-   *             wave numbers more; LE-N has all fields of its section already;
-   *   section   LE-N becomes LE-(N+1); the section order of SV-N grows by one;
-   *             solid-1 becomes solid-2, whose hexahedra are divided in eight;
-   *   contact   penalties become exact.
-   * LE-N becomes SV-10 with the same functions where the body, of the size
+   *             these LE-2 where that has at most cheap_dofs or others may
+   * touch the body along more than long_contact of it; SV-N gets four wave
+   * numbers more; LE-N has all fields of its section already; section   LE-N
+   * becomes LE-(N+1); the section order of SV-N grows by one; solid-1 becomes
+   * solid-2, whose hexahedra are divided in eight; contact   penalties become
+   * exact. LE-N becomes SV-10 with the same functions where the body, of the
+   * size
    * @p sizes now, would have more than @p most_dofs, and the fields of
-   * responses are fewer than those of the section. Nothing changes where there
+   * responses are fewer than those of the section (may_have_responses()).
+   * Nothing changes where there
    * is no such source: see has_source(). The axes of @p scene have to be made
    * (grade_axes()).
    */
@@ -91,25 +100,6 @@ namespace lamella
   /// Whether enriched() would change anything.
   bool
   has_source(const Scene &scene, const Source source);
-
-  /// @p scene with the elements @p marked of its beams bisected. Their axes
-  /// have to be made; bodies whose nodes a contact pairs (node to node) want
-  /// all of their elements marked or none.
-  Scene
-  bisected(Scene scene, const std::vector<ElementError> &marked);
-
-  /**
-   * Which elements to bisect for @p goals that are not met: of each, the worst
-   * one first, those with the largest |error| per DoF until what all others do
-   * is below @p left of the tolerance, and no less than @p share of the sum.
-   * None if a goal that is not met has no LocalErrors, or a contact pairs
-   * nodes: then all elements are to be halved.
-   */
-  std::optional<std::vector<ElementError>>
-  marked_elements(const Scene                   &scene,
-                  const std::vector<GoalResult> &goals,
-                  const double                   left,
-                  const double                   share);
 
   /// The scene as an estimate needs it: its last load step only, and nothing
   /// asked for but probes.

@@ -119,12 +119,18 @@ namespace lamella
     /// M_1 .. M_k, and M_r.
     void
     climb();
+    /// M_r: M_k, or the model after the one source that matters, with less of
+    /// sources_that_matter() once more.
+    void
+    climb_once_more();
     void
     add_step(const Source source);
-    /// The sources that M_r has less of than the last model that matters.
+    /// The sources that M_r has less of: those with a weight of 1 or more, or
+    /// the heaviest. Contact has one step only.
     std::vector<Source>
     sources_that_matter() const;
-    /// The largest share of @p step in a goal, over its tolerance.
+    /// The largest share of @p step in a goal, over what makes it matter: a
+    /// tenth of the tolerance, or a fiftieth of what all steps do together.
     double
     weight_of(const Step &step) const;
     /// Of the goal @p quantity what the first refinement changes by @p step.

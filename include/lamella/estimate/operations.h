@@ -18,7 +18,11 @@ namespace lamella
    * What its richer models (Estimation) would take, as far as it can be counted
    * before they are built: 5 m^3 for each node of an axis, m =
    * fields_of_responses, and eight axes' worth of nodes (two models on halved
-   * elements, one on quarters) where SV-10 stands in for LE-N. Infinite where
+   * elements, one on quarters) where SV-10 stands in for LE-N; the products and
+   * eigenvectors of the responses, two for each of 10 wave numbers and each
+   * load vector of what touches the body; and the pieces
+   * that its end fields take, as a share of the run's factor
+   * (nodes_of_pieces()). Infinite where
    * it does not for some body: a richer model of the same kind always costs
    * more than the run.
    */

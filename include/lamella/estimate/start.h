@@ -7,10 +7,6 @@
 
 namespace lamella
 {
-  /// The share of a beam's length along which others may touch it above which
-  /// its own fields are no smaller than LE.
-  constexpr double long_contact = 0.3;
-
   /**
    * What a run to a tolerance begins with where @p scene does not say its
    * Theory: SV-6, but LE-1 for bodies of which LE-2 has at most cheap_dofs, and

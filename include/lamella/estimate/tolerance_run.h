@@ -73,7 +73,8 @@ namespace lamella
     std::vector<Source>
     wanted() const;
     /// The present scene with less of these: along the axis the elements that
-    /// matter are bisected (marked_elements()).
+    /// matter are bisected (marked_elements()), and those that do not are
+    /// merged (merged()).
     Scene
     next_scene() const;
     /// Whether the budget of seconds is spent.
@@ -91,7 +92,9 @@ namespace lamella
     std::string
     table() const;
 
-    Scene                       scene;
+    Scene scene;
+    /// That of the first pass, its axes made.
+    std::optional<Scene>        first;
     std::ostream               &out;
     std::unique_ptr<Simulation> simulation;
     ModelCache                  cache;
