@@ -129,6 +129,33 @@ namespace lamella
 
 
 
+    /// Whether the degree of @p body's section cannot grow any more.
+    bool
+    has_highest_degree(const BodyDescription &body)
+    {
+      const Theory &theory = body.theory;
+      return (theory.kind == Kind::LE && theory.order >= highest_degree) ||
+             (theory.kind == Kind::SV &&
+              theory.section_order >= highest_degree);
+    }
+
+
+
+    /// Divides all cells of the sections of bodies that have the highest
+    /// degree.
+    void
+    divide_cells(Scene &result, const Scene &scene)
+    {
+      std::set<std::string> sections;
+      for (const BodyDescription &body : scene.bodies)
+        if (has_highest_degree(body))
+          sections.insert(body.section);
+      for (const std::string &section : sections)
+        ++result.divisions[section];
+    }
+
+
+
     /// The share of the length of the beam @p body that gap rows see.
     double
     touched_share(const Simulation  &model,
@@ -247,6 +274,8 @@ namespace lamella
         else if (source == Source::section)
           enrich_section(body, sizes[b], most_dofs);
       }
+    if (source == Source::section)
+      divide_cells(result, scene);
     if (source == Source::contact)
       for (ContactPair &contact : result.contacts)
         contact.enforcement = Enforcement::exact;

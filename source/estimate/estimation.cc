@@ -46,6 +46,8 @@ namespace lamella
             key += " " + to_text(y, 15);
           key += "; ";
         }
+      for (const auto &[section, times] : scene.divisions)
+        key += section + "/" + std::to_string(times) + " ";
       for (const ContactPair &contact : scene.contacts)
         key += name_of(contact.enforcement);
       return key;

@@ -295,6 +295,8 @@ namespace lamella
       subsections.each("Sections", "Section", [&](const auto &name, auto in) {
         scene.sections[name] =
           parse_section(prm, in, names.at("Materials"), text.folder());
+        scene.divisions[name] =
+          in["Cells divided"].whole(0, SectionParameters::most_divisions);
       });
       subsections.each("Bodies", "Body", [&](const auto &name, auto) {
         scene.bodies.push_back(
@@ -585,7 +587,10 @@ namespace lamella
     SectionMeshes meshes;
     for (const auto &[name, shape] : scene.sections)
       {
-        const auto mesh = make_section_mesh(shape, scene.materials);
+        auto       mesh  = make_section_mesh(shape, scene.materials);
+        const auto known = scene.divisions.find(name);
+        if (known != scene.divisions.end() && known->second > 0)
+          mesh = divided(*mesh, known->second, "Section " + name);
         check_proportions(*mesh, "Section " + name);
         meshes[name] = mesh;
       }

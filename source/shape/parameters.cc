@@ -23,10 +23,9 @@ namespace lamella
     using patterns::positive;
     using patterns::Whole;
 
-    // Along a line of a mesh, and of a whole section: a slip of a digit must
-    // not end in a machine out of memory.
+    // Along a line of a mesh: a slip of a digit must not end in a machine out
+    // of memory.
     constexpr unsigned int most_in_line = 10000;
-    constexpr double       most_cells   = 50000.;
     // 49152 cells.
     constexpr unsigned int most_refinements = 6;
 
@@ -172,6 +171,12 @@ namespace lamella
        Whole(0, most_refinements),
        "E",
        "Ellipse: how often 12 cells are cut into four each, 0 to 6."},
+      {"Cells divided",
+       "0",
+       Whole(0, SectionParameters::most_divisions),
+       "LDEBWTF",
+       "How often all cells of the section are divided in four, also those of "
+       "a file, 0 to 4."},
       {"Wall thickness",
        "",
        List(positive()),
@@ -869,9 +874,9 @@ namespace lamella
     check_entries(kind, in);
     const SectionShape result = read(kind, folder, {in, materials});
     const double       cells  = estimated_cells(result);
-    if (cells > most_cells)
+    if (cells > most_section_cells)
       in.refuse("the section would have about " + to_text(cells) +
-                  " cells, more than " + to_text(most_cells),
+                  " cells, more than " + to_text(most_section_cells),
                 "Use fewer cells, and a higher order instead.");
     return result;
   }

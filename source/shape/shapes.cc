@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <lamella/base/exceptions.h>
+#include <lamella/base/text.h>
 #include <lamella/shape/shapes.h>
 
 #include <deal.II/grid/grid_generator.h>
 #include <deal.II/grid/grid_tools.h>
 #include <deal.II/grid/manifold_lib.h>
 
+#include <cmath>
 #include <utility>
 
 namespace lamella
@@ -157,5 +160,33 @@ namespace lamella
       cell->set_material_id(0);
     section->boundaries = {{0, "arc"}};
     return section;
+  }
+
+
+
+  std::shared_ptr<const SectionMesh>
+  divided(const SectionMesh &section,
+          const unsigned int times,
+          const std::string &what)
+  {
+    const double cells = std::pow(4., times) * section.mesh.n_active_cells();
+    if (cells > most_section_cells)
+      throw InputError(what + "/Cells divided",
+                       std::to_string(times),
+                       "would make " + to_text(cells) +
+                         " cells of the section, more than " +
+                         to_text(most_section_cells),
+                       "Divide them less often, or use a higher order.");
+    Triangulation<2> fine;
+    fine.copy_triangulation(section.mesh);
+    fine.refine_global(times);
+    auto result        = std::make_shared<SectionMesh>();
+    result->plies      = section.plies;
+    result->boundaries = section.boundaries;
+    GridGenerator::flatten_triangulation(fine, result->mesh);
+    for (const types::manifold_id id : fine.get_manifold_ids())
+      if (id != numbers::flat_manifold_id)
+        result->mesh.set_manifold(id, fine.get_manifold(id));
+    return result;
   }
 } // namespace lamella

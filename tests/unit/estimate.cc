@@ -99,6 +99,7 @@ namespace
     Scene           scene;
     BodyDescription body;
     body.name          = "beam";
+    body.section       = "strip";
     body.theory        = Theory::parse({"Theory", theory});
     body.axis.elements = {3, 4};
     body.axis.breaks   = {1.};
@@ -149,6 +150,16 @@ BOOST_AUTO_TEST_CASE(richer_models)
   BOOST_TEST(finer.bodies[0].axis.elements[1] == 8);
   const Scene higher = enriched(scene_of("SV-6"), Source::section, large);
   BOOST_TEST(higher.bodies[0].theory.section_order == 4);
+
+  // Degrees first, then cells: there is always something that gets richer.
+  BOOST_TEST(higher.divisions.empty());
+  const Scene divided = enriched(scene_of("LE-8"), Source::section, large);
+  BOOST_TEST(divided.bodies[0].theory.name() ==
+             scene_of("LE-8").bodies[0].theory.name());
+  BOOST_TEST(divided.divisions.at("strip") == 1u);
+  BOOST_TEST(enriched(divided, Source::section, large).divisions.at("strip") ==
+             2u);
+  BOOST_TEST(enriched(scene_of("LE-8"), Source::axis, large).divisions.empty());
 
   BOOST_TEST(!has_source(scene_of("LE-2"), Source::fields));
   BOOST_TEST(!has_source(scene_of("EBBT"), Source::section));

@@ -264,6 +264,40 @@ BOOST_AUTO_TEST_CASE(area_converges_with_the_degree)
 
 
 
+BOOST_AUTO_TEST_CASE(cells_are_divided)
+{
+  // Four for one, on the same curve: LE-1's area, a polygon's, is four times
+  // closer, and sides, plies and what lies in them stay.
+  for (const bool ellipse : {false, true})
+    {
+      const auto mesh =
+        ellipse ? make_section_mesh(Ellipse{2., 1., 2, carbon}, constants) :
+                  make_section_mesh(half_disc(90., 8., 8), constants);
+      const auto fine = divided(*mesh, 1, "Section s");
+      check_section_mesh(*fine, {"Section s", ""});
+      BOOST_TEST(fine->mesh.n_levels() == 1u);
+      BOOST_TEST(fine->mesh.n_active_cells() ==
+                 4 * mesh->mesh.n_active_cells());
+      const double exact = ellipse ? PI / 2. : PI * R * R / 2.,
+                   ratio = off(make_section(mesh, 1)->area(), exact) /
+                           off(make_section(fine, 1)->area(), exact);
+      BOOST_TEST(std::abs(ratio - 4.) < 0.1);
+      BOOST_TEST((fine->boundaries == mesh->boundaries));
+    }
+  const Laminate two{
+    2., {0., 90.}, {0.25, 0.75}, {"carbon", "foam"}, {1}, {3}, {}};
+  const auto fine = divided(*make_section_mesh(two, constants), 2, "");
+  BOOST_TEST(fine->mesh.n_active_cells() == 96u);
+  BOOST_TEST(fine->plies.size() == 2u);
+  const SectionProperties p = section_properties(*fine);
+  BOOST_TEST(off(p.ply_areas.at(0), 0.5) < 1e-13);
+  BOOST_TEST(off(p.ply_areas.at(1), 1.5) < 1e-13);
+  BOOST_TEST(off(p.boundary_lengths.at("top"), 2.) < 1e-14);
+  BOOST_CHECK_THROW(divided(*fine, 5, "Section s"), InputError);
+}
+
+
+
 BOOST_AUTO_TEST_CASE(ellipse_against_closed_forms)
 {
   for (const auto &[width, height] :

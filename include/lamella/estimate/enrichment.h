@@ -79,17 +79,20 @@ namespace lamella
    *   axis      elements along beams halved;
    *   fields    EBBT, TBT and TE-N become SV-10, SV to SV-5 SV-6, or all of
    *             these LE-2 where that has at most cheap_dofs or others may
-   * touch the body along more than long_contact of it; SV-N gets four wave
-   * numbers more; LE-N has all fields of its section already; section   LE-N
-   * becomes LE-(N+1); the section order of SV-N grows by one; solid-1 becomes
-   * solid-2, whose hexahedra are divided in eight; contact   penalties become
-   * exact. LE-N becomes SV-10 with the same functions where the body, of the
-   * size
+   *             touch the body along more than long_contact of it; SV-N gets
+   *             four wave numbers more; LE-N has all fields of its section
+   *             already;
+   *   section   LE-N becomes LE-(N+1); the section order of SV-N grows by one;
+   *             where either is 8 already the cells of the section are divided
+   *             in four instead (degrees come first: they converge at twice the
+   *             rate of equal cells where plies end, Szabo and Babuska 1991);
+   *             solid-1 becomes solid-2, whose hexahedra are divided in eight;
+   *   contact   penalties become exact.
+   * LE-N becomes SV-10 with the same functions where the body, of the size
    * @p sizes now, would have more than @p most_dofs, and the fields of
    * responses are fewer than those of the section (may_have_responses()).
-   * Nothing changes where there
-   * is no such source: see has_source(). The axes of @p scene have to be made
-   * (grade_axes()).
+   * Nothing changes where there is no such source: see has_source(). The axes
+   * of @p scene have to be made (grade_axes()).
    */
   Scene
   enriched(const Scene                 &scene,

@@ -62,6 +62,8 @@ namespace lamella
     Materials materials;
     /// By name: what a section mesh is made from.
     std::map<std::string, SectionShape> sections;
+    /// By name: how often all cells of the section are divided in four.
+    std::map<std::string, unsigned int> divisions;
     /// Name, section, theory (Eq. 1), axis and placement of each body.
     std::vector<BodyDescription> bodies;
 

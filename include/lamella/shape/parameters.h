@@ -16,6 +16,9 @@ namespace lamella
   /// which.
   struct SectionParameters
   {
+    /// `Cells divided` at most.
+    static constexpr unsigned int most_divisions = 4;
+
     /// Declares them in the subsection that @p prm is in.
     static void
     declare(dealii::ParameterHandler &prm);

@@ -217,6 +217,10 @@ namespace lamella
     std::map<std::string, PartPlane> planes = {};
   };
 
+  /// Of a whole section: a slip of a digit must not end in a machine out of
+  /// memory.
+  constexpr double most_section_cells = 50000.;
+
   /// A section as the scene describes it. Plain data, cheap to copy: no mesh is
   /// made, and no file read, before make_section_mesh().
   using SectionShape =
@@ -244,7 +248,16 @@ namespace lamella
   std::shared_ptr<const SectionMesh>
   make_section_mesh(const SectionShape &shape, const Materials &materials);
 
-  /// Of one kind of shape; what the function above calls. All but files have
+  /// All cells of @p section divided in four, @p times times, at the middles of
+  /// their edges, on arcs where their manifold has these. Plies and the names
+  /// of sides are inherited. Throws InputError, of the entry `Cells divided` of
+  /// the subsection @p what, if that makes more than most_section_cells.
+  std::shared_ptr<const SectionMesh>
+  divided(const SectionMesh &section,
+          const unsigned int times,
+          const std::string &what);
+
+  /// Of one kind of shape; what make_section_mesh() calls. All but files have
   /// the lower left corner of their box at (0, 0). Boundary ids of this one: 0
   /// `arc`, 1 `flat`.
   std::shared_ptr<const SectionMesh>
