@@ -14,7 +14,7 @@ from measure_fields import fields
 from measure_rates import rates
 from measure_solids import calculix, hanging, million, solids
 from measure_leaves import leaves
-from measure_tolerances import indentation, tolerances
+from measure_tolerances import c3d20r, indentation, tolerances
 from measure_tools import POINT, ROOT, Run, axis, drawing, table
 
 
@@ -330,14 +330,14 @@ def main():
                                       parallel, million, fields, aims, hairs, walls,
                                       compact, flexure, three_plies, paper,
                                       growth_plies, growth_length, bars, rates,
-                                      tolerances, indentation, leaves)}
+                                      tolerances, indentation, leaves, c3d20r)}
     unknown = [name for name in sys.argv[1:] if name not in tables]
     if unknown:
         sys.exit(f"no table {unknown[0]}; there are: {', '.join(tables)}")
     # A million DoFs take minutes and gigabytes: only when asked for.
     only_asked = ("parallel", "million", "fields", "aims", "hairs", "walls", "compact",
                   "flexure", "three_plies", "paper", "growth_plies", "growth_length", "bars",
-                  "tolerances", "indentation")
+                  "tolerances", "indentation", "c3d20r")
     for name in sys.argv[1:] or [name for name in tables if name not in only_asked]:
         print(f"## {name}: {tables[name].__doc__}\n")
         tables[name]()

@@ -183,3 +183,20 @@ def indentation():
         rows.append([name, run.summary["dofs"], f"{run.seconds:.1f}"] + [
             f"{100 * (run.value(goal) / true.value(goal) - 1):.2g}" for goal in goals])
     table(["model", "DoFs", "seconds"] + [f"{goal}, %" for goal in goals], rows)
+
+
+def c3d20r():
+    """doc/error-bars.md: runs to 1 % beside meshes of C3D20R, whole scenes, taking turns;
+    errors are those to the converged values of doc/benchmarks.md."""
+    from functools import partial
+    from benchmark_calculix import OURS, STIFFNESS, THEIRS, Rung, section
+    from benchmark_scenes import LAMINATED, SANDWICH
+    from peers import MISSING, find_ccx, lamella_run, peer_run
+    if find_ccx() is None:
+        print(MISSING + "\n")
+        return
+    for name, scene in (("laminated_beams", LAMINATED), ("sandwich", SANDWICH)):
+        solve = partial(peer_run, contact_stiffness=STIFFNESS[name])
+        ours = [Rung(scene, "Lamella", *OURS[name][-1], lamella_run)]
+        theirs = [Rung(scene, "C3D20R", *mesh, solve) for mesh in THEIRS[name]]
+        print("\n\n".join(section(scene, ours, theirs)[0]), flush=True)

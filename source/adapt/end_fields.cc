@@ -364,6 +364,17 @@ namespace lamella
 
 
   bool
+  suffice(const std::vector<EndZone> &zones, const HeldSection &held)
+  {
+    return !held.is_looked_at ||
+           std::none_of(zones.begin(), zones.end(), [](const EndZone &zone) {
+             return zone.is_embedded;
+           });
+  }
+
+
+
+  bool
   alike(const HeldSection &a, const HeldSection &b)
   {
     if (a.goes_forward != b.goes_forward || a.rows.size() != b.rows.size() ||
@@ -483,11 +494,19 @@ namespace lamella
     const auto   touches = find_touches(beam, body, bodies, supports, {}, {});
     unsigned int nodes   = 0;
     for (unsigned int t = 0; t < touches.size(); ++t)
-      // Touches that hold a section together have one piece.
-      if (touches[t].holds_section &&
-          (t == 0 || touches[t - 1].begin != touches[t].begin))
-        for (const HeldSection &held : held_sections(touches, t, beam.axis()))
-          nodes += make_piece(section, held, rules)->axis().n_nodes();
+      {
+        // Touches that hold a section together have one piece.
+        const bool is_first = std::none_of(
+          touches.begin(), touches.begin() + t, [&](const auto &o) {
+            return o.holds_section && std::abs(o.begin - touches[t].begin) <
+                                        same_place * beam.axis().length();
+          });
+        if (touches[t].holds_section && is_first)
+          for (const HeldSection &held : held_sections(touches, t, beam.axis()))
+            if (const auto piece = make_piece(section, held, rules);
+                piece->n_dofs() <= rules.most_dofs)
+              nodes += piece->axis().n_nodes();
+      }
     return nodes;
   }
 
@@ -579,19 +598,27 @@ namespace lamella
     const auto same =
       std::find_if(known.begin(), known.end(), [&](const Known &one) {
         return alike(one.held, of_piece) && are_equal(*one.section, *section) &&
-               are_equal(one.warpings, warpings);
+               are_equal(one.warpings, warpings) &&
+               suffice(one.zones, of_piece);
       });
     // Making them is collective: processes that differ in a last bit make them.
-    const int number = same - known.begin(),
-              least  = Utilities::MPI::min(number, communicator()),
-              most   = Utilities::MPI::max(number, communicator());
-    if (least == most && same != known.end())
+    const auto agreed = [](const int number) {
+      return Utilities::MPI::min(number, communicator()) ==
+             Utilities::MPI::max(number, communicator());
+    };
+    const bool is_known = agreed(same - known.begin());
+    if (is_known && same != known.end())
       return same->zones;
-    const Known *const   other = poorer(*section, of_piece);
+    const std::size_t    other    = poorer(*section, of_piece);
+    const bool           is_there = agreed(other);
     std::vector<EndZone> zones;
-    if (other != nullptr)
-      zones = embedded(
-        other->zones, *other->section, *section, warping, warpings, rules);
+    if (is_there && other < known.size())
+      zones = embedded(known[other].zones,
+                       *known[other].section,
+                       *section,
+                       warping,
+                       warpings,
+                       rules);
     else
       {
         zones = end_fields(section, states, warping, warpings, held, rules);
@@ -603,20 +630,25 @@ namespace lamella
 
 
 
-  const EndFields::Known *
+  std::size_t
   EndFields::poorer(const Section &section, const HeldSection &held) const
   {
-    if (held.is_looked_at)
-      return nullptr;
-    // The richest of them has made the last piece.
-    for (auto one = known.rbegin(); one != known.rend(); ++one)
-      if (one->section->element().degree() < section.element().degree() &&
-          one->held.by == held.by &&
-          one->held.goes_forward == held.goes_forward &&
-          is_as_long(one->held, held) &&
-          have_same_cells(*one->section, section))
-        return &*one;
-    return nullptr;
+    std::size_t  best   = known.size();
+    unsigned int degree = 0;
+    if (!held.is_looked_at)
+      for (std::size_t k = 0; k < known.size(); ++k)
+        if (const Known &one = known[k];
+            one.section->element().degree() < section.element().degree() &&
+            one.section->element().degree() > degree &&
+            one.held.body == held.body && one.held.by == held.by &&
+            one.held.goes_forward == held.goes_forward &&
+            is_as_long(one.held, held) &&
+            have_same_cells(*one.section, section))
+          {
+            best   = k;
+            degree = one.section->element().degree();
+          }
+    return best;
   }
 
 

@@ -113,6 +113,8 @@ namespace lamella
     opposite.goes_forward = !held.goes_forward;
     for (const End &known : ends)
       {
+        if (!suffice(known.zones, held))
+          continue;
         if (alike(known.held, held))
           return known.groups;
         if (alike(known.held, opposite))

@@ -350,12 +350,15 @@ namespace lamella
                    y = body.touches[t].begin;
       auto held      = held_sections(body.touches, t, beam.axis());
       for (HeldSection &one : held)
-        one.is_looked_at =
-          std::any_of(body.asked.begin(),
-                      body.asked.end(),
-                      [&](const auto &at) {
-                        return at.second > y - near && at.first < y + near;
-                      });
+        {
+          one.body = beam.name();
+          one.is_looked_at =
+            std::any_of(body.asked.begin(),
+                        body.asked.end(),
+                        [&](const auto &at) {
+                          return at.second > y - near && at.first < y + near;
+                        });
+        }
       return held;
     }
 

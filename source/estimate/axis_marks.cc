@@ -195,10 +195,10 @@ namespace lamella
 
 
   Scene
-  merged(Scene                          scene,
-         const Scene                   &first,
-         const std::vector<GoalResult> &goals,
-         const double                   left)
+  merged(Scene                                   scene,
+         const std::vector<std::vector<double>> &kept,
+         const std::vector<GoalResult>          &goals,
+         const double                            left)
   {
     const auto is_told = [left](const GoalResult &goal) {
       return goal.local &&
@@ -213,7 +213,7 @@ namespace lamella
         AxisMesh         &axis   = scene.bodies[b].axis;
         std::vector<Span> spans  = spans_of(axis, b, goals);
         const std::size_t before = spans.size();
-        rest = merge(spans, first.bodies[b].axis.breaks, axis.degree, rest);
+        rest                     = merge(spans, kept[b], axis.degree, rest);
         if (spans.size() == before)
           continue;
         axis.breaks.clear();

@@ -103,6 +103,18 @@ namespace lamella
 
 
 
+    /// Whether the degree of @p body's section cannot grow any more.
+    bool
+    has_highest_degree(const BodyDescription &body)
+    {
+      const Theory &theory = body.theory;
+      return (theory.kind == Kind::LE && theory.order >= highest_degree) ||
+             (theory.kind == Kind::SV &&
+              theory.section_order >= highest_degree);
+    }
+
+
+
     void
     enrich_section(BodyDescription &body,
                    const BodySize  &size,
@@ -116,7 +128,9 @@ namespace lamella
             ++body.refinement.everywhere;
           return;
         }
-      const double growth = (body.theory.order + 1.) / body.theory.order;
+      const double growth = has_highest_degree(body) ?
+                              2. :
+                              (body.theory.order + 1.) / body.theory.order;
       keep_small(body, size, growth * growth, most);
       for (Theory *theory : theories_of(body))
         {
@@ -125,18 +139,6 @@ namespace lamella
           theory->section_order =
             std::min(theory->section_order + 1, highest_degree);
         }
-    }
-
-
-
-    /// Whether the degree of @p body's section cannot grow any more.
-    bool
-    has_highest_degree(const BodyDescription &body)
-    {
-      const Theory &theory = body.theory;
-      return (theory.kind == Kind::LE && theory.order >= highest_degree) ||
-             (theory.kind == Kind::SV &&
-              theory.section_order >= highest_degree);
     }
 
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <lamella/axis/axis.h>
 #include <lamella/base/exceptions.h>
 #include <lamella/base/output_file.h>
 #include <lamella/base/processes.h>
@@ -51,10 +52,29 @@ namespace lamella
 
 
 
-  ToleranceRun::ToleranceRun(const Scene &scene, std::ostream &out)
-    : scene(start_of(scene))
+  ToleranceRun::ToleranceRun(const Scene &said, std::ostream &out)
+    : scene(start_of(said))
     , out(out)
-  {}
+  {
+    for (unsigned int b = 0; b < scene.bodies.size(); ++b)
+      begins_equal.push_back(said.bodies[b].axis.fineness > 0. &&
+                             scene.bodies[b].axis.fineness == 0.);
+  }
+
+
+
+  void
+  ToleranceRun::keep_ends(const Scene &first)
+  {
+    for (unsigned int b = 0; b < first.bodies.size(); ++b)
+      {
+        kept.emplace_back();
+        double end = 0.;
+        if (!begins_equal[b])
+          for (const double length : element_lengths(first.bodies[b].axis))
+            kept.back().push_back(end += length);
+      }
+  }
 
 
 
@@ -85,7 +105,7 @@ namespace lamella
     if (simulation != nullptr)
       estimation.comes_after(ResultNumbers(simulation->results()));
     else
-      first = next->solved_scene();
+      keep_ends(next->solved_scene());
     pass.goals   = estimation.goals();
     pass.seconds = wall.wall_time();
     for (const BodyFacts &body : next->results().bodies)
@@ -199,11 +219,15 @@ namespace lamella
     // And what elements may do that become one.
     constexpr double most_merged = 0.05;
 
-    const auto  &goals = passes.back().goals;
-    Scene        next  = simulation->solved_scene();
-    const Model &model = *cache.find(next);
-    next               = merged(next, *first, goals, most_merged);
-    for (const Source source : wanted())
+    const auto               &goals   = passes.back().goals;
+    Scene                     next    = simulation->solved_scene();
+    const Model              &model   = *cache.find(next);
+    const std::vector<Source> sources = wanted();
+    // Other fields have other errors along the axis: those of EBBT say nothing.
+    if (std::find(sources.begin(), sources.end(), Source::fields) ==
+        sources.end())
+      next = merged(next, kept, goals, most_merged);
+    for (const Source source : sources)
       {
         const auto marked = marked_elements(next, goals, most_left, least_done);
         next              = source == Source::axis && marked ?

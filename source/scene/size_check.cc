@@ -28,12 +28,16 @@ namespace lamella
 
     /// DoFs, and from below the non-zeros of the stiffness.
     std::pair<double, double>
-    size_of(const BodyDescription &body, const Laminate &laminate)
+    size_of(const BodyDescription &body,
+            const Laminate        &laminate,
+            const unsigned int     divisions)
     {
-      const double nx = sum(laminate.cells_across),
-                   nz = laminate.cells_per_ply.size() == 1 ?
-                          laminate.cells_per_ply[0] * laminate.angles.size() :
-                          sum(laminate.cells_per_ply),
+      const double times = 1u << divisions,
+                   nx    = times * sum(laminate.cells_across),
+                   nz    = times *
+                        (laminate.cells_per_ply.size() == 1 ?
+                           laminate.cells_per_ply[0] * laminate.angles.size() :
+                           sum(laminate.cells_per_ply)),
                    ny = sum(body.axis.elements), p = body.theory.order;
       const bool   is_solid = body.theory.kind == Theory::Kind::solid;
       const double q        = is_solid ? p : body.axis.degree;
@@ -57,7 +61,10 @@ namespace lamella
         if (laminate == nullptr ||
             (kind != Theory::Kind::LE && kind != Theory::Kind::solid))
           continue;
-        const auto [dofs, entries] = size_of(body, *laminate);
+        const auto         known = scene.divisions.find(body.section);
+        const unsigned int divisions =
+          known == scene.divisions.end() ? 0 : known->second;
+        const auto [dofs, entries] = size_of(body, *laminate, divisions);
         const double bytes         = bytes_per_entry * entries,
                      available     = available_memory(scene.solve.memory_limit);
         if (dofs > small && bytes > available)

@@ -466,12 +466,19 @@ BOOST_AUTO_TEST_CASE(richer_sections_have_the_fields_of_poorer_ones)
   BOOST_TEST(ends.n_made() == 2);
   made_for(other, other.held({clamp()})[0]);
   BOOST_TEST(ends.n_made() == 3);
-  EndFields looked_at;
-  looked_at.zones(end.section, end.states, end.warping, end.warpings, held);
   of_richer.is_looked_at = true;
-  looked_at.zones(
-    richer.section, richer.states, richer.warping, richer.warpings, of_richer);
-  BOOST_TEST(looked_at.n_made() == 2);
+  BOOST_TEST(!suffice(reused, of_richer));
+  BOOST_TEST(suffice(made_for(richer, of_richer), of_richer));
+  BOOST_TEST(ends.n_made() == 4);
+  // Once there is one it serves all.
+  made_for(richer, of_richer);
+  BOOST_TEST(ends.n_made() == 4);
+  // Another body's are not taken: its support may hold it in another way.
+  const End   third("coupled", "LE-4");
+  HeldSection of_other = third.held({clamp()})[0];
+  of_other.body        = "another";
+  made_for(third, of_other);
+  BOOST_TEST(ends.n_made() == 5);
 }
 
 

@@ -49,7 +49,9 @@ namespace lamella
     bool goes_forward = true;
     /// The axis element beside it [length].
     double element = 0.;
-    /// What holds it, as touches are called, in their order.
+    /// The body, and what holds it, as touches are called, in their order:
+    /// what is the same in models of one scene.
+    std::string              body;
     std::vector<std::string> by;
     /// Whether stresses are asked for within EndFieldRules::looked_at of it.
     bool is_looked_at = false;
@@ -76,7 +78,14 @@ namespace lamella
     FieldColumns fields;
     /// [length].
     double reach = 0.;
+    /// Whether they are those of a poorer section.
+    bool is_embedded = false;
   };
+
+  /// Whether @p zones do for @p held: those that are embedded do not where it
+  /// is looked at.
+  bool
+  suffice(const std::vector<EndZone> &zones, const HeldSection &held);
 
   /**
    * How the section deforms beside an end that is held as a whole, which
@@ -180,8 +189,9 @@ namespace lamella
       std::vector<EndZone> zones;
     };
 
-    /// Those of a poorer section held by the same, or null.
-    const Known *
+    /// The number of those of a poorer section of the body, held by the same;
+    /// how many there are if there is none.
+    std::size_t
     poorer(const Section &section, const HeldSection &held) const;
 
     EndFieldRules      rules;

@@ -37,17 +37,16 @@ namespace lamella
    *   (|e_1| + |e_2|) ((h_1 + h_2) / min(h_1, h_2))^(2 p),
    * what a smooth solution makes of it, and pairs are merged, also ones that
    * are merged already, the least error first, while all of them together are
-   * below @p left of each tolerance. Ends of elements that @p first has for
-   * breaks of its axes stay: what a scene says, and what `auto` puts beside
-   * loads and supports. Nothing is merged where a goal has no LocalErrors,
-   * where these are not told element by element (contact, remainder) up to
-   * @p left of the tolerance, or where a contact pairs nodes.
+   * below @p left of each tolerance. Ends of elements at @p kept, of each body,
+   * stay. Nothing is merged where a goal has no LocalErrors, where these are
+   * not told element by element (contact, remainder) up to @p left of the
+   * tolerance, or where a contact pairs nodes.
    */
   Scene
-  merged(Scene                          scene,
-         const Scene                   &first,
-         const std::vector<GoalResult> &goals,
-         const double                   left);
+  merged(Scene                                   scene,
+         const std::vector<std::vector<double>> &kept,
+         const std::vector<GoalResult>          &goals,
+         const double                            left);
 } // namespace lamella
 
 #endif

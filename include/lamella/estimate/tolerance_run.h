@@ -33,7 +33,7 @@ namespace lamella
   {
   public:
     /// @p out is referred to.
-    ToleranceRun(const Scene &scene, std::ostream &out);
+    ToleranceRun(const Scene &said, std::ostream &out);
 
     /// Makes passes and writes the results into @p directory. Throws as
     /// Simulation::run() does for the first model.
@@ -49,6 +49,9 @@ namespace lamella
     }
 
   private:
+    /// Says which ends of elements stay, from @p first, the first pass.
+    void
+    keep_ends(const Scene &first);
     /// One model with its bars.
     struct Pass
     {
@@ -93,11 +96,14 @@ namespace lamella
     table() const;
 
     Scene scene;
-    /// That of the first pass, its axes made.
-    std::optional<Scene>        first;
-    std::ostream               &out;
-    std::unique_ptr<Simulation> simulation;
-    ModelCache                  cache;
+    /// Of each body whether it begins with equal elements, of which nobody has
+    /// said anything (start_of()), and the ends of elements that are not to be
+    /// merged: those of the first pass of all others.
+    std::vector<bool>                begins_equal;
+    std::vector<std::vector<double>> kept;
+    std::ostream                    &out;
+    std::unique_ptr<Simulation>      simulation;
+    ModelCache                       cache;
     /// Of all models, so that they share end fields.
     FieldRules        rules;
     std::vector<Pass> passes;

@@ -9,7 +9,8 @@ namespace lamella
 {
   /// Whether both have the same cells: as many, their middles within 1e-9 of
   /// the section's size, and the same elastic law there to 1e-9. Their theories
-  /// may differ.
+  /// may differ. Cells with curved sides have not, if the degrees differ: their
+  /// middles move with it.
   bool
   have_same_cells(const Section &a, const Section &b);
 
@@ -19,9 +20,8 @@ namespace lamella
    * nearest to the other's w over the area,
    *   int Phi_alpha . (v - w) dA = 0     for each field Phi_alpha of @p to,
    * at the integration points of @p to. LE-p holds LE-q of a lower degree, so
-   * there v = w; on cells with curved sides, which move with the degree, nearly
-   * so. Columns of as many rows as @p to has fields. Throws NumericsError where
-   * the fields of @p to depend on each other.
+   * there v = w. Columns of as many rows as @p to has fields. Throws
+   * NumericsError where the fields of @p to depend on each other.
    */
   FieldColumns
   embedded(const FieldColumns &fields, const Section &from, const Section &to);
