@@ -567,7 +567,8 @@ namespace lamella
         for (unsigned int j = 0; j < columns.n(); ++j)
           fields.push_back(column_of(columns, j));
         EndZone richer;
-        richer.reach = zone.reach;
+        richer.reach       = zone.reach;
+        richer.is_embedded = true;
         richer.fields =
           warping.weighted_basis(fields, warpings, known, rules.tolerance);
         if (richer.fields.n() == 0)
