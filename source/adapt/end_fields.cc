@@ -2,11 +2,9 @@
 
 #include <lamella/adapt/end_fields.h>
 #include <lamella/adapt/graded_axis.h>
-#include <lamella/base/processes.h>
 #include <lamella/body/beam.h>
 #include <lamella/conditions/row_reduction.h>
 #include <lamella/conditions/stabilisation.h>
-#include <lamella/section/embedding.h>
 
 #include <algorithm>
 #include <cmath>
@@ -14,6 +12,19 @@
 namespace lamella
 {
   using namespace dealii;
+
+  double
+  first_element(const Section       &section,
+                const HeldSection   &held,
+                const EndFieldRules &rules)
+  {
+    const double H = section.extents().first;
+    return std::clamp(held.element,
+                      rules.shortest_element * H,
+                      rules.longest_element * H);
+  }
+
+
 
   namespace
   {
@@ -23,37 +34,13 @@ namespace lamella
 
 
 
-    /// The smaller and the larger extent of the section.
-    std::pair<double, double>
-    extents(const Section &section)
-    {
-      const BoundingBox<2> box = section.element().bounding_box();
-      return std::minmax({box.side_length(0), box.side_length(1)});
-    }
-
-
-
-    /// The piece's element at its held end.
-    double
-    first_element(const Section       &section,
-                  const HeldSection   &held,
-                  const EndFieldRules &rules)
-    {
-      const double H = extents(section).first;
-      return std::clamp(held.element,
-                        rules.shortest_element * H,
-                        rules.longest_element * H);
-    }
-
-
-
     /// A beam with all fields, its axis graded to the held end.
     std::unique_ptr<Beam>
     make_piece(const std::shared_ptr<const Section> &section,
                const HeldSection                    &held,
                const EndFieldRules                  &rules)
     {
-      const double length = rules.length * extents(*section).second;
+      const double length = rules.length * section->extents().second;
       AxisMesh     axis;
       axis.length = length;
       axis.breaks = graded_breaks(length,
@@ -300,7 +287,7 @@ namespace lamella
     {
       const Axis  &axis    = piece.axis();
       const auto   lengths = axis.node_weights();
-      const double H       = extents(piece.section()).first;
+      const double H       = piece.section().extents().first;
       Snapshots    result;
       for (unsigned int node = 0; node < axis.n_nodes(); ++node)
         for (const Vector &one : u)
@@ -352,24 +339,14 @@ namespace lamella
   {
     // Of lengths, and of weights.
     constexpr double rounding = 1e-6;
-
-    /// Whether their axis elements are.
-    bool
-    is_as_long(const HeldSection &a, const HeldSection &b)
-    {
-      return std::abs(a.element - b.element) <= rounding * a.element;
-    }
   } // namespace
 
 
 
   bool
-  suffice(const std::vector<EndZone> &zones, const HeldSection &held)
+  HeldSection::is_as_long_as(const HeldSection &other) const
   {
-    return !held.is_looked_at ||
-           std::none_of(zones.begin(), zones.end(), [](const EndZone &zone) {
-             return zone.is_embedded;
-           });
+    return std::abs(element - other.element) <= rounding * element;
   }
 
 
@@ -378,7 +355,7 @@ namespace lamella
   alike(const HeldSection &a, const HeldSection &b)
   {
     if (a.goes_forward != b.goes_forward || a.rows.size() != b.rows.size() ||
-        !is_as_long(a, b))
+        !a.is_as_long_as(b))
       return false;
     const auto same = [](const Row &r, const Row &s) {
       return std::equal(r.entries().begin(),
@@ -469,7 +446,7 @@ namespace lamella
              const HeldSection                    &held,
              const EndFieldRules                  &rules)
   {
-    const double larger = extents(*section).second;
+    const double larger = section->extents().second;
     const auto   piece  = make_piece(section, held, rules);
     if (piece->n_dofs() > rules.most_dofs)
       return {};
@@ -484,14 +461,11 @@ namespace lamella
 
 
   unsigned int
-  nodes_of_pieces(const Beam                 &beam,
-                  const unsigned int          body,
-                  const Bodies               &bodies,
-                  const std::vector<Support> &supports,
-                  const EndFieldRules        &rules)
+  nodes_of_pieces(const Beam               &beam,
+                  const std::vector<Touch> &touches,
+                  const EndFieldRules      &rules)
   {
     const auto   section = beam.fields().shared_section();
-    const auto   touches = find_touches(beam, body, bodies, supports, {}, {});
     unsigned int nodes   = 0;
     for (unsigned int t = 0; t < touches.size(); ++t)
       {
@@ -508,148 +482,6 @@ namespace lamella
               nodes += piece->axis().n_nodes();
       }
     return nodes;
-  }
-
-
-
-  namespace
-  {
-    /// Whether both have the same matrices, so that nothing tells them apart.
-    bool
-    are_equal(const Section &a, const Section &b)
-    {
-      if (&a == &b)
-        return true;
-      for (const auto &[p, q] :
-           {std::array<int, 2>{{0, 0}}, {{0, 1}}, {{1, 1}}})
-        {
-          const Matrix &A = a.S(p, q), &B = b.S(p, q);
-          if (A.m() != B.m() ||
-              A.n_nonzero_elements() != B.n_nonzero_elements() ||
-              !std::equal(A.begin(),
-                          A.end(),
-                          B.begin(),
-                          [](const auto &one, const auto &other) {
-                            return one.column() == other.column() &&
-                                   one.value() == other.value();
-                          }))
-            return false;
-        }
-      return true;
-    }
-
-
-
-    bool
-    are_equal(const FieldColumns &a, const FieldColumns &b)
-    {
-      return a.m() == b.m() && a.n() == b.n() &&
-             std::equal(&a(0, 0), &a(0, 0) + a.m() * a.n(), &b(0, 0));
-    }
-  } // namespace
-
-
-
-  std::vector<EndZone>
-  embedded(const std::vector<EndZone> &zones,
-           const Section              &from,
-           const Section              &section,
-           const Warping              &warping,
-           const FieldColumns         &warpings,
-           const EndFieldRules        &rules)
-  {
-    std::vector<EndZone> result;
-    FieldColumns         known = warpings;
-    for (const EndZone &zone : zones)
-      {
-        const FieldColumns  columns = embedded(zone.fields, from, section);
-        std::vector<Vector> fields;
-        for (unsigned int j = 0; j < columns.n(); ++j)
-          fields.push_back(column_of(columns, j));
-        EndZone richer;
-        richer.reach       = zone.reach;
-        richer.is_embedded = true;
-        richer.fields =
-          warping.weighted_basis(fields, warpings, known, rules.tolerance);
-        if (richer.fields.n() == 0)
-          continue;
-        known = beside(known, richer.fields);
-        result.push_back(std::move(richer));
-      }
-    return result;
-  }
-
-
-
-  EndFields::EndFields(const EndFieldRules &rules)
-    : rules(rules)
-  {}
-
-
-
-  std::vector<EndZone>
-  EndFields::zones(const std::shared_ptr<const Section> &section,
-                   const SaintVenant                    &states,
-                   const Warping                        &warping,
-                   const FieldColumns                   &warpings,
-                   const HeldSection                    &held)
-  {
-    HeldSection of_piece = held;
-    of_piece.element     = first_element(*section, held, rules);
-    const auto same =
-      std::find_if(known.begin(), known.end(), [&](const Known &one) {
-        return alike(one.held, of_piece) && are_equal(*one.section, *section) &&
-               are_equal(one.warpings, warpings) &&
-               suffice(one.zones, of_piece);
-      });
-    // Making them is collective: processes that differ in a last bit make them.
-    const auto agreed = [](const int number) {
-      return Utilities::MPI::min(number, communicator()) ==
-             Utilities::MPI::max(number, communicator());
-    };
-    const bool is_known = agreed(same - known.begin());
-    if (is_known && same != known.end())
-      return same->zones;
-    const std::size_t    other    = poorer(*section, of_piece);
-    const bool           is_there = agreed(other);
-    std::vector<EndZone> zones;
-    if (is_there && other < known.size())
-      zones = embedded(known[other].zones,
-                       *known[other].section,
-                       *section,
-                       warping,
-                       warpings,
-                       rules);
-    else
-      {
-        zones = end_fields(section, states, warping, warpings, held, rules);
-        ++n_pieces;
-      }
-    known.push_back({section, warpings, of_piece, zones});
-    return zones;
-  }
-
-
-
-  std::size_t
-  EndFields::poorer(const Section &section, const HeldSection &held) const
-  {
-    std::size_t  best   = known.size();
-    unsigned int degree = 0;
-    if (!held.is_looked_at)
-      for (std::size_t k = 0; k < known.size(); ++k)
-        if (const Known &one = known[k];
-            one.section->element().degree() < section.element().degree() &&
-            one.section->element().degree() > degree &&
-            one.held.body == held.body && one.held.by == held.by &&
-            one.held.goes_forward == held.goes_forward &&
-            is_as_long(one.held, held) &&
-            have_same_cells(*one.section, section))
-          {
-            best   = k;
-            degree = one.section->element().degree();
-          }
-    return best;
   }
 
 

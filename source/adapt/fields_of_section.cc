@@ -160,11 +160,10 @@ namespace lamella
   double
   FieldsOfSection::reach_of(const unsigned int g) const
   {
-    const BoundingBox<2> box = section->element().bounding_box();
-    const double         a = box.side_length(0), b = box.side_length(1);
+    const auto [smaller, larger] = section->extents();
     return groups[g].reach > 0. ? groups[g].reach :
-           groups[g].holds      ? rules.reach_of_clamp * std::max(a, b) :
-                                  rules.reach * std::min(a, b);
+           groups[g].holds      ? rules.reach_of_clamp * larger :
+                                  rules.reach * smaller;
   }
 
 
@@ -173,9 +172,9 @@ namespace lamella
   FieldsOfSection::has_thin_walls() const
   {
     // They fill little of the box around them.
-    constexpr double     walls = 0.5;
-    const BoundingBox<2> box   = section->element().bounding_box();
-    return section->area() < walls * box.side_length(0) * box.side_length(1);
+    constexpr double walls       = 0.5;
+    const auto [smaller, larger] = section->extents();
+    return section->area() < walls * smaller * larger;
   }
 
 
@@ -183,10 +182,9 @@ namespace lamella
   std::vector<double>
   FieldsOfSection::wave_numbers(const double highest) const
   {
-    const BoundingBox<2> box = section->element().bounding_box();
-    const double larger      = std::max(box.side_length(0), box.side_length(1)),
-                 lowest      = rules.lowest_wave / larger,
-                 last        = std::max(highest, 2. * lowest);
+    const double larger = section->extents().second,
+                 lowest = rules.lowest_wave / larger,
+                 last   = std::max(highest, 2. * lowest);
     if (!has_thin_walls())
       return in_equal_ratios(lowest, last, theory.order);
     // Down to what walls need in no larger steps.

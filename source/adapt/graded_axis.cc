@@ -127,8 +127,7 @@ namespace lamella
     double
     height_of(const Beam &beam)
     {
-      const BoundingBox<2> box = beam.section().element().bounding_box();
-      return std::min(box.side_length(0), box.side_length(1));
+      return beam.section().extents().first;
     }
 
 

@@ -344,11 +344,9 @@ namespace lamella
                        const unsigned int   t,
                        const EndFieldRules &rules)
     {
-      const BoundingBox<2> box  = beam.section().element().bounding_box();
-      const double         near = rules.looked_at *
-                          std::max(box.side_length(0), box.side_length(1)),
-                   y = body.touches[t].begin;
-      auto held      = held_sections(body.touches, t, beam.axis());
+      const double near = rules.looked_at * beam.section().extents().second,
+                   y    = body.touches[t].begin;
+      auto held         = held_sections(body.touches, t, beam.axis());
       for (HeldSection &one : held)
         {
           one.body = beam.name();

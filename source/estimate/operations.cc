@@ -22,20 +22,11 @@ namespace lamella
 
 
 
-    /// All that touches the body number @p body, of LE-N.
     std::size_t
-    n_load_vectors(const Simulation &run, const unsigned int body)
+    n_load_vectors(const std::vector<Touch> &touches)
     {
-      const Bodies &bodies = run.solved_structure().bodies();
-      const Scene  &scene  = run.solved_scene();
-      std::size_t   n      = 0;
-      for (const Touch &touch :
-           find_touches(dynamic_cast<const Beam &>(*bodies[body]),
-                        body,
-                        bodies,
-                        scene.supports,
-                        scene.loads,
-                        run.interfaces()))
+      std::size_t n = 0;
+      for (const Touch &touch : touches)
         if (!touch.holds_section)
           n += touch.loads.size();
       return n;
@@ -64,21 +55,21 @@ namespace lamella
     double                      sum    = 0.;
     const std::vector<BodySize> sizes  = sizes_of(run);
     const Bodies               &bodies = run.solved_structure().bodies();
+    const Scene                &scene  = run.solved_scene();
     for (unsigned int b = 0; b < sizes.size(); ++b)
       {
-        if (!may_have_responses(run.solved_scene().bodies[b], sizes[b]) ||
+        if (!may_have_responses(scene.bodies[b], sizes[b]) ||
             2. * sizes[b].dofs <= most_dofs_of_layers)
           return std::numeric_limits<double>::infinity();
         sum += axes * sizes[b].nodes * of_block * m * m * m;
-        const double answers = 2. * waves * n_load_vectors(run, b);
+        // It is of LE-N: responses say so.
+        const auto &beam    = dynamic_cast<const Beam &>(*bodies[b]);
+        const auto  touches = find_touches(
+          beam, b, bodies, scene.supports, scene.loads, run.interfaces());
+        const double answers = 2. * waves * n_load_vectors(touches);
         sum += sizes[b].fields * answers * answers +
                of_eigenvectors * answers * answers * answers;
-        const unsigned int in_pieces =
-          nodes_of_pieces(dynamic_cast<const Beam &>(*bodies[b]),
-                          b,
-                          bodies,
-                          run.solved_scene().supports);
-        sum += double(in_pieces) / sizes[b].nodes *
+        sum += double(nodes_of_pieces(beam, touches)) / sizes[b].nodes *
                operations(run.results().bodies[b]);
       }
     return sum;

@@ -587,10 +587,9 @@ namespace lamella
     SectionMeshes meshes;
     for (const auto &[name, shape] : scene.sections)
       {
-        auto       mesh  = make_section_mesh(shape, scene.materials);
-        const auto known = scene.divisions.find(name);
-        if (known != scene.divisions.end() && known->second > 0)
-          mesh = divided(*mesh, known->second, "Section " + name);
+        auto mesh = make_section_mesh(shape, scene.materials);
+        if (const unsigned int times = scene.divisions_of(name); times > 0)
+          mesh = divided(*mesh, times, "Section " + name);
         check_proportions(*mesh, "Section " + name);
         meshes[name] = mesh;
       }

@@ -61,12 +61,10 @@ namespace lamella
         if (laminate == nullptr ||
             (kind != Theory::Kind::LE && kind != Theory::Kind::solid))
           continue;
-        const auto         known = scene.divisions.find(body.section);
-        const unsigned int divisions =
-          known == scene.divisions.end() ? 0 : known->second;
-        const auto [dofs, entries] = size_of(body, *laminate, divisions);
-        const double bytes         = bytes_per_entry * entries,
-                     available     = available_memory(scene.solve.memory_limit);
+        const auto [dofs, entries] =
+          size_of(body, *laminate, scene.divisions_of(body.section));
+        const double bytes     = bytes_per_entry * entries,
+                     available = available_memory(scene.solve.memory_limit);
         if (dofs > small && bytes > available)
           throw InputError(
             "Body " + body.name,

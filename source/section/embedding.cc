@@ -3,8 +3,6 @@
 #include <lamella/linear/factorisation.h>
 #include <lamella/section/embedding.h>
 
-#include <algorithm>
-
 namespace lamella
 {
   using namespace dealii;
@@ -31,9 +29,8 @@ namespace lamella
     if (a.n_cells() != b.n_cells())
       return false;
     constexpr double rounding = 1e-9;
-    const double     size     = a.element().bounding_box().side_length(0) +
-                        a.element().bounding_box().side_length(1);
-    const Point<2> middle(0.5, 0.5);
+    const double     size     = a.extents().second;
+    const Point<2>   middle(0.5, 0.5);
     for (unsigned int cell = 0; cell < a.n_cells(); ++cell)
       {
         const Point<2> p      = a.evaluate(cell, middle).position,
@@ -48,7 +45,7 @@ namespace lamella
 
 
 
-  FieldColumns
+  std::vector<Vector>
   embedded(const FieldColumns &fields, const Section &from, const Section &to)
   {
     Matrix              mass(to.S(0, 0).get_sparsity_pattern());
@@ -67,10 +64,6 @@ namespace lamella
         }
     });
     factorise(mass, "the fields of a section")->solve_all(columns);
-    FieldColumns result(to.n_fields(), fields.n());
-    for (unsigned int j = 0; j < fields.n(); ++j)
-      for (unsigned int a = 0; a < to.n_fields(); ++a)
-        result(a, j) = columns[j][a];
-    return result;
+    return columns;
   }
 } // namespace lamella

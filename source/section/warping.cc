@@ -23,9 +23,8 @@ namespace lamella
   Warping::Warping(const Section &section)
     : section(section)
   {
-    const BoundingBox<2> box = section.element().bounding_box();
-    smaller_extent           = std::min(box.side_length(0), box.side_length(1));
-    const double rate        = 0.1 / smaller_extent;
+    smaller_extent    = section.extents().first;
+    const double rate = 0.1 / smaller_extent;
     metric_matrix.reinit(section.S(0, 0).get_sparsity_pattern());
     metric_matrix.copy_from(section.S(0, 0));
     metric_matrix.add(rate * rate, section.S(1, 1));

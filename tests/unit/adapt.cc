@@ -5,8 +5,8 @@
 
 #include "fixtures.h"
 
-#include <lamella/adapt/end_fields.h>
 #include <lamella/adapt/graded_axis.h>
+#include <lamella/adapt/known_end_fields.h>
 #include <lamella/adapt/node_fields.h>
 #include <lamella/section/embedding.h>
 #include <lamella/shape/shapes.h>
@@ -427,12 +427,12 @@ BOOST_AUTO_TEST_CASE(richer_sections_have_the_fields_of_poorer_ones)
   BOOST_TEST(!have_same_cells(*end.section, *other.section));
   const HeldSection  held   = end.held({clamp()})[0];
   const auto         zones  = end.zones(held);
-  const FieldColumns fields = fields_of(zones),
-                     same   = embedded(fields, *end.section, *richer.section);
+  const FieldColumns fields = fields_of(zones);
+  const auto         same   = embedded(fields, *end.section, *richer.section);
   for (unsigned int j = 0; j < fields.n(); ++j)
     for (const auto &[p, q] : {std::array<int, 2>{{0, 0}}, {{0, 1}}, {{1, 1}}})
       {
-        const Vector one = column_of(fields, j), three = column_of(same, j);
+        const Vector one = column_of(fields, j), &three = same[j];
         const double energy = end.section->S(p, q).matrix_norm_square(one),
                      scale  = end.section->S(p, p).matrix_norm_square(one) +
                              end.section->S(q, q).matrix_norm_square(one);

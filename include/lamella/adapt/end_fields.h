@@ -55,6 +55,10 @@ namespace lamella
     std::vector<std::string> by;
     /// Whether stresses are asked for within EndFieldRules::looked_at of it.
     bool is_looked_at = false;
+
+    /// Whether the axis elements are, to within rounding.
+    bool
+    is_as_long_as(const HeldSection &other) const;
   };
 
   /**
@@ -82,10 +86,12 @@ namespace lamella
     bool is_embedded = false;
   };
 
-  /// Whether @p zones do for @p held: those that are embedded do not where it
-  /// is looked at.
-  bool
-  suffice(const std::vector<EndZone> &zones, const HeldSection &held);
+  /// The axis element at the held end of the piece that end_fields() solves
+  /// [length].
+  double
+  first_element(const Section       &section,
+                const HeldSection   &held,
+                const EndFieldRules &rules);
 
   /**
    * How the section deforms beside an end that is held as a whole, which
@@ -121,83 +127,14 @@ namespace lamella
              const HeldSection                    &held,
              const EndFieldRules                  &rules = {});
 
-  /// The nodes of the pieces that end_fields() would solve for the body number
-  /// @p body, which carries all fields at all nodes: what they cost is to the
+  /// The nodes of the pieces that end_fields() would solve for @p beam, which
+  /// carries all fields at all nodes, with @p touches: what they cost is to the
   /// body's factor as these to its nodes. No piece is solved; that one end may
-  /// be another one's mirror image is not looked at. Collective.
+  /// be another one's mirror image is not looked at.
   unsigned int
-  nodes_of_pieces(const Beam                 &beam,
-                  const unsigned int          body,
-                  const Bodies               &bodies,
-                  const std::vector<Support> &supports,
-                  const EndFieldRules        &rules = {});
-
-  /// Those that a section has from another one of the same cells and of a lower
-  /// degree: its zones @p zones embedded in @p section (embedded()) and freed
-  /// of what this one has for warpings, @p warpings. They are as good as they
-  /// were.
-  std::vector<EndZone>
-  embedded(const std::vector<EndZone> &zones,
-           const Section              &from,
-           const Section              &section,
-           const Warping              &warping,
-           const FieldColumns         &warpings,
-           const EndFieldRules        &rules = {});
-
-  /**
-   * End fields that are made once and asked for by many: those of models of one
-   * scene differ in their axes and loads, and have the same ends. A richer
-   * section, LE-4 for LE-3, has those of the poorer one embedded where nobody
-   * looks at the end itself (HeldSection::is_looked_at): what the degree
-   * changes of them does not reach far, and the piece is most of what such a
-   * model costs.
-   */
-  class EndFields
-  {
-  public:
-    explicit EndFields(const EndFieldRules &rules = {});
-
-    /// end_fields(), or what it said of a section with the same matrices and
-    /// fields, held alike; or those of a poorer one, embedded. Collective.
-    std::vector<EndZone>
-    zones(const std::shared_ptr<const Section> &section,
-          const SaintVenant                    &states,
-          const Warping                        &warping,
-          const FieldColumns                   &warpings,
-          const HeldSection                    &held);
-
-    const EndFieldRules &
-    limits() const
-    {
-      return rules;
-    }
-
-    /// How many pieces were solved.
-    std::size_t
-    n_made() const
-    {
-      return n_pieces;
-    }
-
-  private:
-    struct Known
-    {
-      std::shared_ptr<const Section> section;
-      FieldColumns                   warpings;
-      /// Its element is that of the piece.
-      HeldSection          held;
-      std::vector<EndZone> zones;
-    };
-
-    /// The number of those of a poorer section of the body, held by the same;
-    /// how many there are if there is none.
-    std::size_t
-    poorer(const Section &section, const HeldSection &held) const;
-
-    EndFieldRules      rules;
-    std::vector<Known> known;
-    std::size_t        n_pieces = 0;
-  };
+  nodes_of_pieces(const Beam               &beam,
+                  const std::vector<Touch> &touches,
+                  const EndFieldRules      &rules = {});
 
   /**
    * The zones of the same support at the other end of a body, @p zones seen in

@@ -8,7 +8,7 @@
 #ifndef lamella_adapt_node_fields_h
 #define lamella_adapt_node_fields_h
 
-#include <lamella/adapt/end_fields.h>
+#include <lamella/adapt/known_end_fields.h>
 #include <lamella/body/parameters.h>
 #include <lamella/recover/requests.h>
 

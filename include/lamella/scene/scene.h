@@ -108,6 +108,15 @@ namespace lamella
     /// which read_scene() makes the same scene. A mesh file has its absolute
     /// path in it.
     std::string resolved;
+
+    /// How often the cells of @p section are divided: not at all where nothing
+    /// is said.
+    unsigned int
+    divisions_of(const std::string &section) const
+    {
+      const auto known = divisions.find(section);
+      return known == divisions.end() ? 0 : known->second;
+    }
   };
 
   /**

@@ -15,15 +15,15 @@ namespace lamella
   have_same_cells(const Section &a, const Section &b);
 
   /**
-   * The fields @p fields of the section @p from, a column each, as fields of
+   * The fields @p fields of the section @p from, a column each, as those of
    * @p to, which have_same_cells(): the displacement v of the one that is
    * nearest to the other's w over the area,
    *   int Phi_alpha . (v - w) dA = 0     for each field Phi_alpha of @p to,
    * at the integration points of @p to. LE-p holds LE-q of a lower degree, so
-   * there v = w. Columns of as many rows as @p to has fields. Throws
+   * there v = w. A vector for each column, as long as @p to has fields. Throws
    * NumericsError where the fields of @p to depend on each other.
    */
-  FieldColumns
+  std::vector<Vector>
   embedded(const FieldColumns &fields, const Section &from, const Section &to);
 } // namespace lamella
 

@@ -22,8 +22,10 @@
 
 #include <deal.II/numerics/rtree.h>
 
+#include <algorithm>
 #include <functional>
 #include <memory>
+#include <utility>
 #include <vector>
 
 namespace lamella
@@ -120,6 +122,14 @@ namespace lamella
     plies() const
     {
       return expansion->section_mesh().plies;
+    }
+
+    /// The smaller and the larger side of the box around it [length].
+    std::pair<double, double>
+    extents() const
+    {
+      const auto box = expansion->bounding_box();
+      return std::minmax({box.side_length(0), box.side_length(1)});
     }
 
     /// Displacement DoFs of an axis node, before constraints.

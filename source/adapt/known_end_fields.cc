@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <lamella/adapt/known_end_fields.h>
+#include <lamella/base/processes.h>
+#include <lamella/section/embedding.h>
+
+#include <algorithm>
+
+namespace lamella
+{
+  using namespace dealii;
+
+  bool
+  suffice(const std::vector<EndZone> &zones, const HeldSection &held)
+  {
+    return !held.is_looked_at ||
+           std::none_of(zones.begin(), zones.end(), [](const EndZone &zone) {
+             return zone.is_embedded;
+           });
+  }
+
+
+
+  namespace
+  {
+    /// Whether both have the same matrices, so that nothing tells them apart.
+    bool
+    are_equal(const Section &a, const Section &b)
+    {
+      if (&a == &b)
+        return true;
+      for (const auto &[p, q] :
+           {std::array<int, 2>{{0, 0}}, {{0, 1}}, {{1, 1}}})
+        {
+          const Matrix &A = a.S(p, q), &B = b.S(p, q);
+          if (A.m() != B.m() ||
+              A.n_nonzero_elements() != B.n_nonzero_elements() ||
+              !std::equal(A.begin(),
+                          A.end(),
+                          B.begin(),
+                          [](const auto &one, const auto &other) {
+                            return one.column() == other.column() &&
+                                   one.value() == other.value();
+                          }))
+            return false;
+        }
+      return true;
+    }
+
+
+
+    bool
+    are_equal(const FieldColumns &a, const FieldColumns &b)
+    {
+      return a.m() == b.m() && a.n() == b.n() &&
+             std::equal(&a(0, 0), &a(0, 0) + a.m() * a.n(), &b(0, 0));
+    }
+  } // namespace
+
+
+
+  std::vector<EndZone>
+  embedded(const std::vector<EndZone> &zones,
+           const Section              &from,
+           const Section              &section,
+           const Warping              &warping,
+           const FieldColumns         &warpings,
+           const EndFieldRules        &rules)
+  {
+    std::vector<EndZone> result;
+    FieldColumns         known = warpings;
+    for (const EndZone &zone : zones)
+      {
+        EndZone richer;
+        richer.reach       = zone.reach;
+        richer.is_embedded = true;
+        richer.fields =
+          warping.weighted_basis(embedded(zone.fields, from, section),
+                                 warpings,
+                                 known,
+                                 rules.tolerance);
+        if (richer.fields.n() == 0)
+          continue;
+        known = beside(known, richer.fields);
+        result.push_back(std::move(richer));
+      }
+    return result;
+  }
+
+
+
+  EndFields::EndFields(const EndFieldRules &rules)
+    : rules(rules)
+  {}
+
+
+
+  std::vector<EndZone>
+  EndFields::zones(const std::shared_ptr<const Section> &section,
+                   const SaintVenant                    &states,
+                   const Warping                        &warping,
+                   const FieldColumns                   &warpings,
+                   const HeldSection                    &held)
+  {
+    HeldSection of_piece = held;
+    of_piece.element     = first_element(*section, held, rules);
+    const auto same =
+      std::find_if(known.begin(), known.end(), [&](const Known &one) {
+        return alike(one.held, of_piece) && are_equal(*one.section, *section) &&
+               are_equal(one.warpings, warpings) &&
+               suffice(one.zones, of_piece);
+      });
+    // Making them is collective: processes that differ in a last bit make them.
+    const auto agreed = [](const int number) {
+      return Utilities::MPI::min(number, communicator()) ==
+             Utilities::MPI::max(number, communicator());
+    };
+    const bool is_known = agreed(same - known.begin());
+    if (is_known && same != known.end())
+      return same->zones;
+    const std::size_t    other    = poorer(*section, of_piece);
+    const bool           is_there = agreed(other);
+    std::vector<EndZone> zones;
+    if (is_there && other < known.size())
+      zones = embedded(known[other].zones,
+                       *known[other].section,
+                       *section,
+                       warping,
+                       warpings,
+                       rules);
+    else
+      {
+        zones = end_fields(section, states, warping, warpings, held, rules);
+        ++n_pieces;
+      }
+    known.push_back({section, warpings, of_piece, zones});
+    return zones;
+  }
+
+
+
+  std::size_t
+  EndFields::poorer(const Section &section, const HeldSection &held) const
+  {
+    std::size_t  best   = known.size();
+    unsigned int degree = 0;
+    if (!held.is_looked_at)
+      for (std::size_t k = 0; k < known.size(); ++k)
+        if (const Known &one = known[k];
+            one.section->element().degree() < section.element().degree() &&
+            one.section->element().degree() > degree &&
+            one.held.body == held.body && one.held.by == held.by &&
+            one.held.goes_forward == held.goes_forward &&
+            one.held.is_as_long_as(held) &&
+            have_same_cells(*one.section, section))
+          {
+            best   = k;
+            degree = one.section->element().degree();
+          }
+    return best;
+  }
+} // namespace lamella
