@@ -250,8 +250,8 @@ namespace lamella
                      const unsigned int         cell,
                      const Point<2>            &unit)
     {
-      const FunctionValues at = element.evaluate(cell, unit);
-      EdgePoint            point;
+      const auto at = element.map(cell, unit);
+      EdgePoint  point;
       point.position = at.position;
       point.weight   = determinant(at.jacobian);
       point.cell     = cell;

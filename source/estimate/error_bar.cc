@@ -51,4 +51,27 @@ namespace lamella
         to_text(100. * second / values.scale, 2) + " %. Refine theory or mesh";
     return result;
   }
+
+
+
+  ErrorBar
+  error_bar_after(const double poorer, const Refinements &values)
+  {
+    Refinements before       = values;
+    before.run               = poorer;
+    before.richer            = values.run;
+    before.richest           = values.richer;
+    Refinements once         = values;
+    once.richest             = values.richer;
+    const ErrorBar of_poorer = error_bar(before);
+    ErrorBar       result    = error_bar(once);
+    result.trusted           = of_poorer.trusted;
+    result.why               = of_poorer.why;
+    const double change      = std::abs(values.richer - values.run),
+                 last        = std::abs(values.run - poorer);
+    if (last > 0.)
+      result.bar =
+        std::max(result.bar, 2. * change * (1. + std::min(1., change / last)));
+    return result;
+  }
 } // namespace lamella

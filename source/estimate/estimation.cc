@@ -220,18 +220,6 @@ namespace lamella
 
 
 
-  ErrorBar
-  Estimation::bar_of_poorer(const NamedQuantity &quantity) const
-  {
-    Refinements values = first_refinement(quantity);
-    values.richest     = values.richer;
-    values.richer      = values.run;
-    values.run         = poorer->value(quantity);
-    return error_bar(values);
-  }
-
-
-
   bool
   Estimation::agrees_with_poorer() const
   {
@@ -239,7 +227,9 @@ namespace lamella
       return false;
     const auto all = quantities();
     return std::all_of(all.begin(), all.end(), [this](const auto &quantity) {
-      return bar_of_poorer(quantity).trusted;
+      return error_bar_after(poorer->value(quantity),
+                             first_refinement(quantity))
+        .trusted;
     });
   }
 
@@ -382,6 +372,28 @@ namespace lamella
 
 
 
+  ErrorBar
+  Estimation::bar_of(const NamedQuantity &quantity) const
+  {
+    Refinements values = first_refinement(quantity);
+    if (!has_richest && poorer)
+      return error_bar_after(poorer->value(quantity), values);
+    values.richest = values.richer;
+    if (has_richest)
+      values.richest += models.back().numbers.value(quantity) -
+                        models[before_richest].numbers.value(quantity);
+    ErrorBar bar = error_bar(values);
+    if (!has_richest)
+      {
+        bar.trusted = false;
+        bar.why     = "one refinement shows that the model is not good enough "
+                      "for the tolerances; no second one was made";
+      }
+    return bar;
+  }
+
+
+
   GoalResult
   Estimation::goal(const NamedQuantity &quantity,
                    const unsigned int   number) const
@@ -395,32 +407,14 @@ namespace lamella
         return result;
       }
 
-    Refinements values = first_refinement(quantity);
     for (const Step &step : steps)
       result.shares.emplace_back(name_of(step.source),
                                  share_of(step, quantity));
-    if (has_richest)
-      values.richest = values.richer + models.back().numbers.value(quantity) -
-                       models[before_richest].numbers.value(quantity);
-    else
-      values.richest = values.richer;
-    ErrorBar bar = error_bar(values);
-    if (!has_richest)
-      {
-        bar.trusted = false;
-        bar.why     = "one refinement shows that the model is not good enough "
-                      "for the tolerances; no second one was made";
-        if (poorer)
-          {
-            const ErrorBar other = bar_of_poorer(quantity);
-            bar.trusted          = other.trusted;
-            bar.why              = other.why;
-          }
-      }
-    result.estimate = bar.estimate;
-    result.bar      = bar.bar;
-    result.trusted  = bar.trusted;
-    result.why      = bar.why;
+    const ErrorBar bar = bar_of(quantity);
+    result.estimate    = bar.estimate;
+    result.bar         = bar.bar;
+    result.trusted     = bar.trusted;
+    result.why         = bar.why;
     return result;
   }
 

@@ -89,7 +89,7 @@ namespace lamella
   CrossSectionElement::depth(const unsigned int cell,
                              const unsigned int face) const
   {
-    const auto   jacobian = evaluate(cell, face_point(face, 0.5)).jacobian;
+    const auto   jacobian = map(cell, face_point(face, 0.5)).jacobian;
     const double area     = std::abs(determinant(jacobian));
     return area / scaled_face_normal(face, jacobian).norm();
   }
@@ -104,7 +104,7 @@ namespace lamella
     EdgePoint point;
     point.cell     = cell;
     point.unit     = face_point(face, t);
-    const auto at  = evaluate(cell, point.unit);
+    const auto at  = map(cell, point.unit);
     point.position = at.position;
     point.normal   = scaled_face_normal(face, at.jacobian);
     point.weight   = point.normal.norm();

@@ -488,22 +488,31 @@ namespace lamella
   {
     const FE_Q<2>         &fe = grid.fe();
     const QGauss<2>        quadrature(degree() + 1);
+    const unsigned int     n = fe.n_dofs_per_cell();
     std::vector<EdgePoint> points(grid.nodes().size());
+    FullMatrix<double>     shares(n, quadrature.size());
+    for (unsigned int i = 0; i < n; ++i)
+      for (unsigned int q = 0; q < quadrature.size(); ++q)
+        shares(i, q) =
+          fe.shape_value(i, quadrature.point(q)) * quadrature.weight(q);
+    Vector<double> areas(quadrature.size()), weights(n);
     for (unsigned int c = 0; c < cells.size(); ++c)
-      for (unsigned int i = 0; i < fe.n_dofs_per_cell(); ++i)
-        {
-          const unsigned int node  = grid.nodes_of_cell(c)[i];
-          EdgePoint         &point = points[node];
-          point.cell               = c;
-          point.unit               = fe.unit_support_point(i);
-          point.position           = &grid == &geometry ?
-                                       grid.nodes()[node] :
-                                       geometry.map(c, point.unit).position;
-          for (unsigned int q = 0; q < quadrature.size(); ++q)
-            point.weight +=
-              fe.shape_value(i, quadrature.point(q)) * quadrature.weight(q) *
-              determinant(geometry.map(c, quadrature.point(q)).jacobian);
-        }
+      {
+        for (unsigned int q = 0; q < quadrature.size(); ++q)
+          areas[q] = determinant(geometry.map(c, quadrature.point(q)).jacobian);
+        shares.vmult(weights, areas);
+        for (unsigned int i = 0; i < n; ++i)
+          {
+            const unsigned int node  = grid.nodes_of_cell(c)[i];
+            EdgePoint         &point = points[node];
+            point.cell               = c;
+            point.unit               = fe.unit_support_point(i);
+            point.position           = &grid == &geometry ?
+                                         grid.nodes()[node] :
+                                         geometry.map(c, point.unit).position;
+            point.weight += weights[i];
+          }
+      }
     return points;
   }
 } // namespace lamella

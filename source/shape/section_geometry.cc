@@ -26,7 +26,33 @@ namespace lamella
       {
         cell->get_dof_indices(indices);
         cells.emplace_back(indices.begin(), indices.end());
+        is_bilinear.push_back(true);
+        for (unsigned int i = 0; i < indices.size(); ++i)
+          if (positions[indices[i]].distance(
+                bilinear(cells.size() - 1, element.unit_support_point(i))
+                  .position) > 1e-14 * cell->diameter())
+            is_bilinear.back() = false;
       }
+  }
+
+
+
+  SectionGeometry::Place
+  SectionGeometry::bilinear(const unsigned int cell, const Point<2> &unit) const
+  {
+    Place place;
+    // The first nodes of FE_Q are the vertices.
+    for (const unsigned int v : GeometryInfo<2>::vertex_indices())
+      {
+        const Point<2> &node = positions[cells[cell][v]];
+        place.position +=
+          GeometryInfo<2>::d_linear_shape_function(unit, v) * node;
+        place.jacobian +=
+          outer_product(Tensor<1, 2>(node),
+                        GeometryInfo<2>::d_linear_shape_function_gradient(unit,
+                                                                          v));
+      }
+    return place;
   }
 
 
@@ -34,6 +60,8 @@ namespace lamella
   SectionGeometry::Place
   SectionGeometry::map(const unsigned int cell, const Point<2> &unit) const
   {
+    if (is_bilinear[cell])
+      return bilinear(cell, unit);
     Place place;
     for (unsigned int i = 0; i < element.n_dofs_per_cell(); ++i)
       {

@@ -52,6 +52,18 @@ namespace lamella
    */
   ErrorBar
   error_bar(const Refinements &values);
+
+  /**
+   * The bar of v_0 where v_1 alone is known of the richer models, and @p poorer
+   * of a model that v_0 is a refinement of. It is trusted if that one's is,
+   * with v_0 and v_1 for its refinements. With q = |v_1 - v_0| / |v_0 -
+   * poorer|, at most 1, the refinement that nobody made would have changed the
+   * value by q times as much again, so the bar is at least 2 (1 + q) |v_1 -
+   * v_0|, that of error_bar() if it had; the estimate is v_1 - v_0. Of @p
+   * values, richest is not looked at.
+   */
+  ErrorBar
+  error_bar_after(const double poorer, const Refinements &values);
 } // namespace lamella
 
 #endif

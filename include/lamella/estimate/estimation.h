@@ -143,9 +143,8 @@ namespace lamella
     /// What the first refinement makes of @p quantity.
     Refinements
     first_refinement(const NamedQuantity &quantity) const;
-    /// The bar of the poorer model that comes_after() knows.
     ErrorBar
-    bar_of_poorer(const NamedQuantity &quantity) const;
+    bar_of(const NamedQuantity &quantity) const;
     /// Whether two refinements of all goals agree without M_r.
     bool
     agrees_with_poorer() const;

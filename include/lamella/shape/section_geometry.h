@@ -74,17 +74,23 @@ namespace lamella
     };
 
     /// @p unit in [0, 1]^2 or outside of it, where the polynomial goes on.
-    /// Costs (degree + 1)^2 evaluations of shape functions; tables are for
-    /// those who integrate.
+    /// Costs (degree + 1)^2 evaluations of shape functions, of a cell whose
+    /// sides are straight four; tables are for those who integrate.
     Place
     map(const unsigned int cell, const dealii::Point<2> &unit) const;
 
   private:
+    /// map() by the vertices of @p cell alone.
+    Place
+    bilinear(const unsigned int cell, const dealii::Point<2> &unit) const;
+
     std::shared_ptr<const SectionMesh>     mesh;
     dealii::FE_Q<2>                        element;
     dealii::DoFHandler<2>                  dof_handler;
     std::vector<dealii::Point<2>>          positions;
     std::vector<std::vector<unsigned int>> cells;
+    /// Of each cell: whether its nodes are where its vertices alone put them.
+    std::vector<bool> is_bilinear;
   };
 
   /// Whether any edge of @p mesh is curved. It is if its middle is off the
