@@ -481,9 +481,10 @@ namespace lamella
 
 
   void
-  Beam::force_by_moments(const unsigned int k,
-                         const Vector      &u,
-                         SectionForce      &force) const
+  Beam::force_by_moments(const unsigned int         k,
+                         const Vector              &u,
+                         const std::vector<double> &stretch,
+                         SectionForce              &force) const
   {
     const double       h        = beam_section->element().reference_length();
     const unsigned int n_fields = beam_section->n_fields();
@@ -502,6 +503,8 @@ namespace lamella
         strain[2][translation] += strain[1][slope] / h;
         strain[1][slope] = 0.;
       }
+    if (!stretch.empty())
+      strain[2][RigidField::translation_y] += stretch[k];
     force.energy = 0.;
     for (unsigned int p = 0; p < 3; ++p)
       {
@@ -555,7 +558,8 @@ namespace lamella
   LAPACKFullMatrix<double>
   Beam::states_of_element(const unsigned int               cell,
                           const std::vector<unsigned int> &fields,
-                          const Vector                    &u) const
+                          const Vector                    &u,
+                          const std::vector<double>       &stretch) const
   {
     const auto              &points = beam_axis->integration_points();
     const auto              &nodes  = beam_axis->nodes_of_cell(cell);
@@ -581,23 +585,27 @@ namespace lamella
               }
           }
       }
+    // The rigid fields are the first of every dense list.
+    for (unsigned int k = 0; k < m && !stretch.empty(); ++k)
+      states(n + RigidField::translation_y, k) += stretch[m * cell + k];
     return states;
   }
 
 
 
   void
-  Beam::forces_of_dense_element(const unsigned int cell,
-                                const Vector      &u,
-                                DenseProducts     &products,
-                                const UseOfForce  &use) const
+  Beam::forces_of_dense_element(const unsigned int         cell,
+                                const Vector              &u,
+                                const std::vector<double> &stretch,
+                                DenseProducts             &products,
+                                const UseOfForce          &use) const
   {
     make_products(cell, products);
-    const auto        &fields = products.fields;
-    const unsigned int n      = fields.size();
-    const double       h      = beam_section->element().reference_length();
-    // The rigid fields are the first of every dense list.
-    LAPACKFullMatrix<double> states = states_of_element(cell, fields, u),
+    const auto              &fields = products.fields;
+    const unsigned int       n      = fields.size();
+    const double             h = beam_section->element().reference_length();
+    LAPACKFullMatrix<double> states =
+                               states_of_element(cell, fields, u, stretch),
                              works(states);
     for (unsigned int k = 0; k < states.n(); ++k)
       for (const auto &[translation, slope] : slopes_of_axis)
@@ -629,7 +637,9 @@ namespace lamella
 
 
   void
-  Beam::for_each_section_force(const Vector &u, const UseOfForce &use) const
+  Beam::for_each_smooth_force(const Vector              &u,
+                              const std::vector<double> &stretch,
+                              const UseOfForce          &use) const
   {
     const bool    by_moments = beam_section->spans_the_section();
     SectionForce  force;
@@ -641,11 +651,11 @@ namespace lamella
       if (by_moments)
         for (unsigned int k = cell * n_points; k < (cell + 1) * n_points; ++k)
           {
-            force_by_moments(k, u, force);
+            force_by_moments(k, u, stretch, force);
             use(k, force);
           }
       else if (dense_cells[cell])
-        forces_of_dense_element(cell, u, products, use);
+        forces_of_dense_element(cell, u, stretch, products, use);
   }
 
 
@@ -675,13 +685,10 @@ namespace lamella
   Beam::add_internal_forces(const Vector &u, Vector &f) const
   {
     Vector share(f.size());
-    for_each_section_force(u,
-                           [&](const unsigned int  k,
-                               const SectionForce &force) {
-                             add_section_force(k, force, share);
-                           });
-    if (!beam_section->spans_the_section())
-      add_forces_by_points(u, share);
+    for_each_section_force(
+      u, {}, [&](const unsigned int k, const SectionForce &force) {
+        add_section_force(k, force, share);
+      });
     sum_over_processes(share);
     f += share;
   }
@@ -689,7 +696,9 @@ namespace lamella
 
 
   void
-  Beam::add_forces_by_points(const Vector &u, Vector &share) const
+  Beam::for_each_force_by_points(const Vector              &u,
+                                 const std::vector<double> &stretch,
+                                 const UseOfForce          &use) const
   {
     const auto        &section_points  = beam_section->integration_points();
     const auto        &section_weights = beam_section->integration_weights();
@@ -705,7 +714,10 @@ namespace lamella
         const AxisPoint &axis_point = beam_axis->integration_points()[k];
         if (dense_cells[axis_point.cell])
           continue;
-        const AxisState state = axis_state(axis_point, u);
+        AxisState state = axis_state(axis_point, u);
+        if (!stretch.empty())
+          state.derivative[RigidField::translation_y] += stretch[k];
+        force.energy = 0.;
         for (unsigned int alpha = 0; alpha < n_fields; ++alpha)
           {
             for (unsigned int c = 0; c < 6; ++c)
@@ -727,6 +739,7 @@ namespace lamella
               }
             const Voigt stress =
               section_weights[s] * beam_section->law_at_point(s).stress(strain);
+            force.energy += 0.5 * (stress * strain);
             for (unsigned int a = 0; a < point.fields->size(); ++a)
               {
                 const unsigned int alpha = (*point.fields)[a];
@@ -750,7 +763,7 @@ namespace lamella
             force.work[p].reinit(parts[p].size(), true);
             std::copy(parts[p].begin(), parts[p].end(), force.work[p].begin());
           }
-        add_section_force(k, force, share);
+        use(k, force);
       }
   }
 
@@ -791,8 +804,8 @@ namespace lamella
               std::max(result.max_rotation, rotation.norm());
           }
       }
-    for_each_section_force(
-      u, [&](const unsigned int k, const SectionForce &force) {
+    for_each_smooth_force(
+      u, {}, [&](const unsigned int k, const SectionForce &force) {
         result.energy += beam_axis->integration_weights()[k] * force.energy;
       });
     result.energy = Utilities::MPI::sum(result.energy, communicator());

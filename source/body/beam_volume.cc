@@ -92,40 +92,51 @@ namespace lamella
 
 
 
-  double
-  Beam::add_heat(Vector &f) const
+  std::pair<std::vector<Beam::SectionWork>, double>
+  Beam::works_of_heat() const
   {
-    if (!is_heated())
-      return 0.;
     const auto [begin, end]               = own_points();
     const auto               &axis_points = beam_axis->integration_points();
     double                    energy      = 0.;
     const std::vector<double> none(beam_section->n_fields(), 0.);
     std::vector<SectionWork>  work(end - begin, {{none, none, none}});
-    beam_section->for_each_point([&](const SectionPoint &point,
+    beam_section->for_each_point(
+      [&, first = begin, last = end](const SectionPoint &point,
                                      const double        weight) {
-      const Voigt alpha = expansion_at(point);
-      const Voigt active =
-        alpha -
-        beam_section->completion_of_initial(point.cell, point.position, alpha);
-      // Of one kelvin.
-      const Voigt stress =
-        weight *
-        (beam_section->law(point.cell, point.position).stiffness() * active);
-      const auto unit = work_of(stress, point);
-      for (unsigned int k = begin; k < end; ++k)
-        {
-          const double T = temperature(placement.to_scene(
-            {point.position[0], axis_points[k].y, point.position[1]}));
-          energy += 0.5 * T * T * beam_axis->integration_weights()[k] *
-                    (stress * active);
-          for (unsigned int a = 0; a < unit.size(); ++a)
-            for (unsigned int p = 0; p < 3; ++p)
-              work[k - begin][p][(*point.fields)[a]] += T * unit[a][p];
-        }
-    });
+        const Voigt alpha = expansion_at(point);
+        const Voigt active =
+          alpha - beam_section->completion_of_initial(point.cell,
+                                                      point.position,
+                                                      alpha);
+        // Of one kelvin.
+        const Voigt stress =
+          weight *
+          (beam_section->law(point.cell, point.position).stiffness() * active);
+        const auto unit = work_of(stress, point);
+        for (unsigned int k = first; k < last; ++k)
+          {
+            const double T = temperature(placement.to_scene(
+              {point.position[0], axis_points[k].y, point.position[1]}));
+            energy += 0.5 * T * T * beam_axis->integration_weights()[k] *
+                      (stress * active);
+            for (unsigned int a = 0; a < unit.size(); ++a)
+              for (unsigned int p = 0; p < 3; ++p)
+                work[k - first][p][(*point.fields)[a]] += T * unit[a][p];
+          }
+      });
+    return {std::move(work), energy};
+  }
+
+
+
+  double
+  Beam::add_heat(Vector &f) const
+  {
+    if (!is_heated())
+      return 0.;
+    auto [work, energy] = works_of_heat();
     Vector share(f.size());
-    add_section_works(std::move(work), begin, share);
+    add_section_works(std::move(work), own_points().first, share);
     sum_over_processes(share);
     f += share;
     return Utilities::MPI::sum(energy, communicator());

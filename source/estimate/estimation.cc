@@ -364,9 +364,6 @@ namespace lamella
       result.tolerance = goals.tolerances.size() == 1 ?
                            goals.tolerances[0] :
                            goals.tolerances.at(number);
-    result.kinematics = 0.5 *
-                        std::pow(run.results().last().checks.max_rotation, 2) *
-                        result.scale;
     return result;
   }
 

@@ -473,6 +473,34 @@ namespace lamella
 
 
 
+  namespace
+  {
+    /// What small rotations leave out, in this run's own numbers.
+    std::string
+    what_that_leaves_out(const RunFolder &run)
+    {
+      constexpr double              little = 0.01;
+      const nlohmann::ordered_json &beyond =
+        member(run.summary, "beyond_linear");
+      const nlohmann::ordered_json &factor = member(beyond, "buckling_factor");
+      const double                  r      = beyond.value("stiffening", 0.);
+      std::string                   text;
+      if (r > little)
+        text = "That leaves out that large deflections stretch the body '" +
+               escaped(beyond.value("stiffened", "?")) +
+               "', which makes it stiffer by " + number(100. * r) + " %. ";
+      if (factor.is_number())
+        text += "The body '" + escaped(beyond.value("buckled", "?")) +
+                "' buckles at " + number(factor) + " times the loads. ";
+      if (text.empty())
+        return "Of what that leaves out, stretching at large deflections is "
+               "below 1 % here, and nothing buckles below 100 times the loads.";
+      return text;
+    }
+  } // namespace
+
+
+
   Chapter
   scene_chapter(const RunFolder &run)
   {
@@ -488,7 +516,9 @@ namespace lamella
         " The axes are <i>x</i>, <i>y</i> and <i>z</i>, usually across, along "
                 "and up. Stresses are positive in tension, contact forces and "
                 "pressures in compression. Everything is linear elastic, "
-                "displacements and rotations are small, contact has no friction."));
+                "contact has no friction, and displacements and rotations are "
+                "taken as small. ") +
+      what_that_leaves_out(run));
     html += sentences(run, "Bodies", "Bodies", "", body_words);
     html += materials(run);
     html += sentences(run, "Supports", "What holds it", "", support_words);

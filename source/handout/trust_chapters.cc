@@ -195,7 +195,17 @@ namespace lamella
         {"max_rotation",
          "Largest rotation [rad]. The model is linear: from 0.1 on geometry "
          "would have to follow the deformation",
-         ""}};
+         ""},
+        {"beyond_linear/stiffening",
+         "Stiffening: twice the energy of what stretching at large deflections "
+         "would leave in the worst body, over its energy. About the share by "
+         "which forces at these displacements are too small in a linear model",
+         "1, unless accepted"},
+        {"beyond_linear/buckling_factor",
+         "Buckling factor: what multiplies the loads where the worst load step "
+         "buckles; none if that is above 100, or never. Loads over that factor "
+         "is what the linear model leaves out",
+         "1 from above, unless accepted"}};
       return all;
     }
 
@@ -211,11 +221,12 @@ namespace lamella
         "ends with an error and leaves no numbers of that step.";
       table.header = {"check", "value", "limit"};
       for (const Check &check : checks())
-        table.rows.push_back({check.what,
-                              number(run.summary.value(check.key, Json())),
-                              check.limit.empty() ?
-                                escaped(run.says("Rotation limit")) :
-                                check.limit});
+        table.rows.push_back(
+          {check.what,
+           number(
+             run.summary.value(Json::json_pointer("/" + check.key), Json())),
+           check.limit.empty() ? escaped(run.says("Rotation limit")) :
+                                 check.limit});
       for (const char *key : {"free_corrections", "contact_corrections"})
         if (const Json &corrections = member(run.summary, key);
             corrections.is_array() && !corrections.empty())

@@ -258,7 +258,14 @@ namespace lamella
         << ", moment balance " << to_text(checks.moment_balance, 2)
         << ", residual " << to_text(checks.residual, 2) << ", energy balance "
         << to_text(checks.energy_balance, 2) << ", largest rotation "
-        << to_text(checks.max_rotation, 3) << " rad\n";
+        << to_text(checks.max_rotation, 3) << " rad\n  stiffening by large "
+        << "deflections " << to_text(100. * checks.beyond.stiffening, 2)
+        << " %, buckling at "
+        << (checks.beyond.buckling_factor ?
+              to_text(*checks.beyond.buckling_factor, 4) +
+                " times these loads" :
+              "more than 100 times these loads, or never")
+        << "\n";
     if (checks.stabilisation_energy > 0.)
       out << "  stabilising springs hold "
           << to_text(100. * checks.stabilisation_share, 2)
@@ -270,7 +277,7 @@ namespace lamella
             << " of the largest at ply interfaces\n";
     print_closures(out, results);
     print_reserves(out, results);
-    print_goals(out, results.goals);
+    print_goals(out, results);
     print_cost(out, results);
     for (const std::string &warning : results.all_warnings())
       out << "\nNote: " << warning << ".\n";

@@ -79,15 +79,16 @@ namespace lamella
 
 
   std::string
-  goals_csv(const std::vector<GoalResult> &goals)
+  goals_csv(const Results &results)
   {
     std::string text =
       "goal,value,estimate,corrected,bar,trusted,tolerance,met";
     for (const std::string &source : sources())
       text += "," + source;
-    text += ",kinematics,scale,why\n";
-    for (const GoalResult &goal : goals)
+    text += ",stiffening,buckling_factor,scale,why\n";
+    for (const GoalResult &goal : results.goals)
       {
+        const BeyondLinear &beyond = results.last().checks.beyond;
         text += '"' + goal.name + '"' + "," + csv(goal.value) + "," +
                 csv(goal.estimate) + "," + csv(goal.value + goal.estimate) +
                 "," + (goal.trusted ? csv(goal.bar) : "") + "," +
@@ -96,8 +97,9 @@ namespace lamella
                 "," + (goal.tolerance ? (goal.met() ? "1" : "0") : "");
         for (const std::string &source : sources())
           text += "," + csv(share_of(goal, source));
-        text += "," + csv(goal.kinematics) + "," + csv(goal.scale) + ",\"" +
-                goal.why + "\"\n";
+        text += "," + csv(beyond.stiffening) + "," +
+                (beyond.buckling_factor ? csv(*beyond.buckling_factor) : "") +
+                "," + csv(goal.scale) + ",\"" + goal.why + "\"\n";
       }
     return text;
   }
@@ -125,8 +127,9 @@ namespace lamella
 
 
   void
-  print_goals(std::ostream &out, const std::vector<GoalResult> &goals)
+  print_goals(std::ostream &out, const Results &results)
   {
+    const std::vector<GoalResult> &goals = results.goals;
     if (goals.empty())
       return;
     out << "\nGoals, with what is held of their errors:\n";
@@ -151,11 +154,20 @@ namespace lamella
         else if (const std::string source = largest_share(goal);
                  goal.bar > much * goal.scale && !source.empty())
           out << "  " << goal.name << " wants " << remedy(source) << ".\n";
-        if (goal.kinematics > std::max(goal.bar, 1e-3 * goal.scale))
-          out << "  " << goal.name
-              << ": rotations that are not small change it "
-              << "by some " << share_text(goal, goal.kinematics)
-              << ", which no refinement shows.\n";
+      }
+    const BeyondLinear &beyond = results.last().checks.beyond;
+    constexpr double    less   = 1e-2;
+    if (beyond.stiffening > less || beyond.buckling_factor)
+      {
+        out << "  All of these are of the linear model, which no refinement "
+               "mends:";
+        if (beyond.stiffening > less)
+          out << " stiffening by large deflections "
+              << to_text(100. * beyond.stiffening, 2) << " %";
+        if (beyond.buckling_factor)
+          out << (beyond.stiffening > less ? "," : "") << " buckling at "
+              << to_text(*beyond.buckling_factor, 3) << " times these loads";
+        out << ".\n";
       }
   }
 } // namespace lamella

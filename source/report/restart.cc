@@ -61,10 +61,26 @@ namespace boost
 
     template <typename Archive>
     void
+    serialize(Archive               &archive,
+              lamella::BeyondLinear &beyond,
+              const unsigned int)
+    {
+      bool     buckles = beyond.buckling_factor.has_value();
+      double   factor  = beyond.buckling_factor.value_or(0.);
+      archive &beyond.stiffening &beyond.stiffened &beyond
+        .buckled &buckles                          &factor;
+      if (Archive::is_loading::value && buckles)
+        beyond.buckling_factor = factor;
+    }
+
+
+
+    template <typename Archive>
+    void
     serialize(Archive &archive, lamella::StepResults &step, const unsigned int)
     {
       archive &step.step &step.load_factor &step.state &step.memory &step
-        .changes &step.warnings;
+        .changes &step.warnings &step.checks.beyond;
     }
 
 

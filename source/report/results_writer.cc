@@ -158,7 +158,7 @@ namespace lamella
     write_file(place.path() + "/summary.json", summary_text(results));
     if (!results.goals.empty())
       {
-        write_file(place.path() + "/goals.csv", goals_csv(results.goals));
+        write_file(place.path() + "/goals.csv", goals_csv(results));
         write_file(place.path() + "/indicators.csv", indicators_csv(results));
       }
     if (results.first_failure)

@@ -123,8 +123,7 @@ namespace lamella
                 {"estimate", goal.estimate},
                 {"corrected", goal.value + goal.estimate},
                 {"trusted", goal.trusted},
-                {"scale", goal.scale},
-                {"kinematics", goal.kinematics}};
+                {"scale", goal.scale}};
       if (goal.trusted)
         json["bar"] = goal.bar;
       else
@@ -188,6 +187,36 @@ namespace lamella
 
 
 
+    Json
+    buckling_json(const std::optional<double> &factor)
+    {
+      return factor ? Json(*factor) : Json();
+    }
+
+
+
+    /// What large deflections would change: of each step, and the worst.
+    Json
+    beyond_json(const Results &results)
+    {
+      const BeyondLinear worst = results.worst_beyond();
+      Json               json{{"stiffening", worst.stiffening},
+                {"buckling_factor", buckling_json(worst.buckling_factor)},
+                {"steps", Json::array()}};
+      if (worst.stiffening > 0.)
+        json["stiffened"] = results.bodies[worst.stiffened].name;
+      if (worst.buckling_factor)
+        json["buckled"] = results.bodies[worst.buckled].name;
+      for (const StepResults &step : results.steps)
+        json["steps"].push_back(
+          {{"stiffening", step.checks.beyond.stiffening},
+           {"buckling_factor",
+            buckling_json(step.checks.beyond.buckling_factor)}});
+      return json;
+    }
+
+
+
     /// Resultants and checks of the last load step.
     void
     add_last_step(const Results &results, Json &json)
@@ -205,6 +234,7 @@ namespace lamella
       json["moment_balance"]       = checks.moment_balance;
       json["residual"]             = checks.residual;
       json["max_rotation"]         = checks.max_rotation;
+      json["beyond_linear"]        = beyond_json(results);
       json["energy"]               = checks.energy;
       json["external_work"]        = checks.external_work;
       json["energy_balance"]       = checks.energy_balance;

@@ -424,6 +424,10 @@ namespace lamella
       checks =
         check_state(*structure, contacts, scene.supports.size(), state, factor);
       require_sound(state, checks, scene.solve.rotation_limit);
+      checks.beyond =
+        beyond_linear(*structure, *solver, state, checks.energies);
+      if (scene.solve.beyond_linear == OutOfRange::refuse)
+        require_linear_range(checks.beyond, *structure);
       for (unsigned int k = 0; k < contacts.size(); ++k)
         search_checks[k].check(contacts[k],
                                state.u,
@@ -602,6 +606,8 @@ namespace lamella
   Simulation::warnings_of_step(const double factor, const Checks &checks) const
   {
     std::vector<std::string> warnings = warnings_of(state, checks, contacts);
+    for (const std::string &warning : warnings_of(checks.beyond, *structure))
+      warnings.push_back(warning);
     for (unsigned int k = 0; k < contacts.size(); ++k)
       for (const std::string &warning :
            broken_assumptions(contacts[k],

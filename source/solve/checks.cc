@@ -443,6 +443,9 @@ namespace lamella
             add_springs(structure, b, rigid[b], state, on_body[b]);
           const Deformation deformation = body.deformation(u);
           checks.energy += deformation.energy;
+          checks.energies.push_back(deformation.energy +
+                                    structure.heat_energy(b) -
+                                    structure.heat_load().block(b) * u);
           checks.max_rotation =
             std::max(checks.max_rotation, deformation.max_rotation);
           const double noise =

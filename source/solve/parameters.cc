@@ -56,6 +56,14 @@ namespace lamella
                       patterns::positive(),
                       "Largest rotation for which the linear result is written "
                       "at all [rad]; from 0.1 on it comes with a warning.");
+    prm.declare_entry(
+      "Beyond linear range",
+      "refuse",
+      selection<OutOfRange>(),
+      "Where stretching would stiffen a body to more than twice what the "
+      "linear model says, or loads are above those that buckle it, the linear "
+      "result is no approximation. refuse: the run ends there and says by how "
+      "much; accept: the linear result is written, with a note.");
   }
 
 
@@ -79,6 +87,7 @@ namespace lamella
     parameters.loop.max_iterations =
       in["Maximum iterations"].whole(1, most_iterations);
     parameters.rotation_limit = in["Rotation limit"].positive();
+    parameters.beyond_linear  = in["Beyond linear range"].choice<OutOfRange>();
     return parameters;
   }
 } // namespace lamella

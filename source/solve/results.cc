@@ -67,6 +67,31 @@ namespace lamella
 
 
 
+  BeyondLinear
+  Results::worst_beyond() const
+  {
+    BeyondLinear worst;
+    for (const StepResults &step : steps)
+      {
+        const BeyondLinear &one = step.checks.beyond;
+        if (one.stiffening > worst.stiffening)
+          {
+            worst.stiffening = one.stiffening;
+            worst.stiffened  = one.stiffened;
+          }
+        if (one.buckling_factor &&
+            (!worst.buckling_factor ||
+             *one.buckling_factor < *worst.buckling_factor))
+          {
+            worst.buckling_factor = one.buckling_factor;
+            worst.buckled         = one.buckled;
+          }
+      }
+    return worst;
+  }
+
+
+
   namespace
   {
     /// The place of @p name among @p names of @p kind.

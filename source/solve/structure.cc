@@ -39,7 +39,8 @@ namespace lamella
       resultants.push_back(add_weight(gravity, all_bodies, unit_load));
     apply_heat(loads, all_bodies);
     for (unsigned int b = 0; b < all_bodies.size(); ++b)
-      initial_energy += all_bodies[b]->add_heat(initial_load.block(b));
+      initial_energies.push_back(
+        all_bodies[b]->add_heat(initial_load.block(b)));
   }
 
 

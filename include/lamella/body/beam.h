@@ -154,6 +154,8 @@ namespace lamella
     /// integration points, of which there are few where moments do the rest.
     Deformation
     deformation(const Vector &u) const override;
+    std::unique_ptr<SecondOrder>
+    second_order(const Vector &u) const override;
 
     void
     heat(const ScalarField &change) override;
@@ -289,6 +291,8 @@ namespace lamella
       const std::function<void(const StiffnessBlock &)> &use) const override;
 
   private:
+    friend class BeamSecondOrder;
+
     /**
      * Makes w' and the rotation cancel on every element. With B4 the cubic w of
      * an element is then fixed by w and the rotation at its two ends (Hermite's
@@ -353,12 +357,16 @@ namespace lamella
      * where e_0, e_1, e_2 are the three parts of AxisState. Strains come first
      * here, too: those of whole fields in place of those at points, and the
      * slope of a section joins that of the axis, w' + a / h, before anything
-     * multiplies it. An initial strain of the plies has no part in it.
+     * multiplies it. An initial strain of the plies has no part in it. Here and
+     * below @p stretch is a strain along the axis at each integration point of
+     * it, the same all over the section, that is added to that of u; empty:
+     * none.
      */
     void
-    force_by_moments(const unsigned int k,
-                     const Vector      &u,
-                     SectionForce      &force) const;
+    force_by_moments(const unsigned int         k,
+                     const Vector              &u,
+                     const std::vector<double> &stretch,
+                     SectionForce              &force) const;
     using UseOfForce =
       std::function<void(const unsigned int, const SectionForce &)>;
 
@@ -381,21 +389,42 @@ namespace lamella
     dealii::LAPACKFullMatrix<double>
     states_of_element(const unsigned int               cell,
                       const std::vector<unsigned int> &fields,
-                      const Vector                    &u) const;
+                      const Vector                    &u,
+                      const std::vector<double>       &stretch) const;
 
     /// Calls @p use with the section force at each point of the element
     /// @p cell, which is_dense(), from S_pq of its fields; all work is done on
     /// values and derivatives. @p products are those of any element.
     void
-    forces_of_dense_element(const unsigned int cell,
-                            const Vector      &u,
-                            DenseProducts     &products,
-                            const UseOfForce  &use) const;
+    forces_of_dense_element(const unsigned int         cell,
+                            const Vector              &u,
+                            const std::vector<double> &stretch,
+                            DenseProducts             &products,
+                            const UseOfForce          &use) const;
 
     /// Calls @p use with the section force at each of own_points() that one of
     /// these two answers for.
     void
-    for_each_section_force(const Vector &u, const UseOfForce &use) const;
+    for_each_smooth_force(const Vector              &u,
+                          const std::vector<double> &stretch,
+                          const UseOfForce          &use) const;
+
+    /// The same at those that are left, through the points of the section.
+    void
+    for_each_force_by_points(const Vector              &u,
+                             const std::vector<double> &stretch,
+                             const UseOfForce          &use) const;
+
+    /// The same at all of own_points(), each of them once.
+    void
+    for_each_section_force(const Vector              &u,
+                           const std::vector<double> &stretch,
+                           const UseOfForce          &use) const
+    {
+      for_each_smooth_force(u, stretch, use);
+      if (!beam_section->spans_the_section())
+        for_each_force_by_points(u, stretch, use);
+    }
 
     /// Whether the axis element @p cell is dense: its nodes carry dense lists
     /// (FieldSpace), and transverse shear strains are as the displacements give
@@ -409,10 +438,6 @@ namespace lamella
     add_section_force(const unsigned int  point,
                       const SectionForce &force,
                       Vector             &share) const;
-    /// The internal forces of the elements that for_each_section_force() leaves
-    /// out, this process' share, through the points of the section.
-    void
-    add_forces_by_points(const Vector &u, Vector &share) const;
 
     /// Kinematics at a point, in the body's axes: the displacement, its
     /// derivative along y, the strain (as the theory completes it, order of
@@ -451,6 +476,11 @@ namespace lamella
     /// integrated over the section for each point of the axis: what
     /// add_section_force() takes, of the fields of the section only.
     using SectionWork = std::array<std::vector<double>, 3>;
+
+    /// What the stress C epsilon_0 of heat does at each of own_points(), and
+    /// the energy that add_heat() returns, this process' share.
+    std::pair<std::vector<SectionWork>, double>
+    works_of_heat() const;
 
     /// Adds what the work @p work of each of the points of the axis from
     /// @p begin on comes to, modes among it, to @p share.

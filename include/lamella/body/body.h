@@ -31,6 +31,7 @@
 namespace lamella
 {
   class NotPositiveDefinite;
+  class SecondOrder;
 
   /// What rows and samples can speak of: the three fields of linear elasticity,
   /// u, epsilon = D u (Eq. 5) and sigma = C (epsilon - epsilon_0) (Eq. 6 with
@@ -369,6 +370,11 @@ namespace lamella
     /// all processes get the same.
     virtual Deformation
     deformation(const Vector &u) const = 0;
+
+    /// What the linear strain leaves out at the displacement @p u, which is not
+    /// kept. Refers to the body. Collective.
+    virtual std::unique_ptr<SecondOrder>
+    second_order(const Vector &u) const = 0;
 
     /**
      * From now on the body is warmer than without stress by @p change [K], a

@@ -87,6 +87,8 @@ namespace lamella
     add_internal_forces(const Vector &u, Vector &f) const override;
     Deformation
     deformation(const Vector &u) const override;
+    std::unique_ptr<SecondOrder>
+    second_order(const Vector &u) const override;
     double
     add_heat(Vector &f) const override;
     void
@@ -161,6 +163,8 @@ namespace lamella
       const std::function<void(const StiffnessBlock &)> &use) const override;
 
   private:
+    friend class SolidSecondOrder;
+
     /// Hexahedra with the same matrices, one of them, and those of this
     /// process.
     struct Kind

@@ -12,11 +12,13 @@ namespace lamella
 {
   /// The file goals.csv, a line each: goal, value, estimate, corrected, bar,
   /// trusted, tolerance, met, the shares of axis, fields, section and contact,
-  /// kinematics, scale, why. In the units of the quantities; trusted and met
-  /// are 0 or 1; tolerance is a length of the bar, empty if none was asked for,
-  /// and so is the bar if there is none.
+  /// stiffening, buckling_factor, scale, why. In the units of the quantities;
+  /// trusted and met are 0 or 1; tolerance is a length of the bar, empty if
+  /// none was asked for, and so is the bar if there is none. Stiffening and
+  /// buckling factor (empty if there is none) are those of the last step
+  /// (BeyondLinear): what no refinement shows.
   std::string
-  goals_csv(const std::vector<GoalResult> &goals);
+  goals_csv(const Results &results);
 
   /// The file indicators.csv: what each element along a beam does to the share
   /// of the axis in a goal's error, a line each (goal, body, begin and end
@@ -26,9 +28,10 @@ namespace lamella
   indicators_csv(const Results &results);
 
   /// Prints the goals with their bars and, where a share of the error is large,
-  /// what it comes from and what mends it. Nothing without any.
+  /// what it comes from and what mends it, and what no refinement shows where
+  /// that is more than the bars. Nothing without any.
   void
-  print_goals(std::ostream &out, const std::vector<GoalResult> &goals);
+  print_goals(std::ostream &out, const Results &results);
 
   /// The share of @p goal that is largest, or "" if there is none.
   std::string

@@ -3,6 +3,7 @@
 #ifndef lamella_solve_checks_h
 #define lamella_solve_checks_h
 
+#include <lamella/solve/beyond_linear.h>
 #include <lamella/solve/contact_solver.h>
 
 #include <deal.II/base/tensor.h>
@@ -105,6 +106,8 @@ namespace lamella
     /// displacements (the work done on the scene if all forces grow in
     /// proportion).
     double energy = 0., external_work = 0.;
+    /// What each body has of the strain energy, heat included.
+    std::vector<double> energies;
     /// In stabilising springs, over all bodies, and its share of all energy.
     /// Zero, but for rounding, once the state is released from them.
     double stabilisation_energy = 0., stabilisation_share = 0.;
@@ -116,6 +119,9 @@ namespace lamella
     /// The largest rotation, in rad, over all bodies. The linear strain (Eq. 5)
     /// misses about half its square.
     double max_rotation = 0.;
+    /// What large deflections would change; not looked at by check_state(),
+    /// which solves nothing.
+    BeyondLinear beyond;
     /// The largest component of displacements, those of obstacles among them:
     /// what gaps are differences of.
     double max_displacement = 0.;

@@ -29,6 +29,23 @@ namespace lamella
                                                {Strategy::full, "full"}};
   };
 
+  /// What becomes of a linear result that is no approximation of what large
+  /// deflections do (`Beyond linear range`).
+  enum class OutOfRange
+  {
+    undefined,
+    refuse, ///< the run ends with a NumericsError (require_linear_range())
+    accept  ///< it is written, with the notes that say so
+  };
+
+  template <>
+  struct Names<OutOfRange>
+  {
+    static constexpr NameOf<OutOfRange> all[] = {{OutOfRange::refuse, "refuse"},
+                                                 {OutOfRange::accept,
+                                                  "accept"}};
+  };
+
   /// What a scene says of the solution, in the entries of its top level. The
   /// values here stand before a scene is read; its defaults are in declare().
   struct SolveParameters
@@ -45,7 +62,8 @@ namespace lamella
     double memory_limit = 0.;
     /// The largest rotation for which linear kinematics (Eq. 5) may speak, in
     /// rad; beyond it a run fails.
-    double rotation_limit = 0.;
+    double     rotation_limit = 0.;
+    OutOfRange beyond_linear  = OutOfRange::refuse;
 
     /// Declares the entries with their defaults and documentation.
     static void

@@ -309,9 +309,6 @@ namespace lamella
     std::vector<std::pair<std::string, double>> shares;
     /// The share of the axis, by elements; none where that is not known.
     std::optional<LocalErrors> local;
-    /// What no refinement shows: the part of the scale that a theory of small
-    /// rotations misses, half the square of the largest.
-    double kinematics = 0.;
 
     /// Whether the bar can be held to and is within the tolerance.
     bool
@@ -374,6 +371,10 @@ namespace lamella
     /// full stop.
     std::vector<std::string>
     all_warnings() const;
+
+    /// Of all steps the largest stiffening and the smallest buckling factor.
+    BeyondLinear
+    worst_beyond() const;
 
     /// The last step that was solved. Throws InputError if none was.
     const StepResults &

@@ -15,6 +15,7 @@
 #include <lamella/conditions/support.h>
 
 #include <memory>
+#include <numeric>
 #include <string>
 #include <vector>
 
@@ -139,7 +140,16 @@ namespace lamella
     double
     heat_energy() const
     {
-      return initial_energy;
+      return std::accumulate(initial_energies.begin(),
+                             initial_energies.end(),
+                             0.);
+    }
+
+    /// That of @p body alone.
+    double
+    heat_energy(const unsigned int body) const
+    {
+      return initial_energies[body];
     }
 
     /// DoFs of all bodies, those that supports prescribe among them.
@@ -239,7 +249,7 @@ namespace lamella
     /// largest_stiffness() where no solver knows it, once asked for.
     mutable std::vector<double> stiffest;
     BlockVector                 unit_load, initial_load;
-    double                      initial_energy = 0.;
+    std::vector<double>         initial_energies;
     std::vector<LoadResultant>  resultants;
   };
 } // namespace lamella
