@@ -32,7 +32,6 @@ namespace lamella
 
   private:
     using SectionForce = Beam::SectionForce;
-    using AxisState    = Beam::AxisState;
 
     /// How a section moves as a whole, functionals of all fields of the space:
     /// the means of u_x and u_z, and the turn about the axis that fits its
@@ -52,16 +51,24 @@ namespace lamella
       double N = 0., V_x = 0., V_z = 0., M_x = 0., M_z = 0.;
     };
 
+    /// Of each node of the axis a number for each motion.
+    using NodalMotions = std::vector<std::array<double, n_motions>>;
+    /// How a section moves at a point of the axis: w_x', w_z', phi' and phi.
+    struct Turn
+    {
+      double slope_x = 0., slope_z = 0., twist = 0., phi = 0.;
+    };
+
     void
     find_motions();
     void
     find_stretch();
-    /// The sum over the fields of @p motion times @p coefficients.
-    double
-    of_section(const Motion               motion,
-               const std::vector<double> &coefficients) const;
-    /// Adds @p factor times what @p work, on the fields of the section, comes
-    /// to, to @p resultants.
+    NodalMotions
+    motions_of_nodes(const Vector &w) const;
+    Turn
+    turn_at(const AxisPoint &point, const NodalMotions &w) const;
+    /// Adds @p factor times the resultants of a stress to @p resultants, out of
+    /// its work on the derivatives of the rigid fields.
     void
     add_resultants(const double factor,
                    const double derivative_work[],
@@ -137,14 +144,38 @@ namespace lamella
 
 
 
-  double
-  BeamSecondOrder::of_section(const Motion               motion,
-                              const std::vector<double> &coefficients) const
+  BeamSecondOrder::NodalMotions
+  BeamSecondOrder::motions_of_nodes(const Vector &w) const
   {
-    double sum = 0.;
-    for (unsigned int alpha = 0; alpha < coefficients.size(); ++alpha)
-      sum += motions[motion][alpha] * coefficients[alpha];
-    return sum;
+    NodalMotions of_nodes(beam.axis().n_nodes());
+    for (unsigned int node = 0; node < of_nodes.size(); ++node)
+      {
+        const auto &fields = beam.dofs().fields(node);
+        for (unsigned int m = 0; m < fields.size(); ++m)
+          for (unsigned int motion = 0; motion < n_motions; ++motion)
+            of_nodes[node][motion] +=
+              motions[motion][fields[m]] * w[beam.dofs().first(node) + m];
+      }
+    return of_nodes;
+  }
+
+
+
+  BeamSecondOrder::Turn
+  BeamSecondOrder::turn_at(const AxisPoint &point, const NodalMotions &w) const
+  {
+    const auto &nodes = beam.axis().nodes_of_cell(point.cell);
+    Turn        turn_here;
+    for (unsigned int i = 0; i < nodes.size(); ++i)
+      {
+        const auto &here = w[nodes[i]], &first = w[nodes[0]];
+        // A translation has no slope, to the last bit.
+        turn_here.slope_x += point.dN[i] * (here[along_x] - first[along_x]);
+        turn_here.slope_z += point.dN[i] * (here[along_z] - first[along_z]);
+        turn_here.twist += point.dN[i] * (here[turn] - first[turn]);
+        turn_here.phi += point.N[i] * here[turn];
+      }
+    return turn_here;
   }
 
 
@@ -157,20 +188,19 @@ namespace lamella
     const FE_DGQArbitraryNodes<1> between(samples);
     const unsigned int            n_points = stretch.size() / axis.n_cells();
     const auto [begin, end]                = axis.own_cells();
+    const NodalMotions w                   = motions_of_nodes(u);
     for (unsigned int cell = begin; cell < end; ++cell)
       for (unsigned int s = 0; s < samples.size(); ++s)
         {
-          const AxisState state =
-            beam.list_state(axis.evaluate(cell, samples.point(s)[0]), u);
-          const double slope_x = of_section(along_x, state.derivative),
-                       slope_z = of_section(along_z, state.derivative);
+          const Turn at = turn_at(axis.evaluate(cell, samples.point(s)[0]), w);
           for (unsigned int k = cell * n_points; k < (cell + 1) * n_points; ++k)
             {
               const double eta =
                 (axis.integration_points()[k].y - axis.cell_begin(cell)) /
                 (axis.cell_end(cell) - axis.cell_begin(cell));
-              stretch[k] += 0.5 * (slope_x * slope_x + slope_z * slope_z) *
-                            between.shape_value(s, Point<1>(eta));
+              stretch[k] +=
+                0.5 * (at.slope_x * at.slope_x + at.slope_z * at.slope_z) *
+                between.shape_value(s, Point<1>(eta));
             }
         }
   }
@@ -194,19 +224,29 @@ namespace lamella
     beam.fields().append_modes(value);
     beam.fields().append_modes(derivative);
 
-    Vector       share(f.size());
-    SectionForce force;
-    for (Vector &work : force.work)
-      work.reinit(value.size());
+    // What multiplies the two at each node.
+    const Axis         &axis = beam.axis();
+    std::vector<double> by_value(axis.n_nodes(), 0.), by_derivative(by_value);
     const auto [begin, end] = beam.own_points();
     for (unsigned int k = begin; k < end; ++k)
       {
-        for (unsigned int alpha = 0; alpha < value.size(); ++alpha)
+        const AxisPoint &point = axis.integration_points()[k];
+        const double     e     = axis.integration_weights()[k] * stretch[k];
+        const auto      &nodes = axis.nodes_of_cell(point.cell);
+        for (unsigned int i = 0; i < nodes.size(); ++i)
           {
-            force.work[0][alpha] = -stretch[k] * value[alpha];
-            force.work[2][alpha] = -stretch[k] * derivative[alpha];
+            by_value[nodes[i]] += e * point.N[i];
+            by_derivative[nodes[i]] += e * point.dN[i];
           }
-        beam.add_section_force(k, force, share);
+      }
+    Vector share(f.size());
+    for (unsigned int node = 0; node < axis.n_nodes(); ++node)
+      {
+        const auto &fields = beam.dofs().fields(node);
+        for (unsigned int m = 0; m < fields.size(); ++m)
+          share[beam.dofs().first(node) + m] -=
+            by_value[node] * value[fields[m]] +
+            by_derivative[node] * derivative[fields[m]];
       }
     sum_over_processes(share);
     f += share;
@@ -260,33 +300,41 @@ namespace lamella
   void
   BeamSecondOrder::add_geometric_forces(const Vector &w, Vector &f) const
   {
-    Vector       share(f.size());
-    SectionForce force;
-    for (Vector &work : force.work)
-      work.reinit(motions[turn].size());
+    const Axis        &axis     = beam.axis();
+    const NodalMotions of_nodes = motions_of_nodes(w);
+    NodalMotions       forces(of_nodes.size());
     const auto [begin, end] = beam.own_points();
     for (unsigned int k = begin; k < end; ++k)
       {
-        const Resultants &s = stress[k];
-        const AxisState   state =
-          beam.list_state(beam.axis().integration_points()[k], w);
-        const double slope_x  = of_section(along_x, state.derivative),
-                     slope_z  = of_section(along_z, state.derivative),
-                     twist    = of_section(turn, state.derivative),
-                     phi      = of_section(turn, state.value);
-        const double on_x     = s.N * slope_x + s.M_z * twist + s.V_z * phi,
-                     on_z     = s.N * slope_z - s.M_x * twist - s.V_x * phi,
-                     on_twist = s.N * radius_2 * twist + s.M_z * slope_x -
-                                s.M_x * slope_z,
-                     on_turn = s.V_z * slope_x - s.V_x * slope_z;
-        for (unsigned int alpha = 0; alpha < motions[turn].size(); ++alpha)
+        const AxisPoint  &point  = axis.integration_points()[k];
+        const double      weight = axis.integration_weights()[k];
+        const Resultants &s      = stress[k];
+        const Turn        at     = turn_at(point, of_nodes);
+        const double      on_slope_x =
+                       s.N * at.slope_x + s.M_z * at.twist + s.V_z * at.phi,
+                     on_slope_z =
+                       s.N * at.slope_z - s.M_x * at.twist - s.V_x * at.phi,
+                     on_twist = s.N * radius_2 * at.twist + s.M_z * at.slope_x -
+                                s.M_x * at.slope_z,
+                     on_phi = s.V_z * at.slope_x - s.V_x * at.slope_z;
+        const auto &nodes   = axis.nodes_of_cell(point.cell);
+        for (unsigned int i = 0; i < nodes.size(); ++i)
           {
-            force.work[0][alpha] = on_turn * motions[turn][alpha];
-            force.work[2][alpha] = on_x * motions[along_x][alpha] +
-                                   on_z * motions[along_z][alpha] +
-                                   on_twist * motions[turn][alpha];
+            auto &force = forces[nodes[i]];
+            force[along_x] += weight * point.dN[i] * on_slope_x;
+            force[along_z] += weight * point.dN[i] * on_slope_z;
+            force[turn] +=
+              weight * (point.dN[i] * on_twist + point.N[i] * on_phi);
           }
-        beam.add_section_force(k, force, share);
+      }
+    Vector share(f.size());
+    for (unsigned int node = 0; node < forces.size(); ++node)
+      {
+        const auto &fields = beam.dofs().fields(node);
+        for (unsigned int m = 0; m < fields.size(); ++m)
+          for (unsigned int motion = 0; motion < n_motions; ++motion)
+            share[beam.dofs().first(node) + m] +=
+              motions[motion][fields[m]] * forces[node][motion];
       }
     sum_over_processes(share);
     f += share;

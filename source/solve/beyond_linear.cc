@@ -18,8 +18,9 @@ namespace lamella
 
   namespace
   {
-    // Effects below that are not worth a word.
-    constexpr double worth_saying = 1e-2;
+    // Effects below that are not worth a word; loads over those that buckle:
+    // not worth looking for, and worth a word even if nothing excites the mode.
+    constexpr double worth_saying = 1e-2, worth_solving = 1e-2, near = 0.1;
     // Beyond these the linear result is no approximation of anything.
     constexpr double most_stiffening = 1., least_buckling_factor = 1.;
     // Of the energy of all bodies; what holds less is moved as a whole, and its
@@ -155,8 +156,10 @@ namespace lamella
     BucklingModes::largest(const double least)
     {
       constexpr unsigned int first_look = 4, most_steps = 30;
-      // The error of mu is of the square of the residual.
-      constexpr double settled = 1e-3, of_springs = 0.5, rounding = 1e-10;
+      // Of mu; its error is of the square of the residual. What is far away
+      // need not be known as well as what is near.
+      constexpr double settled = 1e-2, settled_far = 0.15;
+      constexpr double of_springs = 0.5, rounding = 1e-10;
 
       // Forces anywhere excite all modes; what is soft answers most.
       std::mt19937                           random(1);
@@ -192,7 +195,9 @@ namespace lamella
             {
               const double residual =
                 is_exhausted ? 0. : std::abs(beta * s(n - 1, k));
-              const bool is_settled = residual <= settled * std::abs(mu[k]);
+              const bool is_settled =
+                residual <=
+                (mu[k] < near ? settled_far : settled) * std::abs(mu[k]);
               if (n >= first_look && mu[k] + residual < least)
                 return {};
               if (is_exhausted && mu[k] < least)
@@ -248,6 +253,37 @@ namespace lamella
               found.stiffened  = b;
             }
     }
+
+
+
+    /// Whose the buckling @p mode of @p found is, and how much of the state.
+    void
+    take_mode(const Structure           &structure,
+              const State               &state,
+              const std::vector<double> &energies,
+              const BlockVector         &mode,
+              BeyondLinear              &found)
+    {
+      double most = 0., along = 0., of_mode = 0., of_state = 0.;
+      for (unsigned int b = 0; b < structure.bodies().size(); ++b)
+        {
+          const Vector &v = mode.block(b);
+          Vector        f(v.size());
+          structure.bodies()[b]->add_internal_forces(v, f);
+          const double energy = f * v;
+          of_mode += energy;
+          along += f * state.u.block(b);
+          of_state += 2. * energies[b];
+          if (energy > most)
+            {
+              most          = energy;
+              found.buckled = b;
+            }
+        }
+      if (*found.buckling_factor > 1. && of_state > 0. && of_mode > 0.)
+        found.amplification = std::abs(along) / std::sqrt(of_mode * of_state) /
+                              (*found.buckling_factor - 1.);
+    }
   } // namespace
 
 
@@ -264,22 +300,15 @@ namespace lamella
       bodies.push_back(structure.bodies()[b]->second_order(state.u.block(b)));
     find_stiffening(structure, solver, state, energies, bodies, found);
 
+    // What is stretched that far buckles otherwise, if at all.
+    if (found.stiffening > most_stiffening)
+      return found;
     BucklingModes modes(structure, solver, state.active, bodies);
-    if (const auto buckling = modes.largest(worth_saying))
+    if (const auto buckling = modes.largest(worth_solving))
       {
         const auto &[mu, mode] = *buckling;
         found.buckling_factor  = 1. / mu;
-        double most            = 0.;
-        for (unsigned int b = 0; b < bodies.size(); ++b)
-          {
-            Vector f(mode.block(b).size());
-            structure.bodies()[b]->add_internal_forces(mode.block(b), f);
-            if (const double energy = f * mode.block(b); energy > most)
-              {
-                most          = energy;
-                found.buckled = b;
-              }
-          }
+        take_mode(structure, state, energies, mode, found);
       }
     return found;
   }
@@ -319,10 +348,15 @@ namespace lamella
         return of_body + " buckles at " + to_text(lambda, 4) +
                " times these loads (buckling factor " + to_text(lambda, 4) +
                ")";
-      return of_body + " buckles at " + to_text(lambda, 4) +
-             " times these loads (buckling factor " + to_text(lambda, 4) +
-             "): what deflects it in that shape is larger by up to " +
-             to_text(100. / (lambda - 1.), 2) + " %";
+      std::string text = of_body + " buckles at " + to_text(lambda, 4) +
+                         " times these loads (buckling factor " +
+                         to_text(lambda, 4) + ")";
+      if (found.amplification > worth_saying)
+        text += ", and what the loads make of that shape grows by " +
+                to_text(100. / (lambda - 1.), 2) +
+                " %, displacements by some " +
+                to_text(100. * found.amplification, 2) + " %";
+      return text;
     }
   } // namespace
 
@@ -336,7 +370,8 @@ namespace lamella
       warnings.push_back("large deflections, which the linear model leaves "
                          "out: " +
                          stiffening_in_words(found, structure));
-    if (found.buckling_factor)
+    if (found.buckling_factor && (found.amplification > worth_saying ||
+                                  *found.buckling_factor * near < 1.))
       warnings.push_back("compression, whose effect on stiffness the linear "
                          "model leaves out: " +
                          buckling_in_words(found, structure));

@@ -652,11 +652,10 @@ namespace lamella
     if (checks.max_rotation > linear_rotation)
       warnings.push_back(
         "rotations reach " + to_text(checks.max_rotation, 3) +
-        " rad: linear kinematics is out of its range (it neglects terms of "
-        "relative size rotation^2 / 2 = " +
+        " rad, where linear kinematics makes the shape longer by rotation^2 / 2 "
+        "= " +
         to_text(50. * checks.max_rotation * checks.max_rotation, 2) +
-        " % in the shape, and all membrane forces that large deflections "
-        "cause); read the results as those of a linear model");
+        " %; read the results as those of a linear model");
     if (checks.stabilisation_share > worth_saying)
       warnings.push_back(
         "stabilising springs hold " +

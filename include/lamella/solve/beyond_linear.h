@@ -34,20 +34,26 @@ namespace lamella
     /// The smallest positive lambda of (K + lambda K_G) v = 0 with the
     /// geometric stiffness of s_0 + s_m (SecondOrder) and the active rows of
     /// contact held: what multiplies the loads where the state buckles, if its
-    /// stresses grow with them. None above 100, where it says nothing any more,
-    /// and where no compression makes one.
+    /// stresses grow with them. Within a fifth above 10, much closer below.
+    /// None above 100, where it says nothing any more, where no compression
+    /// makes one, and where the stiffening is above 1.
     std::optional<double> buckling_factor;
     /// The number of the body that holds most of the energy of that mode.
     unsigned int buckled = 0;
+    /// How much of the displacements that mode makes: the part c of u along it
+    /// in the energy norm grows to c lambda / (lambda - 1), and this is
+    /// |c| / |u| / (lambda - 1). Zero where loads do not excite it, as in a
+    /// column that is straight.
+    double amplification = 0.;
   };
 
   /**
    * That of @p state, whose bodies have the strain energies @p energies, heat
    * included. @p solver has solved it and solves again, with the rows that are
    * active: once for the stretch, and once for each step of Lanczos' iteration
-   * with K^-1 K_G in the inner product of K, 4 where nothing buckles up to a
-   * hundred times the loads and up to 30 elsewhere. Modes that stabilising
-   * springs hold rather than the bodies are none. Collective.
+   * with K^-1 K_G in the inner product of K, 5 to 8 as a rule and at most 30.
+   * Modes that stabilising springs hold rather than the bodies are none.
+   * Collective.
    */
   BeyondLinear
   beyond_linear(const Structure           &structure,
@@ -56,8 +62,8 @@ namespace lamella
                 const std::vector<double> &energies);
 
   /// What is to be said of @p found, a sentence each without a full stop:
-  /// nothing where the stiffening is below 1 % and the loads are below 1 % of
-  /// those that buckle.
+  /// nothing where stiffening and amplification are below 1 % and the loads are
+  /// below a tenth of those that buckle.
   std::vector<std::string>
   warnings_of(const BeyondLinear &found, const Structure &structure);
 
