@@ -10,9 +10,9 @@ from benchmark_tools import ENVIRONMENT, PROGRAM, best, show, table
 
 # In the order of the work; start-up and the rest are what the phases leave.
 PHASES = ("start-up", "setup", "assembly", "factorisation", "solve", "contact",
-          "output", "rest")
+          "beyond", "output", "rest")
 COLOURS = ("#999999", "#E69F00", "#56B4E9", "#0072B2", "#009E73", "#D55E00",
-           "#CC79A7", "#DDDDDD")
+           "#F0E442", "#CC79A7", "#DDDDDD")
 
 
 def shares(result):

@@ -10,6 +10,7 @@ from concurrent.futures import ThreadPoolExecutor
 from measure_aims import (aims, compact, flexure, growth_length, growth_plies, hairs,
                           paper, three_plies, walls)
 from measure_bars import bars
+from measure_beyond import beyond
 from measure_fields import fields
 from measure_rates import rates
 from measure_solids import calculix, hanging, million, solids
@@ -330,14 +331,14 @@ def main():
                                       parallel, million, fields, aims, hairs, walls,
                                       compact, flexure, three_plies, paper,
                                       growth_plies, growth_length, bars, rates,
-                                      tolerances, indentation, leaves, c3d20r)}
+                                      tolerances, indentation, leaves, c3d20r, beyond)}
     unknown = [name for name in sys.argv[1:] if name not in tables]
     if unknown:
         sys.exit(f"no table {unknown[0]}; there are: {', '.join(tables)}")
     # A million DoFs take minutes and gigabytes: only when asked for.
     only_asked = ("parallel", "million", "fields", "aims", "hairs", "walls", "compact",
                   "flexure", "three_plies", "paper", "growth_plies", "growth_length", "bars",
-                  "tolerances", "indentation", "c3d20r")
+                  "tolerances", "indentation", "c3d20r", "beyond")
     for name in sys.argv[1:] or [name for name in tables if name not in only_asked]:
         print(f"## {name}: {tables[name].__doc__}\n")
         tables[name]()

@@ -424,16 +424,19 @@ namespace lamella
       checks =
         check_state(*structure, contacts, scene.supports.size(), state, factor);
       require_sound(state, checks, scene.solve.rotation_limit);
-      checks.beyond =
-        beyond_linear(*structure, *solver, state, checks.energies);
-      if (scene.solve.beyond_linear == OutOfRange::refuse)
-        require_linear_range(checks.beyond, *structure);
       for (unsigned int k = 0; k < contacts.size(); ++k)
         search_checks[k].check(contacts[k],
                                state.u,
                                factor,
                                gap_rows.of_contact(k, state.active));
     }
+    {
+      TimerOutput::Scope scope(timer, name_of(Phase::beyond));
+      checks.beyond =
+        beyond_linear(*structure, *solver, state, checks.energies);
+    }
+    if (scene.solve.beyond_linear == OutOfRange::refuse)
+      require_linear_range(checks.beyond, *structure);
     return checks;
   }
 

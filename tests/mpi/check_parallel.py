@@ -31,7 +31,8 @@ from pathlib import Path
 
 KINDS = {"displacement": r"(u[xyz]|gap)$", "stress": r"(s[xyz123]{2}|.*pressure)$",
          "force": r".*force.*|.*f[xyz]$", "reserve": r".*reserve_factor$",
-         "goal": r"(value|corrected|bar)$"}
+         "goal": r"(value|corrected|bar)$",
+         "beyond": r"(stiffening|buckling_factor)$"}
 
 
 def read_case(path):

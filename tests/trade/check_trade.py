@@ -17,7 +17,8 @@ import sys
 import time
 from pathlib import Path
 
-PHASES = ("setup", "assembly", "factorisation", "solve", "contact", "output")
+PHASES = ("setup", "assembly", "factorisation", "solve", "contact", "beyond",
+          "output")
 faults = []
 
 

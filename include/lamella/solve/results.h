@@ -24,6 +24,7 @@ namespace lamella
     factorisation, ///< what makes them ready to be solved with
     solve,         ///< linear solution, refinement, checks
     contact,       ///< search and pairing, and the search for active rows
+    beyond,        ///< what large deflections would change (BeyondLinear)
     output         ///< fields at probes, lines and cuts; files
   };
 
@@ -36,6 +37,7 @@ namespace lamella
                                              "factorisation"},
                                             {Phase::solve, "solve"},
                                             {Phase::contact, "contact"},
+                                            {Phase::beyond, "beyond"},
                                             {Phase::output, "output"}};
   };
 
