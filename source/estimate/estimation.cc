@@ -139,7 +139,10 @@ namespace lamella
       return *known;
     std::ostream nowhere(nullptr);
     out << "  " << what << ": " << std::flush;
-    Simulation     simulation(scene, nowhere, run.rules());
+    // Whether the linear model will do is a question to the run itself.
+    Scene compared               = scene;
+    compared.solve.beyond_linear = OutOfRange::accept;
+    Simulation     simulation(compared, nowhere, run.rules());
     const Results &results = simulation.solve();
     const Model    model{simulation.solved_scene(),
                       ResultNumbers(results),
