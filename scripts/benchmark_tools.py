@@ -170,7 +170,7 @@ def machine():
     memory = first_match(r"^MemTotal:\s*(\d+)", text_of(Path("/proc/meminfo")), "0")
     rows = [("processor", cpu), ("cores", os.cpu_count()),
             ("memory", f"{int(memory) / 2 ** 20:.0f} GB"),
-            ("lamella", output_of([PROGRAM, "--version"]).split()[-1]),
+            ("lamella", output_of([PROGRAM, "--version"]).split()[1]),
             ("deal.II", deal_ii_version()), ("compiler", compiler()),
             ("BLAS", blas()), ("CalculiX", calculix_version())]
     return table(["machine", "and versions"], rows)

@@ -8,6 +8,7 @@
 #include <lamella/export/calculix_deck.h>
 #include <lamella/handout/handout.h>
 #include <lamella/run/command_line.h>
+#include <lamella/run/new_scene.h>
 #include <lamella/run/simulation.h>
 #include <lamella/scene/scene.h>
 #include <lamella/trade/trade.h>
@@ -36,8 +37,8 @@ namespace
   require_one_process(const CommandLine &command)
   {
     if (command.task != CommandLine::Task::run && n_processes() > 1)
-      throw InputError("trade, export and report are the work of one process: "
-                       "start lamella without mpirun.");
+      throw InputError("trade, export, report and new are the work of one "
+                       "process: start lamella without mpirun.");
   }
 
 
@@ -81,7 +82,9 @@ namespace
     else
       simulation->run(command.output, command.resume, [&](Results &results) {
         ModelCache cache;
-        results.goals = Estimation(*simulation, output(), cache).goals();
+        Estimation estimation(*simulation, output(), cache);
+        results.goals        = estimation.goals();
+        results.why_no_goals = estimation.reason_for_none();
       });
   }
 
@@ -92,12 +95,14 @@ namespace
   {
     if (command.help || command.version)
       {
-        output() << (command.help ? usage() : "lamella " + version() + "\n");
+        output() << (command.help ? usage() : version_in_full());
         return;
       }
     require_one_process(command);
     if (command.task == CommandLine::Task::report)
       return write_handout(command.scene, command.output, output());
+    if (command.task == CommandLine::Task::new_scene)
+      return write_new_scene(command.scene, command.kind, output());
     if (command.scene.empty())
       {
         output() << parameter_documentation();
@@ -147,10 +152,11 @@ main(int argc, char **argv)
 {
   const auto all = [&] { run(CommandLine::parse({argv + 1, argv + argc})); };
   const std::string task = argc > 1 ? argv[1] : "";
-  if ((task == "trade" || task == "report") && n_launched() == 1)
+  if ((task == "trade" || task == "report" || task == "new") &&
+      n_launched() == 1)
     {
-      // Each rung starts an MPI of its own, in its own process; a report needs
-      // none.
+      // Each rung starts an MPI of its own, in its own process; a report and a
+      // new scene need none.
       survive_failed_writes();
       const auto [status, message] = outcome_of(all);
       if (status != 0)

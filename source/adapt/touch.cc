@@ -325,7 +325,7 @@ namespace lamella
       {
         std::vector<SectionLoad> held;
         for (const PrescribedRow &row : rows)
-          if (row.support == s && row.row.body == body)
+          if (row.support == s && row.row.body == body && !supports[s].hold)
             held.push_back(
               load_of_row(beam, row.row.row, row.position, 1., false));
         const std::size_t before = touches.size();

@@ -22,6 +22,8 @@ namespace lamella
   {
     // Above it a body could no longer be called held by contact alone.
     constexpr double largest_stabilisation = 1e-2;
+    // Of held bodies, where a contact is to hold them.
+    constexpr double stabilisation_of_held = 1e-6;
   } // namespace
 
 
@@ -73,6 +75,15 @@ namespace lamella
       "springs to the ground in its free rigid motions, of this share of its "
       "axial stiffness E A / L (1e-6, say), which are iterated out of the "
       "result. 0: none; a body that can move freely is an error.");
+    prm.declare_entry(
+      "Hold",
+      "",
+      Anything(),
+      "`statically determinate` holds a body that no support holds: where "
+      "nothing acts against a rigid motion, the body's middle stays where it "
+      "is, and the loads must be in equilibrium; where a contact may, springs "
+      "as of Stabilisation = 1e-6 do until it does, and are iterated out of "
+      "the result. Empty: none.");
     prm.enter_subsection("Kinematics");
     TheoryParameters::declare(prm);
     AxisParameters::declare(prm);
@@ -114,6 +125,16 @@ namespace lamella
 
 
 
+    bool
+    parse_hold(const Entry &entry)
+    {
+      if (!entry.is_empty() && entry.text() != "statically determinate")
+        entry.refuse("must be `statically determinate`, or empty");
+      return !entry.is_empty();
+    }
+
+
+
     /// The `subsection Kinematics`.
     void
     parse_kinematics(const Entries   &in,
@@ -150,6 +171,9 @@ namespace lamella
     const double length = in["Length"].positive();
     body.placement      = parse_placement(in);
     body.stabilisation  = parse_stabilisation(in["Stabilisation"]);
+    body.is_held        = parse_hold(in["Hold"]);
+    if (body.is_held && body.stabilisation == 0.)
+      body.stabilisation = stabilisation_of_held;
     prm.enter_subsection("Kinematics");
     parse_kinematics(Entries(prm, in.path() + "/Kinematics"),
                      length,

@@ -411,7 +411,8 @@ namespace lamella
     LoadResultant result;
     result.name = load.name;
     // Bodies that are heated have no force of it.
-    if (!load.temperature.empty())
+    result.is_heat = !load.temperature.empty();
+    if (result.is_heat)
       return result;
     const LoadValues values(load);
     for (const Region &region : load.on)
@@ -425,6 +426,25 @@ namespace lamella
         add_notes(load.name, at, result.notes);
       }
     return result;
+  }
+
+
+
+  void
+  spread_totals(std::vector<Load> &loads, const Bodies &bodies)
+  {
+    for (Load &load : loads)
+      {
+        if (!load.total)
+          continue;
+        Load unit   = load;
+        unit.force  = {{1., 0., 0.}};
+        double size = 0.;
+        for (const Region &region : load.on)
+          size += point_forces(unit, region, *bodies[region.body]).force[0];
+        for (unsigned int c = 0; c < 3; ++c)
+          load.force[c] = (*load.total)[c] / size;
+      }
   }
 
 

@@ -271,6 +271,12 @@ namespace lamella
       "Three scene components, expressions of x, y, z (muParser) "
       "between commas: a force at a point [force], along a line "
       "[force/length], on a surface [force/length^2].");
+    prm.declare_entry("Total force",
+                      "",
+                      patterns::numbers(),
+                      "On surfaces or along a line: the three scene components "
+                      "of the force that all of On carries, spread evenly over "
+                      "its area or length [force].");
     prm.declare_entry("Pressure",
                       "",
                       Anything(),
@@ -328,15 +334,33 @@ namespace lamella
 
 
 
-    /// The three components of a moment.
+    /// The three components of a moment or a force, @p names.
     dealii::Tensor<1, 3>
-    parse_couple(const Entry &entry)
+    parse_vector(const Entry &entry, const std::string &names)
     {
       const std::vector<double> n = entry.numbers();
       if (n.size() != 3)
-        entry.refuse("must be three numbers, mx, my, mz; there are " +
+        entry.refuse("must be three numbers, " + names + "; there are " +
                      std::to_string(n.size()));
       return dealii::Point<3>(n[0], n[1], n[2]);
+    }
+
+
+
+    /// Throws InputError unless the total @p what can be spread over the
+    /// regions of @p load: there is one measure for all of them.
+    void
+    check_total(const Entry &what, const Load &load)
+    {
+      for (const Region &region : load.on)
+        if (region.kind == Region::Kind::point)
+          what.refuse("is spread over a surface or along a line, and a point "
+                      "has no extent",
+                      "Use Force at a point.");
+        else if (region.kind != load.on.front().kind)
+          what.refuse(
+            "cannot be spread over a surface and along a line at once",
+            "Write a load for each.");
     }
   } // namespace
 
@@ -347,16 +371,15 @@ namespace lamella
                         const std::string              &name,
                         const std::vector<std::string> &bodies)
   {
-    const std::vector<std::string> kinds{"Force",
-                                         "Pressure",
-                                         "Couple",
-                                         "Temperature"};
-    std::vector<std::string>       given;
+    const std::vector<std::string> kinds{
+      "Force", "Total force", "Pressure", "Couple", "Temperature"};
+    std::vector<std::string> given;
     for (const std::string &kind : kinds)
       if (!in[kind].is_empty())
         given.push_back(kind);
     if (given.size() != 1)
-      in.refuse("give one of Force, Pressure, Couple and Temperature; " +
+      in.refuse("give one of Force, Total force, Pressure, Couple and "
+                "Temperature; " +
                 (given.empty() ? "none is" : joined(given, " and ") + " are") +
                 " set");
     const Entry on = in["On"], what = in[given.front()];
@@ -366,7 +389,9 @@ namespace lamella
     load.pressure    = in["Pressure"].text();
     load.temperature = in["Temperature"].text();
     if (given.front() == "Couple")
-      load.couple = parse_couple(what);
+      load.couple = parse_vector(what, "mx, my, mz");
+    if (given.front() == "Total force")
+      load.total = parse_vector(what, "fx, fy, fz");
     if (given.front() == "Force")
       {
         const std::vector<std::string> components = what.items();
@@ -376,6 +401,8 @@ namespace lamella
       }
     check_no_overlap(on, load.on, bodies);
     check_regions(on, what, load);
+    if (load.total)
+      check_total(what, load);
     return load;
   }
 } // namespace lamella

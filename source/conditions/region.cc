@@ -8,6 +8,39 @@ namespace lamella
 {
   using namespace dealii;
 
+  namespace
+  {
+    std::string
+    in_words(const Point<3> &x, const int digits)
+    {
+      return "(" + to_text(x[0], digits) + ", " + to_text(x[1], digits) + ", " +
+             to_text(x[2], digits) + ")";
+    }
+
+
+
+    /// The digits that a text needs to tell @p x from the corners of @p box in
+    /// each component in which they differ; as few as six.
+    int
+    telling_digits(const Point<3> &x, const std::pair<Point<3>, Point<3>> &box)
+    {
+      constexpr int least = 6, all = 17;
+      for (int digits = least; digits < all; ++digits)
+        {
+          bool tells = true;
+          for (unsigned int c = 0; c < 3; ++c)
+            for (const double end : {box.first[c], box.second[c]})
+              tells = tells && (x[c] == end ||
+                                to_text(x[c], digits) != to_text(end, digits));
+          if (tells)
+            return digits;
+        }
+      return all;
+    }
+  } // namespace
+
+
+
   std::vector<std::vector<Location>>
   locate_sides(const Body                  &body,
                const std::vector<Point<3>> &points,
@@ -17,13 +50,15 @@ namespace lamella
     for (unsigned int i = 0; i < points.size(); ++i)
       if (found[i].empty())
         {
-          const auto box = body.bounding_box().get_boundary_points();
+          const auto box    = body.bounding_box().get_boundary_points();
+          const int  digits = telling_digits(points[i], box);
           throw InputError(path,
                            "",
-                           "the point " + to_text(points[i]) +
+                           "the point " + in_words(points[i], digits) +
                              " is not in body '" + body.name() +
-                             "', which extends from " + to_text(box.first) +
-                             " to " + to_text(box.second),
+                             "', which extends from " +
+                             in_words(box.first, digits) + " to " +
+                             in_words(box.second, digits),
                            "Move the point into it.");
         }
     return found;

@@ -7,6 +7,21 @@ namespace lamella
 {
   using namespace dealii;
 
+  Point<3>
+  centroid_of(const std::vector<SurfacePoint> &points)
+  {
+    Tensor<1, 3> centroid;
+    double       area = 0.;
+    for (const SurfacePoint &point : points)
+      {
+        centroid += point.area * point.position;
+        area += point.area;
+      }
+    return Point<3>(centroid / area);
+  }
+
+
+
   namespace
   {
     /// Of @p points those furthest from @p x.
@@ -23,54 +38,35 @@ namespace lamella
           found.push_back(point);
       return found;
     }
+  } // namespace
 
 
 
-    /// The corners of @p surface that a spring holds: all points that are
-    /// furthest from its centroid, so that a body and its mirror image are held
-    /// alike, and if that is one alone those furthest from it.
-    std::vector<SurfacePoint>
-    far_points(const Body &body, const std::string &surface)
-    {
-      const std::vector<SurfacePoint> points = body.surface_points(surface);
-      Tensor<1, 3>                    centroid;
-      double                          area = 0.;
-      for (const SurfacePoint &point : points)
-        {
-          centroid += point.area * point.position;
-          area += point.area;
-        }
-      std::vector<SurfacePoint> far =
-        furthest_from(Point<3>(centroid / area), points);
-      if (far.size() == 1)
-        for (const SurfacePoint &point : furthest_from(far[0].position, points))
-          far.push_back(point);
-      return far;
-    }
+  std::vector<SurfacePoint>
+  far_points(const Body &body, const std::string &surface)
+  {
+    const std::vector<SurfacePoint> points = body.surface_points(surface);
+    std::vector<SurfacePoint> far = furthest_from(centroid_of(points), points);
+    if (far.size() == 1)
+      for (const SurfacePoint &point : furthest_from(far[0].position, points))
+        far.push_back(point);
+    return far;
+  }
 
 
 
+  namespace
+  {
     /// E A / L.
     double
     axial_stiffness(const Body &body)
     {
-      double       stiffness = 0.;
-      Tensor<1, 3> centre_of[2];
-      unsigned int end = 0;
-      for (const char *surface : {"start", "end"})
-        {
-          double area = 0.;
-          for (const SurfacePoint &point : body.surface_points(surface))
-            {
-              if (end == 0)
-                stiffness += point.normal_modulus * point.area;
-              centre_of[end] += point.area * point.position;
-              area += point.area;
-            }
-          centre_of[end] /= area;
-          ++end;
-        }
-      return stiffness / (centre_of[1] - centre_of[0]).norm();
+      const auto start = body.surface_points("start"),
+                 end   = body.surface_points("end");
+      double stiffness = 0.;
+      for (const SurfacePoint &point : start)
+        stiffness += point.normal_modulus * point.area;
+      return stiffness / centroid_of(end).distance(centroid_of(start));
     }
 
 

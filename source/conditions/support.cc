@@ -2,6 +2,7 @@
 
 #include <lamella/base/exceptions.h>
 #include <lamella/base/text.h>
+#include <lamella/conditions/hold.h>
 #include <lamella/conditions/support.h>
 
 #include <deal.II/lac/lapack_full_matrix.h>
@@ -71,35 +72,41 @@ namespace lamella
   {
     std::vector<PrescribedRow> rows;
     for (unsigned int s = 0; s < supports.size(); ++s)
-      for (const Region &region : supports[s].on)
-        {
-          const std::string path = "Support " + supports[s].name;
-          const Body       &body = *bodies[region.body];
-          if (supports[s].normal)
-            {
-              add_normal_rows(body, region, *supports[s].normal, s, path, rows);
-              continue;
-            }
-          const std::vector<Location> places =
-            region_locations(body,
-                             region,
-                             path + (region.at.empty() ? "/On" : "/At"));
-          auto all = body.rows(places, Quantity::displacement);
-          // The place of a given point comes out of its position, with
-          // rounding: without what that leaves at other nodes the rows of a
-          // node stay its own.
-          for (std::vector<Row> &components : all)
-            for (Row &row : components)
-              row.drop_below(1e-13);
-          for (unsigned int i = 0; i < places.size(); ++i)
-            for (unsigned int c = 0; c < 3; ++c)
-              if (supports[s].u[c])
-                rows.push_back({{region.body, all[i][c]},
-                                *supports[s].u[c],
-                                s,
-                                scene_axis(c),
-                                places[i].position});
-        }
+      if (supports[s].hold)
+        for (const PrescribedRow &row :
+             rows_of_hold(*supports[s].hold, s, bodies))
+          rows.push_back(row);
+      else
+        for (const Region &region : supports[s].on)
+          {
+            const std::string path = "Support " + supports[s].name;
+            const Body       &body = *bodies[region.body];
+            if (supports[s].normal)
+              {
+                add_normal_rows(
+                  body, region, *supports[s].normal, s, path, rows);
+                continue;
+              }
+            const std::vector<Location> places =
+              region_locations(body,
+                               region,
+                               path + (region.at.empty() ? "/On" : "/At"));
+            auto all = body.rows(places, Quantity::displacement);
+            // The place of a given point comes out of its position, with
+            // rounding: without what that leaves at other nodes the rows of a
+            // node stay its own.
+            for (std::vector<Row> &components : all)
+              for (Row &row : components)
+                row.drop_below(1e-13);
+            for (unsigned int i = 0; i < places.size(); ++i)
+              for (unsigned int c = 0; c < 3; ++c)
+                if (supports[s].u[c])
+                  rows.push_back({{region.body, all[i][c]},
+                                  *supports[s].u[c],
+                                  s,
+                                  scene_axis(c),
+                                  places[i].position});
+          }
     return rows;
   }
 

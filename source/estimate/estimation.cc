@@ -93,15 +93,19 @@ namespace lamella
 
 
 
-  bool
-  Estimation::wanted() const
+  std::string
+  Estimation::reason_for_none() const
   {
     const GoalParameters &goals = run.solved_scene().goals;
     if (goals.quantities.empty() && goals.whole_probes.empty())
-      return false;
-    return goals.bars == ErrorBars::always ||
-           (goals.bars == ErrorBars::automatic &&
-            operations_of_bars(run) <= most_of_run * operations(run));
+      return "the scene has neither Quantities in Goals nor probes";
+    if (goals.bars == ErrorBars::never)
+      return "Error bars = false, in Goals";
+    if (goals.bars == ErrorBars::automatic &&
+        !(operations_of_bars(run) <= most_of_run * operations(run)))
+      return "they would cost more than half of what the run does; --set "
+             "\"Goals/Error bars=true\" makes them";
+    return "";
   }
 
 
@@ -423,7 +427,7 @@ namespace lamella
   std::vector<GoalResult>
   Estimation::goals()
   {
-    if (!wanted())
+    if (!reason_for_none().empty())
       return {};
     out << "Error bars, from richer models of the scene:" << std::endl;
     const auto give_up = [this](const std::exception &error) {

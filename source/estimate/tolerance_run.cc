@@ -2,8 +2,10 @@
 
 #include <lamella/axis/axis.h>
 #include <lamella/base/exceptions.h>
+#include <lamella/base/interruption.h>
 #include <lamella/base/output_file.h>
 #include <lamella/base/processes.h>
+#include <lamella/base/sentence.h>
 #include <lamella/base/text.h>
 #include <lamella/estimate/axis_marks.h>
 #include <lamella/estimate/start.h>
@@ -306,12 +308,18 @@ namespace lamella
           {
             if (passes.empty())
               throw;
-            reason = trimmed(error.what());
+            reason = without_full_stop(error.what());
             break;
           }
         simulation->write(directory, passes.back().goals);
         if (is_speaker())
-          write_file(directory + "/passes.csv", table());
+          {
+            write_file(directory + "/passes.csv", table());
+            say_if_interrupted("interrupted. " + directory +
+                               " has the results of pass " +
+                               std::to_string(passes.size()) +
+                               ". A run to a Tolerance begins anew.");
+          }
         print_pass();
         reason = reason_to_stop();
         if (!reason.empty())
@@ -320,6 +328,7 @@ namespace lamella
       }
     if (!all_met(passes.back().goals) && !is_late())
       end_with_bars(directory);
+    say_if_interrupted("");
     simulation->print_results(directory, out);
     out << (all_met(passes.back().goals) ? "\nDone in " :
                                            "\nNot all goals are met after ")

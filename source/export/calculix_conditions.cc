@@ -32,7 +32,12 @@ namespace lamella
     check_bodies_are_held(const Scene &scene, const CalculixMesh &mesh)
     {
       for (const BodyDescription &body : scene.bodies)
-        if (body.stabilisation != 0.)
+        if (body.is_held)
+          throw InputError("Body " + body.name + "/Hold",
+                           "statically determinate",
+                           "the rows that it makes are not exported",
+                           "Hold the body by a Support and leave Hold empty.");
+        else if (body.stabilisation != 0.)
           throw InputError("Body " + body.name + "/Stabilisation",
                            to_text(body.stabilisation),
                            "the springs that it makes are not exported",
@@ -84,7 +89,9 @@ namespace lamella
       add_support(s, mesh);
     check_bodies_are_held(scene, mesh);
 
-    for (const Load &load : scene.loads)
+    std::vector<Load> loads = scene.loads;
+    spread_totals(loads, mesh.bodies());
+    for (const Load &load : loads)
       for (const Region &region : load.on)
         {
           const PointForces at =

@@ -258,6 +258,36 @@ namespace lamella
 
 
 
+    /// Whether the load @p name is a temperature, which has no resultant.
+    bool
+    is_heat(const RunFolder &run, const std::string &name)
+    {
+      return !run.says("Load " + name + "/Temperature").empty();
+    }
+
+
+
+    /// What the loads are in all.
+    std::string
+    loads_table(const RunFolder &run)
+    {
+      HtmlTable table;
+      table.id      = "loads";
+      table.caption = "What the loads are in all at load factor 1, moments "
+                      "about the scene's origin";
+      table.header  = {"load",
+                       "force " + run.unit_in_brackets("force"),
+                       "moment " + run.moment_unit_in_brackets()};
+      for (const auto &load : member(run.summary, "loads").items())
+        if (!is_heat(run, load.key()))
+          table.rows.push_back({escaped(load.key()),
+                                components(member(load.value(), "force")),
+                                components(member(load.value(), "moment"))});
+      return table.rows.empty() ? "" : to_html(table);
+    }
+
+
+
     /// All that acts on the bodies from outside at the last load step; its sum
     /// is zero in equilibrium. Forces between bodies are inner ones.
     std::string
@@ -280,6 +310,8 @@ namespace lamella
       std::vector<std::pair<std::string, Force>> all;
       for (const auto &load : member(run.summary, "loads").items())
         {
+          if (is_heat(run, load.key()))
+            continue;
           Force on_bodies = force_of(member(load.value(), "force"));
           for (double &component : on_bodies)
             component *= factor;
@@ -476,7 +508,7 @@ namespace lamella
   {
     return {"forces",
             "Loads, supports and reactions",
-            balance_table(run) + reactions_table(run) + history_table(run) +
-              pictures.show("history")};
+            balance_table(run) + loads_table(run) + reactions_table(run) +
+              history_table(run) + pictures.show("history")};
   }
 } // namespace lamella

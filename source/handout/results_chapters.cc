@@ -214,9 +214,10 @@ namespace lamella
       HtmlTable       table;
       table.id = "goals";
       table.caption =
-        "What the run was made for. The exact value of the model lies within "
-        "value + estimated error ± bar; the estimated error comes from richer "
-        "models of the same scene.";
+        "What the run was made for. Finer meshes and richer theories are held "
+        "to end within value ± bar. The estimated error comes from richer "
+        "models of the same scene; the corrected value is the value with its "
+        "estimated error added.";
       table.header = {"number",
                       "value",
                       "unit",
@@ -395,16 +396,31 @@ namespace lamella
 
 
 
+  namespace
+  {
+    /// Why the numbers have no bars.
+    std::string
+    no_bars(const RunFolder &run)
+    {
+      const std::string why = run.summary.value("no_error_bars", "");
+      const std::string how =
+        "how exact the numbers below are is not known from this run alone.";
+      if (!why.empty())
+        return "There are no error bars: " + escaped(why) + ". So " + how;
+      return "The scene names no goals, or asked for no error bars: " + how +
+             " (<code>--set \"Goals/Error bars=true\"</code> puts a bar on "
+             "them.)";
+    }
+  } // namespace
+
+
+
   Chapter
   numbers_chapter(const RunFolder &run, Pictures &pictures)
   {
-    std::string html =
-      run.goals.empty() ?
-        paragraph("The scene names no goals, or asked for no error bars: how "
-                  "exact the numbers below are is not known from this run "
-                  "alone. (<code>--set \"Goals/Error bars=true\"</code> puts a "
-                  "bar on them.)") :
-        goals_table(run) + pictures.show("goals");
+    std::string html = run.goals.empty() ?
+                         paragraph(no_bars(run)) :
+                         goals_table(run) + pictures.show("goals");
     if (!run.passes.empty())
       html += passes_table(run) + pictures.show("passes");
     if (!run.probes.empty())

@@ -7,11 +7,14 @@
 #include <lamella/material/library.h>
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <utility>
 
 namespace lamella
 {
+  using Json = nlohmann::ordered_json;
+
   namespace
   {
     std::string
@@ -200,8 +203,11 @@ namespace lamella
       text += ". The section's lower left corner stands at " +
               point(run.says(where + "Origin")) + length +
               " where the body begins. " + theory_words(run, name);
-      if (!is_zero(run.says(where + "Stabilisation")) &&
-          !run.says(where + "Stabilisation").empty())
+      if (!run.says(where + "Hold").empty())
+        text += " Where no support and no contact acts against a rigid motion, "
+                "its middle stays where it is: loads are in equilibrium.";
+      else if (!is_zero(run.says(where + "Stabilisation")) &&
+               !run.says(where + "Stabilisation").empty())
         text +=
           " Contact alone holds it; soft springs, taken out of the result "
           "again, keep the equations solvable.";
@@ -240,33 +246,121 @@ namespace lamella
 
 
 
+    /// `[force/length²]` in the scene's units: what a load is in on a surface,
+    /// along a line or at a point.
+    std::string
+    unit_of_load(const RunFolder &run, const std::string &on)
+    {
+      const std::string force  = run.unit("force").empty() ? "force" :
+                                                             run.unit("force"),
+                        length = run.unit("length").empty() ?
+                                   "length" :
+                                   run.unit("length");
+      if (on.find(": point") != std::string::npos)
+        return in_brackets(force, "");
+      if (on.find(": line") != std::string::npos)
+        return in_brackets(force + "/" + length, "");
+      return in_brackets(force + "/" + length + "²", "");
+    }
+
+
+
+    double
+    size_of(const Json &components)
+    {
+      double size = 0.;
+      for (const Json &component : components)
+        if (component.is_number())
+          size = std::max(size, std::abs(component.get<double>()));
+      return size;
+    }
+
+
+
+    /// `, in all FORCE, a moment of MOMENT about the origin` of the load
+    /// @p name, without what is rounding beside the other.
+    std::string
+    resultant_words(const RunFolder &run, const std::string &name)
+    {
+      constexpr double rounding = 1e-12;
+      const Json      &load     = member(member(run.summary, "loads"), name);
+      const Json      &force    = member(load, "force"),
+                 &moment        = member(load, "moment");
+      std::string text;
+      if (size_of(force) > rounding * size_of(moment))
+        text += ", in all " + components(force) + run.unit_behind("force");
+      if (size_of(moment) > rounding * size_of(force))
+        text += std::string(text.empty() ? ", in all" : ",") + " a moment of " +
+                components(moment) + " " + run.moment_unit_in_brackets() +
+                " about the scene's origin";
+      return text;
+    }
+
+
+
     std::string
     load_words(const RunFolder &run, const std::string &name)
     {
-      const std::string where    = "Load " + name + "/";
-      const std::string pressure = run.says(where + "Pressure");
-      const std::string on       = run.says(where + "On");
-      const std::string force    = run.unit("force").empty() ? "force" :
-                                                               run.unit("force"),
-                        length   = run.unit("length").empty() ?
-                                     "length" :
-                                     run.unit("length");
-      const bool has_point       = on.find(": point") != std::string::npos,
-                 has_line        = on.find(": line") != std::string::npos;
+      const std::string where       = "Load " + name + "/";
+      const std::string pressure    = run.says(where + "Pressure"),
+                        couple      = run.says(where + "Couple"),
+                        total       = run.says(where + "Total force"),
+                        temperature = run.says(where + "Temperature");
+      if (!temperature.empty())
+        return strong(name) + " makes " + places(run, "Load " + name) +
+               " warmer than without stress by " + code(temperature) +
+               " K, in full at every load step.";
       std::string text =
         strong(name) + " acts on " + places(run, "Load " + name) + ": ";
       if (!pressure.empty())
-        text += "pressure " + code(pressure) + " against the outward normal [" +
-                escaped(force + "/" + length) + "²]";
+        text += "pressure " + code(pressure) + " against the outward normal " +
+                unit_of_load(run, "");
+      else if (!couple.empty())
+        text += "a couple of " + point(couple) + " " +
+                run.moment_unit_in_brackets() +
+                ", as tractions without a resultant force";
+      else if (!total.empty())
+        text += "a force of " + point(total) + run.unit_behind("force") +
+                ", spread evenly over it";
       else
-        text += "force " + code("(" + run.says(where + "Force") + ")") + " [" +
-                escaped(has_point ? force : force + "/" + length) +
-                (has_point || has_line ? "" : "²") + "]";
-      const auto &load = member(member(run.summary, "loads"), name);
-      if (load.contains("force"))
-        text +=
-          ", in all " + components(load["force"]) + run.unit_behind("force");
-      return text + ".";
+        text += "force " + code("(" + run.says(where + "Force") + ")") + " " +
+                unit_of_load(run, run.says(where + "On"));
+      return text + resultant_words(run, name) + ".";
+    }
+
+
+
+    /// The weight of all bodies; empty without.
+    std::string
+    weight_words(const RunFolder &run)
+    {
+      const std::string              gravity = run.says("Gravity");
+      const std::vector<std::string> g       = split(gravity, ',');
+      if (std::all_of(g.begin(), g.end(), is_zero))
+        return "";
+      const std::string length = run.unit("length");
+      return "All bodies have " + strong("weight") +
+             ": the acceleration of gravity is " + point(gravity) + " [" +
+             escaped(length.empty() ? "length" : length) + "/s²]" +
+             resultant_words(run, "Gravity") + ".";
+    }
+
+
+
+    /// What loads the scene, a sentence each.
+    std::string
+    loads(const RunFolder &run)
+    {
+      std::vector<std::string> items;
+      for (const std::string &name : run.names("Loads"))
+        items.push_back(load_words(run, name));
+      if (const std::string weight = weight_words(run); !weight.empty())
+        items.push_back(weight);
+      return "<h3>What loads it</h3>\n" +
+             (items.empty() ?
+                paragraph(
+                  "No loads act; what moves the bodies is prescribed.") :
+                list(items));
     }
 
 
@@ -358,7 +452,20 @@ namespace lamella
 
 
 
-    /// Strengths and the like of the material @p name, a sentence each.
+    /// `[force s²/length⁴]` in the scene's units: kg/m³, t/mm³.
+    std::string
+    unit_of_density(const RunFolder &run)
+    {
+      const std::string length = run.unit("length");
+      return length == "m"  ? "[kg/m³]" :
+             length == "mm" ? "[t/mm³]" :
+                              "[force s²/length⁴]";
+    }
+
+
+
+    /// Density, expansion, strengths and the like of the material @p name, a
+    /// sentence each.
     std::vector<std::string>
     limits_of(const RunFolder               &run,
               const std::string             &name,
@@ -374,9 +481,12 @@ namespace lamella
         const std::string value = run.says("Material " + name + "/" + entry);
         if (!value.empty())
           items.push_back(strong(name) + ": " + words + " = " + point(value));
+        return !value.empty();
       };
-      add("Strengths", strengths);
-      if (items.empty() && material && material->strengths)
+      add("Density", "density " + unit_of_density(run));
+      add("Thermal expansion",
+          "thermal expansion along 1, 2, 3 (one number: along all) [1/K]");
+      if (!add("Strengths", strengths) && material && material->strengths)
         {
           const Strengths         &s = *material->strengths;
           std::vector<std::string> values;
@@ -452,6 +562,21 @@ namespace lamella
 
 
 
+    /// What load factors multiply, and what they do not.
+    std::string
+    multiplied_words(const RunFolder &run)
+    {
+      bool has_heat = false;
+      for (const std::string &name : run.names("Loads"))
+        has_heat =
+          has_heat || !run.says("Load " + name + "/Temperature").empty();
+      return has_heat ? "all forces and all prescribed displacements. "
+                        "Temperatures act in full at every load step" :
+                        "all loads and all prescribed displacements";
+    }
+
+
+
     std::string
     load_steps(const RunFolder &run)
     {
@@ -462,8 +587,8 @@ namespace lamella
                              "There are " + std::to_string(factors.size()) + " load steps";
       text += ", with load factor" +
               std::string(factors.size() == 1 ? " " : "s ") +
-              enumerated(factors) +
-              ": what multiplies all loads and all prescribed displacements.";
+              enumerated(factors) + ": what multiplies " +
+              multiplied_words(run) + ".";
       if (run.says("Find") == "first failure")
         text += " After them the load factor is sought at which the first ply "
                 "fails.";
@@ -522,11 +647,7 @@ namespace lamella
     html += sentences(run, "Bodies", "Bodies", "", body_words);
     html += materials(run);
     html += sentences(run, "Supports", "What holds it", "", support_words);
-    html += sentences(run,
-                      "Loads",
-                      "What loads it",
-                      "No loads act; what moves the bodies is prescribed.",
-                      load_words);
+    html += loads(run);
     html += sentences(run, "Obstacles", "Rigid obstacles", "", obstacle_words);
     html += sentences(run,
                       "Contacts",

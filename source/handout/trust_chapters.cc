@@ -84,7 +84,7 @@ namespace lamella
                   const std::string bar = run.goals.cell(k, "bar");
                   return std::vector<std::string>{
                     escaped(name),
-                    number(run.goals.cell(k, "corrected"), 0., 6) +
+                    number(run.goals.cell(k, "value"), 0., 6) +
                       (bar.empty() ? "" : " ± " + number(bar, 0., 2)) + " " +
                       run.unit_of_column(column.substr(0, column.find(' '))) +
                       (bar.empty() ? " (no bar)" : "")};

@@ -220,9 +220,13 @@ namespace lamella
   NamedQuantity
   parse_quantity(const Entry &text, const QuantityNames &names)
   {
+    if (text.text().find_first_of(",;") != std::string::npos)
+      text.refuse("between quantities stands '|'",
+                  "Write them as in tip: uz | clamp: fz.");
     const auto parts = text.items(':');
     if (parts.size() != 2)
-      text.refuse("write NAME: QUANTITY, as in tip: uz");
+      text.refuse("write NAME: QUANTITY, as in tip: uz, with '|' between "
+                  "several");
     const auto place = split(parts[0], '/');
     for (const Probe &probe : names.probes)
       if (!place.empty() && probe.name == place[0])
@@ -245,6 +249,17 @@ namespace lamella
                   "The nearest is '" +
                     nearest_name(parts[0], all_names(names)) + "'.");
     return resultant;
+  }
+
+
+
+  std::vector<NamedQuantity>
+  parse_quantities(const Entry &text, const QuantityNames &names)
+  {
+    std::vector<NamedQuantity> all;
+    for (const std::string &piece : text.items('|'))
+      all.push_back(parse_quantity(Entry(text.path(), piece), names));
+    return all;
   }
 
 

@@ -677,7 +677,8 @@ namespace lamella
         if (region.body == worst->body && is_on_line_or_point(region, x, near))
           why = "load " + load.name + " acts on a line or point there";
     for (const PrescribedRow &row : prescribed_rows(supports, bodies))
-      if (row.row.body == worst->body && row.position.distance(x) <= near)
+      if (row.row.body == worst->body && !supports[row.support].hold &&
+          row.position.distance(x) <= near)
         why = "support " + supports[row.support].name + " holds that point";
     if (why.empty() && worst->doubt > much)
       why = "the element's stress and the recovered one differ by " +

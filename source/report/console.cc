@@ -6,6 +6,7 @@
 #include <lamella/report/console.h>
 #include <lamella/report/goals_table.h>
 #include <lamella/report/plies_table.h>
+#include <lamella/report/probes_table.h>
 
 #include <algorithm>
 #include <cmath>
@@ -277,7 +278,10 @@ namespace lamella
             << " of the largest at ply interfaces\n";
     print_closures(out, results);
     print_reserves(out, results);
+    print_probes(out, results);
     print_goals(out, results);
+    if (!results.why_no_goals.empty())
+      out << "\nNo error bars: " << results.why_no_goals << ".\n";
     print_cost(out, results);
     for (const std::string &warning : results.all_warnings())
       out << "\nNote: " << warning << ".\n";

@@ -52,16 +52,49 @@ namespace lamella
 
 
 
-    /// @p value over the goal's scale, as in "0.12 %"; the value itself where
-    /// all of its kind are zero.
-    std::string
-    share_text(const GoalResult &goal, const double value)
+    /// What is said of goals, each sentence once with all goals that it is true
+    /// of, in the order of the first.
+    class Sayings
     {
-      if (goal.scale == 0.)
-        return to_text(value, 2);
-      return to_text(100. * value / goal.scale, 2) + " %";
-    }
+    public:
+      void
+      add(const std::string &goal, const std::string &what)
+      {
+        for (auto &[said, goals] : all)
+          if (said == what)
+            {
+              goals.push_back(goal);
+              return;
+            }
+        all.push_back({what, {goal}});
+      }
+
+      /// @p before, the goals, @p one or @p several, what is said.
+      void
+      print(std::ostream      &out,
+            const std::string &before,
+            const std::string &one,
+            const std::string &several) const
+      {
+        for (const auto &[what, goals] : all)
+          out << "  " << before << joined(goals, "; ")
+              << (goals.size() == 1 ? one : several) << what << ".\n";
+      }
+
+    private:
+      std::vector<std::pair<std::string, std::vector<std::string>>> all;
+    };
   } // namespace
+
+
+
+  std::string
+  share_text(const GoalResult &goal, const double value)
+  {
+    if (goal.scale == 0.)
+      return to_text(value, 2);
+    return to_text(100. * value / goal.scale, 2) + " %";
+  }
 
 
 
@@ -142,19 +175,25 @@ namespace lamella
          (goal.estimate > 0. ? "+" : "") + share_text(goal, goal.estimate),
          largest_share(goal)});
     print_table(out, table);
-    for (const GoalResult &goal : goals)
-      if (goal.scale != std::abs(goal.value))
-        out << "  " << goal.name << " is near zero: per cent are of "
-            << to_text(goal.scale) << ", the largest of its kind.\n";
+    Sayings near_zero, no_bar, wanting;
     for (const GoalResult &goal : goals)
       {
         constexpr double much = 0.01;
+        if (goal.scale != std::abs(goal.value))
+          near_zero.add(goal.name, to_text(goal.scale));
         if (!goal.trusted)
-          out << "  No bar for " << goal.name << " yet: " << goal.why << ".\n";
+          no_bar.add(goal.name, goal.why);
         else if (const std::string source = largest_share(goal);
                  goal.bar > much * goal.scale && !source.empty())
-          out << "  " << goal.name << " wants " << remedy(source) << ".\n";
+          wanting.add(goal.name, remedy(source));
       }
+    near_zero.print(out,
+                    "",
+                    " is near zero: per cent are of the largest of its kind, ",
+                    " are near zero: per cent are of the largest of their "
+                    "kind, ");
+    no_bar.print(out, "No bar for ", " yet: ", " yet: ");
+    wanting.print(out, "", " wants ", " want ");
     const BeyondLinear &beyond = results.last().checks.beyond;
     constexpr double    less   = 1e-2;
     if (beyond.stiffening > less || beyond.buckling_factor)

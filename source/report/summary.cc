@@ -2,6 +2,7 @@
 
 #include <lamella/base/memory.h>
 #include <lamella/base/version.h>
+#include <lamella/body/fields.h>
 #include <lamella/recover/pressed_patch.h>
 #include <lamella/recover/sampler.h>
 #include <lamella/recover/strength_sweep.h>
@@ -217,6 +218,28 @@ namespace lamella
 
 
 
+    /// Of each probe a row a ply, by the columns of probes.csv.
+    Json
+    probes_json(const Results &results)
+    {
+      Json        json   = Json::object();
+      const auto &probes = results.steps.back().probes;
+      for (unsigned int p = 0; p < probes.size(); ++p)
+        for (const FieldRow &row : probes[p])
+          {
+            Json of_row{{"body", row.body}, {"ply", row.ply + 1}};
+            for (unsigned int c = 0; c < 3; ++c)
+              of_row[std::string(1, "xyz"[c])] = row.position[c];
+            const std::vector<double> values = field_values(row.sample);
+            for (unsigned int k = 0; k < values.size(); ++k)
+              of_row[field_names()[k]] = values[k];
+            json[results.probes[p]].push_back(of_row);
+          }
+      return json;
+    }
+
+
+
     /// Resultants and checks of the last load step.
     void
     add_last_step(const Results &results, Json &json)
@@ -228,6 +251,7 @@ namespace lamella
       for (unsigned int s = 0; s < results.supports.size(); ++s)
         json["supports"][results.supports[s]] =
           support_json(checks.reactions[s]);
+      json["probes"] = probes_json(results);
       for (unsigned int m = 0; m < results.measures.size(); ++m)
         json["measures"][results.measures[m]] = last.measures[m];
       json["force_balance"]        = checks.force_balance;
@@ -276,6 +300,8 @@ namespace lamella
       add_last_step(results, json);
     for (const GoalResult &goal : results.goals)
       json["goals"][goal.name] = goal_json(goal);
+    if (!results.why_no_goals.empty())
+      json["no_error_bars"] = results.why_no_goals;
     json["converged"] = results.converged;
     json["warnings"]  = results.all_warnings();
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";

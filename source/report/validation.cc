@@ -215,6 +215,39 @@ namespace lamella
 
 
 
+  namespace
+  {
+    /// What @p load is in all, in a scene of the size @p size; of a
+    /// temperature, which has no resultant, that it is one.
+    void
+    print_load(std::ostream        &out,
+               const LoadResultant &load,
+               const double         size,
+               const Units         &units)
+    {
+      // What is left of a force whose tractions cancel.
+      constexpr double           rounding = 1e-12;
+      const dealii::Tensor<1, 3> resultant =
+        load.force.norm() * size < rounding * load.moment.norm() ?
+          dealii::Tensor<1, 3>() :
+          load.force;
+
+      out << "Load " << load.name << ": ";
+      if (load.is_heat)
+        {
+          out << "a temperature, which has no resultant\n";
+          return;
+        }
+      const std::string force = units.force.empty() ? "" : " " + units.force;
+      out << "resultant " << to_text(resultant) << force << " in all, moment "
+          << to_text(load.moment) << force
+          << (units.length.empty() ? "" : " " + units.length)
+          << " about the origin\n";
+    }
+  } // namespace
+
+
+
   void
   print_bodies(std::ostream                        &out,
                const Structure                     &structure,
@@ -226,8 +259,7 @@ namespace lamella
           << body->n_dofs() << " DoFs\n";
     out << structure.n_dofs() << " DoFs in all\n";
     for (const LoadResultant &load : structure.load_resultants())
-      out << "Load " << load.name << ": resultant " << to_text(load.force)
-          << (units.force.empty() ? "" : " ") << units.force << " in all\n";
+      print_load(out, load, structure.size(), units);
     for (const ContactInterface &contact : contacts)
       out << "Contact " << contact.name << ": " << contact.rows.size()
           << " pairs that may touch"

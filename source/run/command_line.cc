@@ -3,6 +3,7 @@
 #include <lamella/base/exceptions.h>
 #include <lamella/base/text.h>
 #include <lamella/run/command_line.h>
+#include <lamella/run/new_scene.h>
 
 #include <cmath>
 #include <filesystem>
@@ -17,10 +18,12 @@ namespace lamella
        lamella trade SCENE.prm [options]
        lamella export --calculix SCENE.prm [options]
        lamella report DIR [--output FILE.html]
+       lamella new NAME [--kind KIND]
 
 runs the scene; or a ladder of theories and meshes on it, what each costs and how
 far it is off; or writes it as an input deck of CalculiX; or makes one page of HTML,
-to hand on, of what a run has left in DIR.
+to hand on, of what a run has left in DIR; or writes a commented scene, NAME.prm, that
+runs as it is, to begin with.
 
   --output DIR          where results go (default: results/SCENE, of a trade
                         results/SCENE-trade; of an export the deck, SCENE.inp;
@@ -35,9 +38,13 @@ to hand on, of what a run has left in DIR.
   --threads N           threads (default 1)
   --element NAME        of an exported deck: C3D20R (default), C3D8I or C3D8R
   --contact-stiffness K of an exported deck [force/length^3] (default: auto)
-  --version, --help
+  --kind KIND           of a new scene: three-point (default), four-point,
+                        short-beam, leaf-spring or indentation
+  --version             with the commit and the libraries that it was built with
+  --help
 
-Exit status: 0 done, 1 a fault of the input, 2 a failure of the numerics.
+Exit status: 0 done, 1 a fault of the input, 2 a failure of the numerics, 130 ended
+by Ctrl-C, which says what stands in the folder and how to go on.
 )";
   }
 
@@ -73,6 +80,21 @@ Exit status: 0 done, 1 a fault of the input, 2 a failure of the numerics.
 
 
 
+    /// Throws InputError for options that a new scene does not have.
+    void
+    check_new_scene(const CommandLine &command)
+    {
+      if (!command.overrides.empty() || command.validate ||
+          command.print_parameters || command.resume || !command.output.empty())
+        throw InputError("new writes a scene, NAME.prm, and takes --kind only: "
+                         "all other options belong to a run of it.");
+      if (!command.version && !command.help && command.scene.empty())
+        throw InputError("no name is given: say lamella new NAME, and NAME.prm "
+                         "is written.");
+    }
+
+
+
     /// Throws InputError for options that belong to another task.
     void
     check_task(const CommandLine &command, const bool calculix)
@@ -86,8 +108,12 @@ Exit status: 0 done, 1 a fault of the input, 2 a failure of the numerics.
                          !command.contact_stiffness.empty()))
         throw InputError("--calculix, --element and --contact-stiffness belong "
                          "to lamella export.");
+      if (command.task != Task::new_scene && !command.kind.empty())
+        throw InputError("--kind belongs to lamella new.");
       if (command.task == Task::report)
         return check_report(command);
+      if (command.task == Task::new_scene)
+        return check_new_scene(command);
       if (command.task != Task::run &&
           (command.validate || command.print_parameters || command.resume))
         throw InputError(
@@ -119,6 +145,8 @@ Exit status: 0 done, 1 a fault of the input, 2 a failure of the numerics.
             return name + ".inp";
           case CommandLine::Task::report:
             return command.scene + "/report.html";
+          case CommandLine::Task::new_scene:
+            return "";
           default:
             return "results/" + name;
         }
@@ -142,6 +170,7 @@ Exit status: 0 done, 1 a fault of the input, 2 a failure of the numerics.
     const std::map<std::string, std::string *> texts{
       {"--output", &result.output},
       {"--element", &result.element},
+      {"--kind", &result.kind},
       {"--contact-stiffness", &result.contact_stiffness}};
     const std::map<std::string, bool *> flags{{"--calculix", &calculix},
                                               {"--resume", &result.resume},
@@ -178,13 +207,16 @@ Exit status: 0 done, 1 a fault of the input, 2 a failure of the numerics.
         else if (result.scene.empty())
           result.scene = word;
         else
-          throw InputError((result.task == Task::report ?
-                              "one folder at a time: both '" :
-                              "one scene at a time: both '") +
-                           result.scene + "' and '" + word + "' are given.");
+          throw InputError(std::string(result.task == Task::report ?
+                                         "one folder" :
+                                         "one scene") +
+                           " at a time: both '" + result.scene + "' and '" +
+                           word + "' are given.");
       }
     check_task(result, calculix);
     result.output_is_given = !result.output.empty();
+    if (result.task == Task::new_scene && result.kind.empty())
+      result.kind = kinds_of_new_scenes().front();
     if (result.output.empty())
       result.output = default_output(result);
     return result;

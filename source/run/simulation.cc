@@ -3,9 +3,12 @@
 #include <lamella/adapt/graded_axis.h>
 #include <lamella/adapt/node_fields.h>
 #include <lamella/base/exceptions.h>
+#include <lamella/base/interruption.h>
 #include <lamella/base/memory.h>
 #include <lamella/base/processes.h>
+#include <lamella/base/sentence.h>
 #include <lamella/base/text.h>
+#include <lamella/conditions/hold.h>
 #include <lamella/contact/assumptions.h>
 #include <lamella/recover/named_quantity.h>
 #include <lamella/report/console.h>
@@ -91,6 +94,31 @@ namespace lamella
 
 
 
+    /// What to say of the folder @p directory where the user ends the run after
+    /// @p done of @p all load steps.
+    void
+    keep_ready_for_interruption(const std::string &directory,
+                                const unsigned int done,
+                                const unsigned int all)
+    {
+      if (!is_speaker())
+        return;
+      if (done == 0)
+        say_if_interrupted("interrupted before the first load step was done: "
+                           "nothing of this run is in " +
+                           directory + ".");
+      else
+        say_if_interrupted(
+          "interrupted. " + directory + " has " +
+          (done == all ?
+             "all load steps, but not what comes after them" :
+             "load step" + std::string(done == 1 ? " " : "s 1 to ") +
+               std::to_string(done) + " of " + std::to_string(all)) +
+          ". The same command with --resume goes on from there.");
+    }
+
+
+
     ReferenceLists
     references_of(const Scene &scene)
     {
@@ -157,13 +185,34 @@ namespace lamella
     std::vector<Stabilisation> stabilisations;
     for (const BodyDescription &body : scene.bodies)
       stabilisations.push_back({body.stabilisation});
-    structure = std::make_unique<Structure>(make_bodies_with_fields(),
+    Bodies bodies = make_bodies_with_fields();
+    hold_bodies(bodies);
+    structure = std::make_unique<Structure>(std::move(bodies),
                                             scene.supports,
                                             scene.loads,
                                             stabilisations,
                                             scene.gravity);
+    check_balance_of_held(scene.supports,
+                          structure->bodies(),
+                          structure->load());
     for (const auto &body : structure->bodies())
       body->solver_kind(scene.solve.solver);
+  }
+
+
+
+  void
+  Simulation::hold_bodies(const Bodies &bodies)
+  {
+    if (std::none_of(scene.bodies.begin(),
+                     scene.bodies.end(),
+                     [](const BodyDescription &body) { return body.is_held; }))
+      return;
+    std::vector<BodyRow> touching;
+    for (const ContactPair &contact : scene.contacts)
+      for (const GapRow &row : make_interface(contact, bodies).rows)
+        touching.insert(touching.end(), row.parts.begin(), row.parts.end());
+    find_held_motions(scene.supports, bodies, touching);
   }
 
 
@@ -173,6 +222,8 @@ namespace lamella
   {
     Bodies bodies =
       make_bodies(scene.bodies, sections, scene.solve.memory_limit);
+    spread_totals(scene.loads, bodies);
+    clear_held_motions(scene.supports);
     if (has_fields_to_choose(scene.bodies))
       {
         apply_heat(scene.loads, bodies);
@@ -521,6 +572,8 @@ namespace lamella
     };
     const auto fails = [&](const double factor) {
       std::vector<PlyReserve> plies;
+      out << "Trial " << first.trials.size() + 1 << ", load factor "
+          << to_text(factor, 6) << std::endl;
       first.trials.push_back(try_for_failure(factor, plies));
       return judged(factor, plies);
     };
@@ -556,7 +609,7 @@ namespace lamella
           "the search for the first failure ended between load factors " +
           to_text(first.safe, 6) + " (safe) and " +
           (found_one ? to_text(first.failing, 6) + " (failing)" : "more") +
-          ": " + error.what());
+          ": " + without_full_stop(error.what()));
       }
     state = last_step;
   }
@@ -678,9 +731,15 @@ namespace lamella
         out << "Going on after load step " << found.steps.size() << " of "
             << found.load_steps << std::endl;
       }
+    keep_ready_for_interruption(directory, earlier, found.load_steps);
     try
       {
-        solve([&](const Results &results) { writer.write_step(results); });
+        solve([&](const Results &results) {
+          writer.write_step(results);
+          keep_ready_for_interruption(directory,
+                                      results.steps.size(),
+                                      found.load_steps);
+        });
       }
     catch (const NumericsError &error)
       {
@@ -698,6 +757,7 @@ namespace lamella
     if (afterwards)
       afterwards(found);
     writer.write_end(found);
+    say_if_interrupted("");
     print_results(directory, out);
   }
 

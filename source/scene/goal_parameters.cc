@@ -98,9 +98,7 @@ namespace lamella
   {
     GoalParameters goals;
     const Entry    quantities = in["Quantities"];
-    for (const std::string &piece : quantities.items('|'))
-      goals.quantities.push_back(
-        parse_quantity(Entry(quantities.path(), piece), names));
+    goals.quantities          = parse_quantities(quantities, names);
     goals.tolerances =
       parse_tolerances(in["Tolerance"], goals.quantities.size());
     if (goals.quantities.empty())

@@ -2,6 +2,7 @@
 
 #include <lamella/base/entry.h>
 #include <lamella/base/patterns.h>
+#include <lamella/conditions/hold.h>
 #include <lamella/conditions/parameters.h>
 #include <lamella/contact/parameters.h>
 #include <lamella/material/parameters.h>
@@ -307,6 +308,32 @@ namespace lamella
 
 
 
+    /// The supports that `Hold` of bodies stands for.
+    void
+    add_holds(Scene &scene)
+    {
+      for (unsigned int b = 0; b < scene.bodies.size(); ++b)
+        {
+          if (!scene.bodies[b].is_held)
+            continue;
+          Support support;
+          support.name = name_of_hold(scene.bodies[b].name);
+          support.hold = Hold{b};
+          if (!scene.support_references
+                 .emplace(support.name, std::vector<Reference>())
+                 .second)
+            throw InputError("Support " + support.name,
+                             "",
+                             "that is what Hold of the body '" +
+                               scene.bodies[b].name +
+                               "' is called among the supports",
+                             "Rename the support.");
+          scene.supports.push_back(support);
+        }
+    }
+
+
+
     /// Supports, loads, obstacles and contacts.
     void
     resolve_conditions(Subsections                    &subsections,
@@ -319,6 +346,7 @@ namespace lamella
         scene.support_references[name] =
           parse_references(in["References"], resultant);
       });
+      add_holds(scene);
       subsections.each("Loads", "Load", [&](const auto &name, auto in) {
         scene.loads.push_back(LoadParameters::parse(in, name, bodies));
         if (name == name_of_weight && scene.gravity.norm() > 0.)
@@ -387,9 +415,13 @@ namespace lamella
                                 scene.contact_references,
                                 scene.measures};
       check_names_of_measures(names);
+      prm.enter_subsection("Goals");
+      const std::vector<NamedQuantity> of_goals =
+        parse_quantities(Entries(prm, "Goals")["Quantities"], names);
+      prm.leave_subsection();
       prm.enter_subsection("Trade");
-      scene.trade =
-        TradeParameters::parse(Entries(prm, "Trade"), {bodies, names});
+      scene.trade = TradeParameters::parse(Entries(prm, "Trade"),
+                                           {bodies, names, of_goals});
       // What it has by itself the goals have by themselves.
       const bool named = !Entries(prm, "Trade")["Quantities"].is_empty();
       prm.leave_subsection();

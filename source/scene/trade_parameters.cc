@@ -42,8 +42,9 @@ namespace lamella
       "What is compared, between '|': PROBE: COLUMN (of probes.csv; PROBE/PLY "
       "on an interface), SUPPORT: fx (fy, fz, mx, my, mz), CONTACT: fx (and so "
       "on, pressure, width, width x), or of a strip of a contact CONTACT: fx "
-      "in AXIS FROM TO. By default what the scene gives References for, and of "
-      "probes without any the largest displacement and stress.");
+      "in AXIS FROM TO. By default those that Goals names, else what the scene "
+      "gives References for, and of probes without any the largest "
+      "displacement and stress.");
     prm.declare_entry(
       "Reference",
       "finest",
@@ -269,12 +270,13 @@ namespace lamella
       trade.bodies = names.bodies;
 
     const Entry quantities = in["Quantities"];
-    for (const std::string &piece : quantities.items('|'))
-      trade.quantities.push_back(
-        parse_quantity(Entry(quantities.path(), piece), names.quantities));
+    trade.quantities       = parse_quantities(quantities, names.quantities);
 
     const Entry reference = in["Reference"];
     trade.reference       = parse_reference(reference, trade.ladder);
+    // Those need not have any value that is given.
+    if (trade.quantities.empty() && trade.reference != "given")
+      trade.quantities = names.of_goals;
     if (trade.quantities.empty())
       {
         trade.quantities =

@@ -118,8 +118,9 @@ namespace lamella
             {
               const PrescribedRow &p = structure.prescribed()[row];
               of_support[p.support] += force * p.direction;
-              moment[p.support] += cross_product_3d(p.position - body.centre(),
-                                                    force * p.direction);
+              moment[p.support] +=
+                force * (p.couple + cross_product_3d(p.position - body.centre(),
+                                                     p.direction));
               for (unsigned int c = 0; c < 3; ++c)
                 felt[p.support][c] += force * p.row.row(rigid[b][3 + c]);
               work += 0.5 * force * factor * p.value;
@@ -425,8 +426,8 @@ namespace lamella
                  std::vector<Resultants>                &on_body,
                  Checks                                 &checks)
     {
-      // Reactions below that share of what heat would do to a body that is held
-      // are rounding.
+      // Reactions below that share of what heat would do to a body that is
+      // held, or of loads that balance each other, are rounding.
       constexpr double of_heat  = 1e-6;
       double           rounding = 0.;
       for (unsigned int b = 0; b < structure.bodies().size(); ++b)
@@ -437,8 +438,10 @@ namespace lamella
                              structure.load().block(b),
                              factor,
                              on_body[b]);
-          on_body[b].at_least(of_heat *
-                              structure.heat_load().block(b).linfty_norm());
+          on_body[b].at_least(
+            of_heat * std::max(structure.heat_load().block(b).linfty_norm(),
+                               std::abs(factor) *
+                                 structure.load().block(b).linfty_norm()));
           checks.stabilisation_energy +=
             add_springs(structure, b, rigid[b], state, on_body[b]);
           const Deformation deformation = body.deformation(u);

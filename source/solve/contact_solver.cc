@@ -75,7 +75,9 @@ namespace lamella
           return state;
         if (round > most_rounds)
           fail_on_springs(state, change / before);
-        before     = change;
+        before = change;
+        progress("round " + std::to_string(round) +
+                 " of releasing the stabilising springs:");
         State next = solve_contact(solve_free(factor, rest), factor, state);
         next.iterations += state.iterations;
         state = std::move(next);

@@ -5,6 +5,8 @@
 #include <lamella/solve/results.h>
 
 #include <algorithm>
+#include <cmath>
+#include <regex>
 
 namespace lamella
 {
@@ -51,17 +53,112 @@ namespace lamella
 
 
 
+  namespace
+  {
+    /// A warning of one load step or of several, which may give other numbers.
+    struct StepWarning
+    {
+      /// What is left of it without its numbers.
+      std::string kind;
+      /// Of the step with the largest load factor, which is one of these.
+      std::string        text;
+      const StepResults *step;
+      /// In their order, and whether all of them say the same.
+      std::vector<unsigned int> steps;
+      bool                      same = true;
+    };
+
+
+
+    /// @p text with # for each number; names such as c-1 and tip/2 are none.
+    std::string
+    without_numbers(const std::string &text)
+    {
+      static const std::regex number(
+        R"((^|[ (=])[-+]?[0-9]+(\.[0-9]+)?(e[-+]?[0-9]+)?)");
+      return std::regex_replace(text, number, "$1#");
+    }
+
+
+
+    /// Those of all @p steps, each kind once, in the order of their first.
+    std::vector<StepWarning>
+    warnings_by_kind(const std::vector<StepResults> &steps)
+    {
+      std::vector<StepWarning> all;
+      for (const StepResults &step : steps)
+        for (const std::string &text : step.warnings)
+          {
+            const std::string kind = without_numbers(text);
+            // The same kind twice in a step is two warnings.
+            const auto known =
+              std::find_if(all.begin(), all.end(), [&](const StepWarning &w) {
+                return w.kind == kind && w.steps.back() != step.step;
+              });
+            if (known == all.end())
+              {
+                all.push_back({kind, text, &step, {step.step}});
+                continue;
+              }
+            known->steps.push_back(step.step);
+            known->same = known->same && known->text == text;
+            if (std::abs(step.load_factor) >=
+                std::abs(known->step->load_factor))
+              {
+                known->text = text;
+                known->step = &step;
+              }
+          }
+      return all;
+    }
+
+
+
+    /// `1-3, 5` of the ascending @p numbers.
+    std::string
+    ranges(const std::vector<unsigned int> &numbers)
+    {
+      std::string text;
+      for (unsigned int k = 0, end; k < numbers.size(); k = end)
+        {
+          end = k + 1;
+          while (end < numbers.size() && numbers[end] == numbers[end - 1] + 1)
+            ++end;
+          text += (text.empty() ? "" : ", ") + std::to_string(numbers[k]);
+          if (end > k + 1)
+            text += "-" + std::to_string(numbers[end - 1]);
+        }
+      return text;
+    }
+
+
+
+    /// `load step 2: `, `load steps 1-3 (numbers of step 3): `.
+    std::string
+    place_of(const StepWarning &warning)
+    {
+      if (warning.steps.size() == 1)
+        return "load step " + std::to_string(warning.steps.front()) + ": ";
+      return "load steps " + ranges(warning.steps) +
+             (warning.same ? "" :
+                             " (numbers of step " +
+                               std::to_string(warning.step->step) + ")") +
+             ": ";
+    }
+  } // namespace
+
+
+
   std::vector<std::string>
   Results::all_warnings() const
   {
     std::vector<std::string> warnings = notes;
-    for (const StepResults &step : steps)
-      for (const std::string &warning : step.warnings)
-        warnings.push_back((load_steps > 1 ?
-                              "load step " + std::to_string(step.step) + ": " :
-                              "") +
-                           warning);
-    warnings.insert(warnings.end(), endnotes.begin(), endnotes.end());
+    for (const StepWarning &warning : warnings_by_kind(steps))
+      warnings.push_back((load_steps > 1 ? place_of(warning) : "") +
+                         warning.text);
+    for (const std::string &note : endnotes)
+      if (std::find(warnings.begin(), warnings.end(), note) == warnings.end())
+        warnings.push_back(note);
     return warnings;
   }
 

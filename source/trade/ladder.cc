@@ -39,6 +39,8 @@ namespace lamella
     struct FinerSection
     {
       double factor;
+      /// How often the scene divides its cells.
+      unsigned int divisions;
 
       Changes
       operator()(const Laminate &laminate) const
@@ -85,15 +87,19 @@ namespace lamella
                  std::to_string(scaled(tube.cells_per_ply, factor))}};
       }
 
+      /// A mesh by Gmsh is as fine as it was made: its cells are divided in
+      /// four, as often as comes nearest to the factor.
       Changes
       operator()(const SectionFile &file) const
       {
-        throw InputError(file.what + "/File",
-                         file.path,
-                         "a mesh file is as fine as Gmsh made it, and no "
-                         "section FACTOR changes that",
-                         "Name another file in the rung: Section NAME/File = "
-                         "...");
+        const long times = std::lround(divisions + std::log2(factor));
+        if (times < 0)
+          throw InputError(file.what + "/File",
+                           file.path,
+                           "a mesh file is as coarse as Gmsh made it",
+                           "Name a coarser one in the rung: Section NAME/File "
+                           "= ...");
+        return {{"Cells divided", std::to_string(times)}};
       }
     };
 
@@ -196,7 +202,8 @@ namespace lamella
       if (entry.section != 1.)
         for (const std::string &section : sections)
           for (const auto &[name, value] :
-               std::visit(FinerSection{entry.section},
+               std::visit(FinerSection{entry.section,
+                                       scene.divisions_of(section)},
                           scene.sections.at(section)))
             overrides.push_back("Section " + section + "/" + name + "=" +
                                 value);

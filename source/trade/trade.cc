@@ -2,6 +2,7 @@
 
 #include <lamella/base/child_process.h>
 #include <lamella/base/exceptions.h>
+#include <lamella/base/interruption.h>
 #include <lamella/base/mpi_session.h>
 #include <lamella/base/text.h>
 #include <lamella/base/version.h>
@@ -432,6 +433,9 @@ namespace lamella
             numbers.emplace_back();
             continue;
           }
+        say_if_interrupted("interrupted. " + directory +
+                           "/rungs has the rungs before this one. The same "
+                           "command goes on with it.");
         const std::string of      = fingerprint(entry, all);
         const auto [same, is_new] = seen.emplace(of, entry.name);
         if (!is_new)
@@ -497,6 +501,7 @@ namespace lamella
     numbers.clear();
     reference = scene.trade.reference;
     climb(directory);
+    say_if_interrupted("");
     complete_quantities();
     take_values();
     const TradeTable table(results,

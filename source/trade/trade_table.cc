@@ -10,6 +10,7 @@
 #include <cmath>
 #include <fstream>
 #include <iomanip>
+#include <limits>
 #include <ostream>
 #include <sstream>
 #include <utility>
@@ -333,12 +334,43 @@ namespace lamella
   {
     if (against < 0)
       return "Errors are against the values given in the scene.";
-    std::string text = "Errors are against " + all[against].name + ".";
-    for (int k = against - 1; k >= 0; --k)
-      if (all[k].failure.empty())
-        return text + " How sure that is, " + all[k].name +
-               " before it tells: errors smaller than its own say little.";
-    return text;
+    const std::string text    = "Errors are against " + all[against].name + ".";
+    const auto [nearest, off] = nearest_to_reference();
+    if (nearest < 0)
+      return text;
+    // What is further away tells nothing of how sure the reference is.
+    constexpr double near = 0.05;
+    if (off > near)
+      return text +
+             " No other rung comes near it in all quantities (the "
+             "nearest, " +
+             all[nearest].name + ", is off by up to " + per_cent(off) +
+             "), so nothing here tells how sure it is.";
+    return text + " The nearest to it, " + all[nearest].name +
+           ", is off by up to " + per_cent(off) +
+           ": errors smaller than that say little.";
+  }
+
+
+
+  std::pair<int, double>
+  TradeTable::nearest_to_reference() const
+  {
+    std::pair<int, double> nearest(-1, std::numeric_limits<double>::infinity());
+    for (unsigned int k = 0; k < all.size(); ++k)
+      {
+        double most = 0.;
+        bool   any  = false;
+        for (unsigned int q = 0; q < asked.size(); ++q)
+          if (has_error(k, q))
+            {
+              any  = true;
+              most = std::max(most, error(k, q));
+            }
+        if (any && most < nearest.second)
+          nearest = {k, most};
+      }
+    return nearest;
   }
 
 

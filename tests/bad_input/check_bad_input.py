@@ -32,7 +32,7 @@ from pathlib import Path
 
 LONGEST_MESSAGE = 12
 # Words of the machinery: a user can do nothing with them.
-OF_THE_MACHINERY = ("Exception", "Stack trace", "Stacktrace", "terminate")
+OF_THE_MACHINERY = ("Exception", "Stack trace", "Stacktrace", "terminate called")
 
 
 def read_case(path):

@@ -31,7 +31,7 @@ ARROWS = {
     "scene": ("base", "material", "strength", "shape", "section", "axis", "body", "conditions",
               "contact", "solve", "recover"),
     "handout": ("base", "material", "scene"),
-    "run": ("base", "contact", "solve", "recover", "adapt", "report", "scene"),
+    "run": ("base", "conditions", "contact", "solve", "recover", "adapt", "report", "scene"),
     "estimate": ("base", "section", "axis", "body", "contact", "solve", "recover", "adapt", "report", "scene",
                  "run"),
     "trade": ("base", "section", "body", "solve", "report", "scene", "run", "estimate"),

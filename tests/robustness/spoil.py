@@ -45,7 +45,7 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parents[2]
 LONGEST_MESSAGE = (12, 1500)  # lines, characters
 # A user can do nothing with these.
-OF_THE_MACHINERY = ("Exception", "Stack trace", "Stacktrace", "terminate", "std::", "what()",
+OF_THE_MACHINERY = ("Exception", "Stack trace", "Stacktrace", "terminate called", "std::", "what()",
                     "dealii", "An error occurred", "basic_string", "boost", "regex_error",
                     "stoi", "stoul", "stod", "map::at", "json.", "vector::", "_M_", "errno")
 # Words of advice, or of what would be right: they say what to do.

@@ -404,6 +404,22 @@ def check_changed(program, scene, workdir):
            "with its load in every rung")
 
 
+def check_goals(program, scene, workdir):
+    """The quantities of Goals, where Trade names none; a ladder in which no rung is near
+    the reference."""
+    trade = Trade(program, scene, workdir / "goals")
+    done = trade.run("Trade/Ladder=EBBT | TE-2", "Trade/Quantities=",
+                     "Goals/Quantities=end: ux | clamp: fz", "Goals/Error bars=false")
+    expect(done.returncode == 0 and list(dict.fromkeys(
+        row["quantity"] for row in trade.table())) == ["end: ux", "clamp: fz"],
+        f"the quantities of Goals {done.stderr}")
+    # EBBT knows no coupling: the reference has no ux beside it.
+    error = max(float(row["error"]) for row in trade.table() if row["error"])
+    expect(error > 0.05 and "Errors are against TE-2. No other rung comes near it in all "
+           "quantities (the nearest, EBBT, is off by up to" in done.stdout,
+           f"nothing is called sure by a rung that is {100 * error:.0f} % off")
+
+
 def main():
     program, scene, workdir = (Path(word).resolve() for word in sys.argv[1:4])
     shutil.rmtree(workdir, ignore_errors=True)
@@ -413,6 +429,7 @@ def main():
     check_killed(program, scene, workdir)
     check_time_limit(program, scene, workdir)
     check_changed(program, scene, workdir)
+    check_goals(program, scene, workdir)
     sys.exit(1 if faults else 0)
 
 

@@ -52,6 +52,39 @@ BOOST_AUTO_TEST_CASE(every_step_is_kept)
 
 
 
+BOOST_AUTO_TEST_CASE(a_warning_is_said_once_for_all_steps)
+{
+  Results results;
+  results.load_steps = 5;
+  results.notes      = {"a note"};
+  results.endnotes   = {"an end", "a note"};
+  for (unsigned int step = 1; step <= 5; ++step)
+    {
+      results.steps.emplace_back();
+      results.steps.back().step        = step;
+      results.steps.back().load_factor = step == 5 ? 0. : step;
+    }
+  for (const unsigned int step : {1, 2, 4})
+    results.steps[step - 1].warnings.push_back("contact c-1 is the same");
+  for (const unsigned int step : {2, 3, 4, 5})
+    results.steps[step - 1].warnings.push_back(
+      "gaps of 1e-3 and -" + std::to_string(step) + ".5 in contact c-1");
+  // Of one kind, but two things to say.
+  results.steps[2].warnings.push_back("probe p is off by 7 %");
+  results.steps[2].warnings.push_back("probe p is off by 8 %");
+  const std::vector<std::string> expected{
+    "a note",
+    "load steps 1-2, 4: contact c-1 is the same",
+    "load steps 2-5 (numbers of step 4): gaps of 1e-3 and -4.5 in contact c-1",
+    "load step 3: probe p is off by 7 %",
+    "load step 3: probe p is off by 8 %",
+    "an end"};
+  BOOST_TEST(results.all_warnings() == expected,
+             boost::test_tools::per_element());
+}
+
+
+
 BOOST_AUTO_TEST_CASE(an_observer_takes_what_is_dropped)
 {
   std::ostream nowhere(nullptr);

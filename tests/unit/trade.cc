@@ -95,6 +95,25 @@ BOOST_AUTO_TEST_CASE(errors_and_fronts)
 
 
 
+BOOST_AUTO_TEST_CASE(how_sure_a_reference_is)
+{
+  // By the nearest rung, and not by the one before; by none that is far off.
+  const auto basis = [](const std::string &reference) {
+    return TradeTable(ladder(), {quantity("uz")}, reference, {0.01}).basis();
+  };
+  BOOST_TEST(
+    basis("finest") ==
+    "Errors are against LE-3. The nearest to it, solid-2, is off by up "
+    "to 0.2 %: errors smaller than that say little.");
+  BOOST_TEST(
+    basis("EBBT") ==
+    "Errors are against EBBT. No other rung comes near it in all "
+    "quantities (the nearest, LE-2, is off by up to 5.6 %), so nothing "
+    "here tells how sure it is.");
+}
+
+
+
 BOOST_AUTO_TEST_CASE(references)
 {
   const TradeTable solid(ladder(), {quantity("uz")}, "solid", {0.01});
@@ -426,7 +445,10 @@ BOOST_AUTO_TEST_CASE(meshes_of_rungs)
   SectionFile file;
   file.what = "Section s";
   BOOST_TEST(overrides(file, 2., 1.).size() == 3u);
-  BOOST_CHECK_THROW(overrides(file, 1., 2.), InputError);
+  // A mesh's own cells divided in four; nothing makes it coarser.
+  BOOST_TEST(overrides(file, 1., 2.)[1] == "Section s/Cells divided=1");
+  BOOST_TEST(overrides(file, 1., 4.)[1] == "Section s/Cells divided=2");
+  BOOST_CHECK_THROW(overrides(file, 1., 0.5), InputError);
 }
 
 

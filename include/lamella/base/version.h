@@ -11,6 +11,12 @@ namespace lamella
   /// results say, and what a run that is resumed must agree with.
   std::string
   version();
+
+  /// What --version prints: the version with the commit that was built, then
+  /// the libraries and the compiler that it was built with, a line each; of the
+  /// BLAS what is loaded.
+  std::string
+  version_in_full();
 } // namespace lamella
 
 #endif

@@ -39,6 +39,9 @@ namespace lamella
     /// Share of E A / L that the springs have which hold its free rigid
     /// motions; 0: none, at most 0.01. What they are is a condition's business.
     double stabilisation = 0.;
+    /// Whether rigid motions that nothing acts against are taken out, and those
+    /// that contact may hold get springs (conditions/hold.h).
+    bool is_held = false;
     /// Of a solid: how often its hexahedra are divided. Beams ignore it. The
     /// memory limit in it is set by make_bodies().
     SolidRefinement refinement;
@@ -52,6 +55,7 @@ namespace lamella
    *   Axis, Up         directions of y, and that z leans towards (y, z)
    *   Length           of the axis
    *   Stabilisation    share of E A / L, 0 to 0.01               (0)
+   *   Hold             statically determinate, or empty          (empty)
    * in the scene's axes and unit of length. `Kinematics` has the entries of
    * TheoryParameters, AxisParameters and SolidParameters, whichever of them the
    * theory needs: a scene may change its theory and keep all others.

@@ -17,8 +17,8 @@ namespace lamella
    * A given force, as numbers or functions of the scene's x, y, z. Dead loads
    * of linear theory: position and normal are those of the undeformed body, and
    * all of it is multiplied by the load factor of the step. One of force,
-   * pressure, couple and temperature counts. A temperature is no force but what
-   * its bodies are (Body::heat()); no load factor multiplies it.
+   * pressure, couple, total and temperature counts. A temperature is no force
+   * but what its bodies are (Body::heat()); no load factor multiplies it.
    */
   struct Load
   {
@@ -45,6 +45,11 @@ namespace lamella
      * traction of Navier, a torque that of a round shaft.
      */
     std::optional<dealii::Tensor<1, 3>> couple = {};
+    /// On surfaces or lines, what all regions together carry [force], scene
+    /// components, spread evenly over their area or length: the force per
+    /// length or area follows from it when the bodies are there
+    /// (spread_totals()).
+    std::optional<dealii::Tensor<1, 3>> total = {};
     /// By how much bodies are warmer than without stress [K].
     Formula temperature = {};
   };
@@ -100,6 +105,8 @@ namespace lamella
     /// On all of its regions, at load factor 1; the moment about the scene's
     /// origin. [force] and [force x length], scene axes.
     dealii::Tensor<1, 3> force, moment;
+    /// Whether it is a temperature, which has neither.
+    bool is_heat = false;
     /// What the user should know of how it was integrated and of what its
     /// bodies cannot feel, a sentence each.
     std::vector<std::string> notes;
@@ -119,6 +126,14 @@ namespace lamella
    */
   LoadResultant
   add_load(const Load &load, const Bodies &bodies, BlockVector &f);
+
+  /// Gives those of @p loads that have a total the force per area or length
+  /// that makes it: total / M, M the measure of all their regions as loads are
+  /// integrated, so that the resultant is the total to rounding. Throws
+  /// InputError for regions outside of their body. To be called before loads
+  /// are used otherwise.
+  void
+  spread_totals(std::vector<Load> &loads, const Bodies &bodies);
 
   /// Heats the bodies of @p bodies that a temperature among @p loads is on, as
   /// often as it is called. Throws InputError as Body::heat() does, for an

@@ -56,7 +56,7 @@ namespace lamella
   };
 
   /// The entries of a `subsection Load NAME`. `On`, `At`, and one of `Force`,
-  /// `Pressure`, `Couple` and `Temperature`.
+  /// `Total force`, `Pressure`, `Couple` and `Temperature`.
   struct LoadParameters
   {
     /// Declares them in the subsection that @p prm is in.
@@ -68,7 +68,7 @@ namespace lamella
     /// on the same body (`all`, `ends`) are refused: the load would act twice
     /// there. So are forces on a whole body, temperatures on anything else, and
     /// pressure and couples on anything but a surface, couples on several at
-    /// once (`ends`, `all`), too.
+    /// once (`ends`, `all`), totals at points or on lines beside surfaces, too.
     static Load
     parse(const Entries                  &in,
           const std::string              &name,

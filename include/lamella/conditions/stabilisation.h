@@ -38,6 +38,16 @@ namespace lamella
     double share = 0.;
   };
 
+  /// Of the surface that @p points stand for.
+  dealii::Point<3>
+  centroid_of(const std::vector<SurfacePoint> &points);
+
+  /// The corners of @p surface of @p body: all points that are furthest from
+  /// its centroid, so that a body and its mirror image are held alike, and if
+  /// that is one alone those furthest from it.
+  std::vector<SurfacePoint>
+  far_points(const Body &body, const std::string &surface);
+
   /**
    * One spring for each rigid motion of @p body, number @p index, that @p rows
    * leave free. Each acts in

@@ -12,60 +12,6 @@
 
 namespace lamella
 {
-  /// Prescribed displacements, imposed exactly.
-  ///
-  ///   u_c(X) = s d_c for all X of its regions, or n(X) . u(X) = s d,
-  ///
-  /// with the load factor s of the step. Dirichlet conditions, eliminated from
-  /// the unknowns (RowReduction); there is no penalty and no multiplier in the
-  /// system. Either u or normal counts.
-  struct Support
-  {
-    /// As in `subsection Support NAME`.
-    std::string name;
-    /// May lie on several bodies.
-    std::vector<Region> on;
-    /// The scene components of u at load factor 1; those without are free
-    /// [length]. 0 holds the point.
-    std::array<std::optional<double>, 3> u;
-    /// On surfaces, n . u with the outward normal n: 0 is symmetry, whichever
-    /// way the body is turned. Positive outwards [length].
-    std::optional<double> normal = std::nullopt;
-  };
-
-  /// The displacement of one point along a direction: row(u) = value. The force
-  /// in the row, its multiplier, is a reaction: force along direction on the
-  /// body, and work with value.
-  struct PrescribedRow
-  {
-    /// Compressed, with no constant part and no entries that are rounding.
-    BodyRow row;
-    /// At load factor 1 [length].
-    double value = 0.;
-    /// Its number in the list of supports.
-    unsigned int support = 0;
-    /// A unit vector of the scene; the force in the row acts along it.
-    dealii::Tensor<1, 3> direction;
-    /// Where it acts, in the scene: for moments of reactions and for messages.
-    dealii::Point<3> position;
-  };
-
-  /// The unit vector along the scene's axis @p c, 0, 1 or 2 for x, y, z.
-  dealii::Tensor<1, 3>
-  scene_axis(const unsigned int c);
-
-  /**
-   * The rows of @p supports. They may depend on each other; RowReduction sees
-   * to that. Throws InputError for regions that are not in their body. Support
-   * by support, region by region, point by point; of u three rows a point or
-   * fewer, of normal one. Weights below 1e-13 of a row's largest are dropped,
-   * so that what rounding leaves at other nodes does not tie rows together.
-   * Throws InputError, too, for a normal displacement on a surface with
-   * corners, where there is no normal.
-   */
-  std::vector<PrescribedRow>
-  prescribed_rows(const std::vector<Support> &supports, const Bodies &bodies);
-
   /// A rigid motion that nothing prevents. The stiffness of the body is
   /// singular along it: a Stabilisation has to make it definite for contact to
   /// hold the body, or the scene is refused.
@@ -86,6 +32,76 @@ namespace lamella
     dealii::Tensor<1, 3>
     at(const dealii::Point<3> &x, const Body &body) const;
   };
+
+  /// What `Hold` of a body makes a support of: rows that take rigid motions out
+  /// of a body that nothing acts against (conditions/hold.h).
+  struct Hold
+  {
+    /// The number in the scene's list of bodies.
+    unsigned int body = 0;
+    /// What is held; empty until find_held_motions() has looked.
+    std::vector<FreeMotion> motions = {};
+  };
+
+  /// Prescribed displacements, imposed exactly.
+  ///
+  ///   u_c(X) = s d_c for all X of its regions, or n(X) . u(X) = s d,
+  ///
+  /// with the load factor s of the step. Dirichlet conditions, eliminated from
+  /// the unknowns (RowReduction); there is no penalty and no multiplier in the
+  /// system. Either u or normal counts.
+  struct Support
+  {
+    /// As in `subsection Support NAME`.
+    std::string name;
+    /// May lie on several bodies.
+    std::vector<Region> on;
+    /// The scene components of u at load factor 1; those without are free
+    /// [length]. 0 holds the point.
+    std::array<std::optional<double>, 3> u;
+    /// On surfaces, n . u with the outward normal n: 0 is symmetry, whichever
+    /// way the body is turned. Positive outwards [length].
+    std::optional<double> normal = std::nullopt;
+    /// Of a hold, which has no regions and no values.
+    std::optional<Hold> hold = std::nullopt;
+  };
+
+  /// The displacement of one point along a direction: row(u) = value. The force
+  /// in the row, its multiplier, is a reaction: force along direction on the
+  /// body, and work with value. Of a hold it is the mean of several points.
+  struct PrescribedRow
+  {
+    /// Compressed, with no constant part and no entries that are rounding.
+    BodyRow row;
+    /// At load factor 1 [length].
+    double value = 0.;
+    /// Its number in the list of supports.
+    unsigned int support = 0;
+    /// A unit vector of the scene; the force in the row acts along it. Of a
+    /// hold the resultant of a unit force in the row.
+    dealii::Tensor<1, 3> direction;
+    /// Where it acts, in the scene: for moments of reactions and for messages.
+    dealii::Point<3> position;
+    /// The moment about there of a unit force in the row: not zero of a hold
+    /// only.
+    dealii::Tensor<1, 3> couple = {};
+  };
+
+  /// The unit vector along the scene's axis @p c, 0, 1 or 2 for x, y, z.
+  dealii::Tensor<1, 3>
+  scene_axis(const unsigned int c);
+
+  /**
+   * The rows of @p supports. They may depend on each other; RowReduction sees
+   * to that. Throws InputError for regions that are not in their body. Support
+   * by support, region by region, point by point; of u three rows a point or
+   * fewer, of normal one, of a hold one a motion. Weights below 1e-13 of a
+   * row's largest are dropped, so that what rounding leaves at other nodes does
+   * not tie rows together. Throws InputError, too, for a normal displacement on
+   * a surface with corners, where there is no normal.
+   */
+  std::vector<PrescribedRow>
+  prescribed_rows(const std::vector<Support> &supports, const Bodies &bodies);
 
   /**
    * The rigid motions of @p body, number @p index, that @p rows leave free;

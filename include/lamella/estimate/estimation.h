@@ -99,6 +99,11 @@ namespace lamella
     std::vector<GoalResult>
     goals();
 
+    /// Why goals() is empty: the scene wants no bars, or they cost too much. A
+    /// sentence without a full stop; empty if there are goals.
+    std::string
+    reason_for_none() const;
+
   private:
     /// The run as the first model.
     Model
@@ -165,9 +170,6 @@ namespace lamella
     /// The quantities of the scene, those of whole probes among them.
     std::vector<NamedQuantity>
     quantities() const;
-    /// Whether the scene wants bars, and the costs allow it.
-    bool
-    wanted() const;
 
     const Simulation &run;
     std::ostream     &out;

@@ -98,6 +98,10 @@ namespace lamella
   NamedQuantity
   parse_quantity(const Entry &text, const QuantityNames &names);
 
+  /// Those that @p text names, between '|'. Throws as parse_quantity() does.
+  std::vector<NamedQuantity>
+  parse_quantities(const Entry &text, const QuantityNames &names);
+
   /// The column of one of @p probes that @p text says, PROBE: COLUMN or
   /// PROBE/PLY: COLUMN. Throws InputError if it says anything else.
   NamedQuantity

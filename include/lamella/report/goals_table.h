@@ -33,6 +33,11 @@ namespace lamella
   void
   print_goals(std::ostream &out, const Results &results);
 
+  /// @p value over the scale of @p goal, as in "0.12 %"; the value itself where
+  /// all of its kind are zero.
+  std::string
+  share_text(const GoalResult &goal, const double value);
+
   /// The share of @p goal that is largest, or "" if there is none.
   std::string
   largest_share(const GoalResult &goal);

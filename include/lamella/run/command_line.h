@@ -18,10 +18,12 @@ namespace lamella
       run,             ///< solves the scene (Simulation)
       trade,           ///< a ladder of theories and meshes on it (Trade)
       export_calculix, ///< needs --calculix, the one format that there is
-      report           ///< a page of what a run has left (write_handout)
+      report,          ///< a page of what a run has left (write_handout)
+      new_scene        ///< a commented scene to begin with (write_new_scene)
     };
     Task task = Task::run;
-    /// The scene's file, of a report the folder of results; may be empty with
+    /// The scene's file, of a report the folder of results, of a new scene its
+    /// name; may be empty with
     /// --help, --version and --print-parameters only.
     std::string scene;
     /// As given, or the default of the task: a folder, of an export the deck,
@@ -31,6 +33,8 @@ namespace lamella
     bool output_is_given = false;
     /// Of CalculiX; empty if not given.
     std::string element, contact_stiffness;
+    /// Of a new scene: which template.
+    std::string kind;
     /// PATH=VALUE each, of --set, in their order.
     std::vector<std::string> overrides;
     /// Of this process, 1 to 1024.
@@ -60,7 +64,8 @@ namespace lamella
     static constexpr NameOf<CommandLine::Task> all[] = {
       {CommandLine::Task::trade, "trade"},
       {CommandLine::Task::export_calculix, "export"},
-      {CommandLine::Task::report, "report"}};
+      {CommandLine::Task::report, "report"},
+      {CommandLine::Task::new_scene, "new"}};
   };
 
   /// The text of --help, with what the exit status means: 0 done, 1 a fault of

@@ -168,6 +168,11 @@ namespace lamella
     /// once to see it.
     Bodies
     make_bodies_with_fields();
+    /// Finds the motions that holds among the supports take out of
+    /// @p bodies, which are made; contacts are, once more, to see what may
+    /// touch them.
+    void
+    hold_bodies(const Bodies &bodies);
     /// Search and pairing: the gap rows of all contacts, none twice.
     void
     build_contacts();

@@ -38,6 +38,8 @@ namespace lamella
   {
     std::vector<std::string> bodies;
     QuantityNames            quantities;
+    /// What `Quantities` of Goals names.
+    std::vector<NamedQuantity> of_goals = {};
   };
 
   /// The entries of `subsection Trade`, see `lamella trade`.
@@ -45,7 +47,8 @@ namespace lamella
   {
     /// At least two, cheap ones first and the finest last.
     std::vector<LadderEntry> ladder;
-    /// Those named; or those that the scene gives References for.
+    /// Those named; or those that Goals names; or those that the scene gives
+    /// References for.
     std::vector<NamedQuantity> quantities;
     /// Probes that Quantities, left empty, asks for without naming columns: the
     /// largest displacement and stress there are taken. None where the

@@ -352,6 +352,8 @@ namespace lamella
     /// The numbers that it was made for, of the last step; none where no errors
     /// were estimated.
     std::vector<GoalResult> goals;
+    /// Why there are none; empty if there are.
+    std::string why_no_goals;
     /// Of the condensed stiffnesses, the largest of all bodies; a lower bound,
     /// 0 if unknown (only CHOLMOD knows one).
     double condition_estimate = 0.;
@@ -369,8 +371,9 @@ namespace lamella
     n_dofs() const;
 
     /// What the user should know: notes, the warnings of all steps (with their
-    /// step where the scene has several), endnotes. A sentence each, without a
-    /// full stop.
+    /// steps where the scene has several; what differs by its numbers only
+    /// once, as of the largest load factor), endnotes. A sentence each, without
+    /// a full stop.
     std::vector<std::string>
     all_warnings() const;
 

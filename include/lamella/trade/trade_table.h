@@ -8,6 +8,7 @@
 #include <iosfwd>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace lamella
@@ -137,9 +138,10 @@ namespace lamella
     std::string
     sentence(const unsigned int q, const double tolerance) const;
 
-    /// What errors are taken against, and how sure that is, in words: the last
-    /// rung before the reference that succeeded has an error, and smaller ones
+    /// What errors are taken against, and how sure that is, in words: the rung
+    /// that is nearest to the reference is off by something, and smaller errors
     /// than that say little, since the reference itself may be off by as much.
+    /// Where even that one is far away, nothing tells.
     std::string
     basis() const;
 
@@ -162,6 +164,10 @@ namespace lamella
     /// The cheapest of @p rungs, as cheapest() has it.
     int
     cheapest_of(const std::vector<unsigned int> &rungs) const;
+    /// The rung whose largest error over all quantities is the smallest, and
+    /// that error; -1 where there are none.
+    std::pair<int, double>
+    nearest_to_reference() const;
     /// `TBT: 75 DoFs, 0.3 s (off by 0.2 %).`
     std::string
     described(const unsigned int k, const unsigned int q) const;

@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <lamella/base/exceptions.h>
+#include <lamella/base/text.h>
+#include <lamella/conditions/hold.h>
+#include <lamella/conditions/stabilisation.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace lamella
+{
+  using namespace dealii;
+
+  namespace
+  {
+    /// The corners of the section half way along the axis of @p body.
+    std::vector<Point<3>>
+    corners_of_middle(const Body &body)
+    {
+      const Tensor<1, 3> half =
+        0.5 * (centroid_of(body.surface_points("end")) -
+               centroid_of(body.surface_points("start")));
+      std::vector<Point<3>> corners;
+      for (const SurfacePoint &point : far_points(body, "start"))
+        corners.push_back(point.position + half);
+      return corners;
+    }
+
+
+
+    /// The displacements of @p motion at @p points, the largest of them 1.
+    std::vector<Tensor<1, 3>>
+    displacements(const FreeMotion            &motion,
+                  const Body                  &body,
+                  const std::vector<Point<3>> &points)
+    {
+      std::vector<Tensor<1, 3>> all;
+      double                    largest = 0.;
+      for (const Point<3> &x : points)
+        {
+          all.push_back(motion.at(x, body));
+          largest = std::max(largest, all.back().norm());
+        }
+      for (Tensor<1, 3> &displacement : all)
+        displacement /= largest;
+      return all;
+    }
+  } // namespace
+
+
+
+  std::string
+  name_of_hold(const std::string &name)
+  {
+    return "hold-" + name;
+  }
+
+
+
+  void
+  clear_held_motions(std::vector<Support> &supports)
+  {
+    for (Support &support : supports)
+      if (support.hold)
+        support.hold->motions.clear();
+  }
+
+
+
+  void
+  find_held_motions(std::vector<Support>       &supports,
+                    const Bodies               &bodies,
+                    const std::vector<BodyRow> &others)
+  {
+    clear_held_motions(supports);
+    std::vector<PrescribedRow> rows = prescribed_rows(supports, bodies);
+    for (const BodyRow &other : others)
+      rows.push_back({other, 0., 0, {}, {}});
+    for (Support &support : supports)
+      if (support.hold)
+        support.hold->motions = free_rigid_motions(*bodies[support.hold->body],
+                                                   support.hold->body,
+                                                   rows);
+  }
+
+
+
+  std::vector<PrescribedRow>
+  rows_of_hold(const Hold        &hold,
+               const unsigned int support,
+               const Bodies      &bodies)
+  {
+    if (hold.motions.empty())
+      return {};
+    const Body                 &body   = *bodies[hold.body];
+    const std::vector<Point<3>> points = corners_of_middle(body);
+    const std::vector<Location> locations =
+      locate_all(body, points, "Body " + body.name() + "/Hold");
+    const auto   u     = body.rows(locations, Quantity::displacement);
+    const double share = 1. / points.size();
+    Point<3>     middle;
+    for (const Point<3> &x : points)
+      middle += share * x;
+    std::vector<PrescribedRow> rows;
+    for (const FreeMotion &motion : hold.motions)
+      {
+        PrescribedRow row;
+        row.row.body = hold.body;
+        row.support  = support;
+        row.position = middle;
+        const auto q = displacements(motion, body, points);
+        for (unsigned int p = 0; p < points.size(); ++p)
+          {
+            for (unsigned int c = 0; c < 3; ++c)
+              row.row.row.add(u[p][c], share * q[p][c]);
+            row.direction += share * q[p];
+            row.couple += share * cross_product_3d(points[p] - middle, q[p]);
+          }
+        row.row.row.compress();
+        row.row.row.drop_below(1e-13);
+        rows.push_back(row);
+      }
+    return rows;
+  }
+
+
+
+  void
+  check_balance_of_held(const std::vector<Support> &supports,
+                        const Bodies               &bodies,
+                        const BlockVector          &load)
+  {
+    // Of the loads; integrals of expressions hold to less.
+    constexpr double balanced = 1e-6;
+    for (const Support &support : supports)
+      {
+        if (!support.hold)
+          continue;
+        const Body               &body  = *bodies[support.hold->body];
+        const Vector             &f     = load.block(support.hold->body);
+        const std::vector<Vector> rigid = body.rigid_motions();
+        for (const FreeMotion &motion : support.hold->motions)
+          {
+            Vector q(f.size());
+            for (unsigned int m = 0; m < 6; ++m)
+              q.add(motion.motion[m] / (m < 3 ? 1. : body.size()), rigid[m]);
+            // Forces in the directions of the DoFs, and what cancels in one.
+            double size = f.linfty_norm();
+            for (DofIndex i = 0; i < f.size(); ++i)
+              size += std::abs(f[i] * q[i]);
+            if (std::abs(f * q) <= balanced * size)
+              continue;
+            Tensor<1, 3> force, moment;
+            for (unsigned int c = 0; c < 3; ++c)
+              {
+                force[c]  = f * rigid[c];
+                moment[c] = f * rigid[3 + c];
+              }
+            throw InputError(
+              "Body " + body.name() + "/Hold",
+              "statically determinate",
+              "the loads on the body are not in equilibrium, and no support "
+              "and no contact acts against its " +
+                motion.words + ": their resultant is " + to_text(force) +
+                ", their moment about its centre " + to_text(moment),
+              "Add the load that balances them, or a support or contact that "
+              "bears them.");
+          }
+      }
+  }
+} // namespace lamella

@@ -1,0 +1,71 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Runs a scene with a load of each kind and reads what its report and its console say of
+them.
+
+Usage: check_loads.py LAMELLA SCENE.prm WORKDIR
+
+Couple, pressure, total force, point force, temperature and weight stand in words, with
+force and moment as statics gives them; density and expansion stand beside the materials;
+load factors do not multiply temperatures; a temperature is no force of the balance.
+"""
+
+import json
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).parent))
+import check_report  # noqa: E402
+from check_report import Page, expect, faults  # noqa: E402
+
+
+def main():
+    program, scene, folder = sys.argv[1], sys.argv[2], Path(sys.argv[3])
+    shutil.rmtree(folder, ignore_errors=True)
+    folder.mkdir(parents=True)
+    output = folder / "run"
+    console = subprocess.run([program, scene, "--output", output], check=True,
+                             capture_output=True, text=True).stdout
+    subprocess.run([program, "report", output], check=True, stdout=subprocess.DEVNULL)
+    page = Page((output / "report.html").read_text())
+    check_report.check_form(page)
+    words = " ".join(page.text["scene"].split())
+    # Statics about the origin: pressure 0.01 on 20 at (1, 5, 1); 3 at (1, 10, 0.5) along
+    # y; 0.5 at (1, 10, 0); weight 0.002 * 10 * 20 = 0.4 at (1, 5, 0.5).
+    for sentence in (
+            "turn acts on the end of beam: a couple of (0.3, 0, −0.2) [N mm], as tractions "
+            "without a resultant force, in all a moment of (0.3, 0, −0.2) [N mm] about the "
+            "scene's origin.",
+            "pressure 0.01 against the outward normal [N/mm²], in all (0, 0, −0.2) N, a moment "
+            "of (−1, 0.2, 0) [N mm] about the scene's origin.",
+            "pull acts on the end of beam: a force of (0, 3, 0) N, spread evenly over it, in "
+            "all (0, 3, 0) N, a moment of (−1.5, 0, 3) [N mm]",
+            "push acts on a point of beam, at (1, 10, 0) mm: force (0, 0, 0.5) [N], in all "
+            "(0, 0, 0.5) N, a moment of (5, −0.5, 0) [N mm]",
+            "warm makes the whole of beam warmer than without stress by 20*y K, in full at "
+            "every load step.",
+            "All bodies have weight: the acceleration of gravity is (0, 0, −10) [mm/s²], in all "
+            "(0, 0, −0.4) N, a moment of (−2, 0.4, 0) [N mm]",
+            "plain: density [t/mm³] = (0.002)", "plain: thermal expansion",
+            "what multiplies all forces and all prescribed displacements. Temperatures act in "
+            "full at every load step"):
+        expect(sentence in words, sentence)
+    names = [row[0][0] for row in page.tables["forces"][1:]]
+    expect("load warm" not in names and "load turn" in names,
+           "a temperature is no force of the balance")
+    summary = json.loads((output / "summary.json").read_text())
+    expect([row[0][0] for row in page.tables["loads"][1:]] ==
+           [name for name in summary["loads"] if name != "warm"] and
+           page.values("loads")[0] == [*summary["loads"]["turn"]["force"],
+                                       *summary["loads"]["turn"]["moment"]],
+           "loads with their moments")
+    for line in ("Load turn: resultant (0, 0, 0) N in all, moment (0.3, 0, -0.2) N mm about "
+                 "the origin", "Load warm: a temperature, which has no resultant"):
+        expect(line in console, line)
+    sys.exit(1 if faults else 0)
+
+
+if __name__ == "__main__":
+    main()

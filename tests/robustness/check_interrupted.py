@@ -1,0 +1,68 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Ends a run as Ctrl-C does and reads what it says of its folder; then goes on with it.
+
+Usage: check_interrupted.py LAMELLA SCENE.prm WORKDIR
+
+Ended before its first load step it says that nothing is there; later how many load steps
+are, which are those of summary.json, and that --resume goes on, which it does. It ends by
+the signal, 130 to a shell. A run that is done says nothing of the kind.
+"""
+
+import json
+import shutil
+import signal
+import subprocess
+import sys
+from pathlib import Path
+
+STEPS = 60
+faults = []
+
+
+def expect(truth, what):
+    print(("ok    " if truth else "FAIL  ") + what)
+    if not truth:
+        faults.append(what)
+
+
+def interrupted(words, line, signal_number):
+    """Starts the run, waits for @p line, sends the signal: status and error output."""
+    run = subprocess.Popen(words, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+    for said in run.stdout:
+        if said.startswith(line):
+            break
+    run.send_signal(signal_number)
+    _, errors = run.communicate()
+    return run.returncode, errors
+
+
+def main():
+    program, scene, folder = sys.argv[1], sys.argv[2], Path(sys.argv[3])
+    shutil.rmtree(folder, ignore_errors=True)
+    output = folder / "run"
+    words = [program, scene, "--output", str(output), "--set", "Load factors=" +
+             ", ".join(str((k + 1) / STEPS) for k in range(STEPS))]
+    status, errors = interrupted(words, "Load step 1 ", signal.SIGINT)
+    expect(status == -signal.SIGINT, f"it ends by the signal ({status})")
+    before_first = "interrupted before the first load step was done" in errors
+    expect(before_first or "has load step 1 of" in errors, errors.strip())
+
+    for signal_number in (signal.SIGINT, signal.SIGTERM):
+        status, errors = interrupted(words, "Load step 6 ", signal_number)
+        expect(status == -signal_number, f"it ends by the signal ({status})")
+        done = json.loads((output / "summary.json").read_text())["load_steps"]
+        # The signal may come between a step that is written and the word of it.
+        told = [f"{output} has load steps 1 to {n} of {STEPS}. The same command with "
+                "--resume goes on from there." for n in (done, done - 1)]
+        expect(5 <= done < STEPS and any(t in errors for t in told), errors.strip())
+        expect(len(errors.strip().splitlines()) == 1, "one line")
+    done = subprocess.run([*words, "--resume"], capture_output=True, text=True)
+    expect(done.returncode == 0 and "interrupted" not in done.stderr and
+           json.loads((output / "summary.json").read_text())["load_steps"] == STEPS,
+           f"--resume goes on {done.stderr}")
+    sys.exit(1 if faults else 0)
+
+
+if __name__ == "__main__":
+    main()
