@@ -13,7 +13,7 @@ import json
 import sys
 from pathlib import Path
 
-from check_pictures import Figures, Run, check
+from check_pictures import Figures, Run, all_axes, check
 
 # ---- the load history
 
@@ -87,6 +87,41 @@ def check_history(figures, folder):
           "a couple alone: no axis for forces that are rounding")
 
 
+# ---- strength
+
+
+PLIES = "step,body,ply,s,x,y,z,inverse_reserve_factor".split(",")
+
+
+def outside(figure):
+    """The texts that reach beyond what is saved of a figure."""
+    figure.canvas.draw()
+    renderer = figure.canvas.get_renderer()
+    saved = figure.get_tightbbox(renderer).padded(0.01)
+    low, high = (figure.dpi_scale_trans.transform(corner) for corner in (
+        saved.min, saved.max))
+    texts = list(figure.texts) + [text for axis in all_axes(figure) for text in (
+        axis.xaxis.label, axis.yaxis.label, axis.title, *axis.texts)]
+    boxes = [(text.get_text(), text.get_window_extent(renderer)) for text in texts
+             if text.get_text()]
+    return [text for text, box in boxes
+            if (box.min < low).any() or (box.max > high).any()]
+
+
+def check_strength(figures, folder):
+    for plies in (1, 2, 3, 16):
+        run = Run(folder)
+        run.write("plies_along.csv", PLIES, (
+            {"step": 1, "body": "bar", "ply": ply, "s": k, "y": k,
+             "inverse_reserve_factor": "" if k < 3 or ply == 2 else 0.1 * k / ply}
+            for ply in range(1, plies + 1) for k in range(15)))
+        (_, figure), = figures.strength.ply_stacks(figures.data.Results(folder))
+        check(not outside(figure), f"{plies} plies: all labels are in the picture "
+              f"{outside(figure)}")
+        contours = figure.axes[0].collections[1:]
+        check(contours, "a line where 1/R is 1")
+
+
 def main():
     if len(sys.argv) != 3:
         sys.exit("Usage: check_pictures_of_runs.py FIGURES.py WORKDIR")
@@ -97,7 +132,7 @@ def main():
         print("numpy or matplotlib is not here: skipped")
         sys.exit(77)
     figures, folder = Figures(Path(sys.argv[1])), Path(sys.argv[2])
-    for part in (check_history,):
+    for part in (check_history, check_strength):
         part(figures, folder)
         figures.style.plt.close("all")
 
