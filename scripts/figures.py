@@ -7,7 +7,7 @@ Usage: figures.py DIR (through scripts/plot, which finds a fitting python3)
 No scene is known by name: the data decide which figures there are. A line along a
 body's axis, thickness or width gives a figure of that kind, lines of two bodies that
 meet one through both, a section cut a contour, several load steps a
-force-displacement curve, and each section its mesh. A contact with more than a few
+picture of forces and moments over a displacement, and each section its mesh. A contact with more than a few
 active pairs gives its pressure, over a patch also as a map, and over the width of a
 long patch beside the Hertz ellipse where the materials in scene.prm are isotropic;
 cuts through the patch give contours around it. Nodes that carry different lists of
@@ -16,8 +16,9 @@ passes, and a sweep for strength how near each ply comes to failure along its bo
 bodies for ParaView give the deformed shape.
 
 figures_data.py reads, figures_style.py holds what all figures share, and
-figures_lines.py, figures_sections.py, figures_contact.py, figures_goals.py,
-figures_strength.py and figures_shape.py draw.
+figures_lines.py, figures_history.py, figures_sections.py, figures_contact.py,
+figures_goals.py, figures_strength.py and figures_shape.py draw. In the end the script
+says where the pictures are.
 """
 
 import sys
@@ -27,8 +28,8 @@ from pathlib import Path
 from figures_contact import around_the_contact, contact_pressure
 from figures_data import Results
 from figures_goals import fields_of_nodes, goals_with_bars, passes_of_a_tolerance
-from figures_lines import (across_the_width, along_the_axis, load_history,
-                           through_the_thickness)
+from figures_history import load_history
+from figures_lines import across_the_width, along_the_axis, through_the_thickness
 from figures_sections import section_cuts, section_meshes
 from figures_shape import deformed_shape
 from figures_strength import ply_stacks
@@ -56,7 +57,9 @@ def main():
             suffix = f"_{taken[name]}" if taken[name] > 1 else ""
             figure.savefig(pictures / f"{name}{suffix}.png")
             plt.close(figure)
-    if not taken:
+    if taken:
+        print(f"Pictures:  {pictures}")
+    else:
         print(f"{folder} holds nothing to draw (no lines, cuts, load steps or goals).")
 
 

@@ -139,7 +139,7 @@ def contact_pressure(results):
 
 def pressure_axis(axis, label):
     axis.set_ylabel(label)
-    axis.set_ylim(0, 1.06 * axis.dataLim.y1)
+    axis.set_ylim(0, 1.06 * axis.dataLim.y1 or 1.)
 
 
 def draw_pressure_points(results, name, patch):

@@ -8,8 +8,8 @@ from matplotlib.colors import LogNorm
 from matplotlib.patches import Rectangle
 from matplotlib.ticker import LogLocator, NullFormatter
 
-from figures_style import (COLOURS, NAMES, Place, Scale, WIDTH, legend_above, new_figure,
-                           plt)
+from figures_style import (COLOURS, NAMES, Place, Scale, WIDTH, legend_above,
+                           moment_unit, new_figure, plt)
 
 STRIP = 0.75  # inches of a body's strip
 ROW = 0.62  # inches of a goal
@@ -101,8 +101,7 @@ def unit_of(results, goal):
     if column[0] == "f":
         return results.units.get("force")
     if column[0] == "m":
-        units = results.units.get("force"), results.units.get("length")
-        return " ".join(units) if all(units) else None
+        return moment_unit(results)
     return results.unit(column)
 
 

@@ -1,13 +1,10 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Figures of scripts/plot from lines, and from the load steps."""
-
-import re
-from collections import defaultdict
+"""Figures of scripts/plot from lines."""
 
 import numpy as np
 from matplotlib.ticker import MaxNLocator
 
-from figures_data import (NEGLIGIBLE, STRESSES, Table, magnitude, stress, stresses_to_show,
+from figures_data import (NEGLIGIBLE, STRESSES, magnitude, stress, stresses_to_show,
                           that_matter, variation)
 from figures_style import (COLOURS, DASHES, LABEL, NAMES, Place, Plies, Scale, at,
                            in_rows, legend_above, new_figure, show_no_less, tell_zero)
@@ -259,82 +256,3 @@ def draw_meeting(results, lines):
     legend_above(axes[0, 0])
     tell_zero(figure, zero)
     return figure
-
-
-# ---- load steps
-
-
-HISTORY_COLUMN = re.compile(
-    r"(support|contact|probe)s?[.:/ ](.+?)[.:/ ]?(?:reaction|force)?[.:/ _]?"
-    r"([fru]?)_?([xyz])$")
-
-
-def load_history(results):
-    table = with_trials(results)
-    if "load_factor" not in table or len(table) < 2:
-        return
-    kinds = defaultdict(list)
-    for column in table.columns:
-        found = HISTORY_COLUMN.match(column)
-        if found:
-            kinds[found[1]].append((np.ptp(table[column]), column, found))
-    probes = sorted(kinds["probe"], key=lambda entry: -entry[0])
-    forces = kinds["contact"] or kinds["support"]
-    if not probes or not forces:
-        return
-    _, x, probe = probes[0]
-    figure, axes = new_figure(results, "load history", height=3.6)
-    axis = axes[0, 0]
-    curves = largest_components(forces)
-    force = Scale(results.units.get("force"), *[table[c] for c, _ in curves])
-    moved = Scale(results.units.get("length"), table[x])
-    sign, minus = upwards(table[x])
-    axis.set_xlabel(moved.label(f"${minus}u_{probe[4]}$ of {probe[2]}"))
-    for k, (column, found) in enumerate(curves):
-        force_sign, minus = upwards(table[column])
-        axis.plot(sign * moved(table[x]), force_sign * force(table[column]),
-                  marker="o", markersize=4, linestyle=DASHES[k % len(DASHES)],
-                  label=f"${minus}F_{found[4]}$ of {found[1]} {found[2]}")
-    first = results.summary.get("first_failure")
-    if first:
-        k = int(np.argmin(np.abs(table["load_factor"] - first["load_factor"])))
-        column = max((c for c, _ in curves), key=lambda c: np.abs(table[c][k]))
-        axis.plot(sign * moved(table[x][k]),
-                  upwards(table[column])[0] * force(table[column][k]), marker="X",
-                  markersize=11, linestyle="none", color=COLOURS[1],
-                  label=f"first failure: ply {first['ply']} of {first['body']}, "
-                        f"{first['mode']}")
-    for direction in "xy":
-        show_no_less(axis, direction)
-    axis.set_ylabel(force.label("force"))
-    legend_above(axis, fewest=1)
-    yield "history", figure
-
-
-def with_trials(results):
-    """The load steps, and in the order of load factors those that the search for the
-    first failure has tried."""
-    if not len(results.failure):
-        return results.history
-    table = Table((), ())
-    table.columns = {name: np.concatenate([results.history[name], column])
-                     for name, column in results.failure.columns.items()
-                     if name in results.history}
-    order = np.argsort(table["load_factor"], kind="stable")
-    table.columns = {name: column[order] for name, column in table.columns.items()}
-    return table
-
-
-def upwards(values):
-    """The sign that makes the largest value positive, and its label."""
-    return (-1, "-") if -values.min() > values.max() else (1, "")
-
-
-def largest_components(forces):
-    """For each name its component that changes most, without the idle ones."""
-    best = {}
-    for size, column, found in sorted(forces, key=lambda entry: entry[0]):
-        best[found[2]] = (size, column, found)
-    largest = max(size for size, _, _ in best.values())
-    return [(column, found) for size, column, found in best.values()
-            if size >= NEGLIGIBLE * largest][:MOST_LINES]

@@ -4,6 +4,7 @@
 import numpy as np
 from matplotlib.cm import ScalarMappable
 from matplotlib.colors import Normalize
+from matplotlib.ticker import MaxNLocator
 
 from figures_goals import direction, span
 from figures_style import COLOURS, Place, new_figure, plt
@@ -19,14 +20,16 @@ def ply_stacks(results):
     if not len(table):
         return
     bodies = list(table.split("body"))
-    largest = np.nanmax(table["inverse_reserve_factor"])
+    largest = largest_of(table["inverse_reserve_factor"])
     shades = ScalarMappable(Normalize(0., largest or 1.), plt.get_cmap("YlOrRd"))
     heights = [np.clip(ROW * len(np.unique(rows["ply"])), LEAST, MOST)
                for _, rows in bodies]
-    figure, axes = new_figure(
-        results, "how near plies are to failure", rows=len(bodies), columns=2,
-        height=np.mean(heights) + 0.65,
-        gridspec_kw={"width_ratios": [4, 1], "height_ratios": heights})
+    # Room for the last tick of an axis and the first of its neighbour.
+    with plt.rc_context({"figure.constrained_layout.w_pad": 0.12}):
+        figure, axes = new_figure(
+            results, "how near plies are to failure", rows=len(bodies), columns=2,
+            height=np.mean(heights) + 0.65,
+            gridspec_kw={"width_ratios": [4, 1], "height_ratios": heights})
     along = {body: direction(results, body, rows) for body, rows in bodies}
     for (axis, beside), (body, rows) in zip(axes, bodies):
         name = along[body]
@@ -38,9 +41,20 @@ def ply_stacks(results):
         axis.set_ylabel("ply")
         axis.set_title(body, loc="left")
         draw_largest(beside, plies, rows, largest)
+    # A bar may be as low as one ply, and its label no longer.
     bar = figure.colorbar(shades, ax=list(axes[:, 1]), pad=0.03, aspect=25)
-    bar.set_label("1/R, the larger the nearer; fails at 1")
+    bar.set_label("1/R")
+    bar.locator = MaxNLocator(6 if sum(heights) > 1. else 3)
+    bar.update_ticks()
+    figure.set_figheight(figure.get_figheight() + 0.25)
+    figure.supxlabel("1/R: the larger, the nearer to failure; a ply fails at 1",
+                     fontsize=9, color="0.35")
     yield "reserve_factors", figure
+
+
+def largest_of(values):
+    """0 where all of them are left out."""
+    return np.max(values, where=np.isfinite(values), initial=0.)
 
 
 def draw_stack(axis, places, rows, shades):
@@ -54,9 +68,12 @@ def draw_stack(axis, places, rows, shades):
                             stations[-1:]])
     axis.pcolormesh(edges, np.arange(len(plies) + 1) + 0.5, grid, cmap=shades.cmap,
                     norm=shades.norm)
-    if np.nanmax(grid) > 1.:
-        axis.contour(stations, np.arange(len(plies)) + 1., np.nan_to_num(grid), [1.],
-                     colors="0.1", linewidths=1.)
+    if largest_of(grid) > 1. and len(stations) > 1:
+        # Of one ply from its lower edge to its upper one.
+        rows = np.arange(len(plies)) + 1. if len(plies) > 1 else [0.5, 1.5]
+        axis.contour(stations, rows, np.broadcast_to(
+            np.nan_to_num(grid), (len(rows), len(stations))), [1.],
+            colors="0.1", linewidths=1.)
     show_plies(axis, plies)
     return plies
 
@@ -70,7 +87,7 @@ def show_plies(axis, plies):
 
 
 def draw_largest(axis, plies, rows, largest):
-    values = [np.nanmax(rows["inverse_reserve_factor"][rows["ply"] == ply])
+    values = [largest_of(rows["inverse_reserve_factor"][rows["ply"] == ply])
               for ply in plies]
     axis.barh(np.arange(len(plies)) + 1, values, height=0.8, color=COLOURS[0])
     if largest > 0.5:

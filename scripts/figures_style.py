@@ -1,9 +1,14 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The look of what scripts/plot draws: units, labels, axes and their sizes."""
 
+import logging
+import warnings
+
 import matplotlib
 
 matplotlib.use("Agg")
+# What it says of its own caches is no matter of who draws a run.
+logging.getLogger("matplotlib").setLevel(logging.ERROR)
 import matplotlib.pyplot as plt
 import numpy as np
 from matplotlib.ticker import MaxNLocator
@@ -35,6 +40,10 @@ plt.rcParams.update({
 })
 
 
+# A character of a title that the font lacks is drawn as a box, and that is all.
+warnings.filterwarnings("ignore", message="Glyph .* missing from current font")
+
+
 # ---- units
 
 
@@ -44,7 +53,14 @@ SI_PREFIXES = {
     "mm": ((2e-2, "µm", 1e3), (np.inf, "mm", 1)),
     "MPa": ((1e-2, "Pa", 1e6), (np.inf, "MPa", 1)),
     "N": ((1e4, "N", 1), (np.inf, "kN", 1e-3)),
+    "N mm": ((1e4, "N mm", 1), (np.inf, "N m", 1e-3)),
+    "N m": ((1e4, "N m", 1), (np.inf, "kN m", 1e-3)),
 }
+
+
+def moment_unit(results):
+    units = results.units.get("force"), results.units.get("length")
+    return " ".join(units) if all(units) else None
 
 
 class Scale:
@@ -115,7 +131,9 @@ def middle(values):
 def new_figure(results, about, rows=1, columns=1, height=2.3, **options):
     figure, axes = plt.subplots(rows, columns, squeeze=False,
                                 figsize=(WIDTH, 0.9 + height * rows), **options)
-    figure.suptitle(": ".join(filter(None, (results.title, about))), fontsize=12)
+    # A dollar of the scene's title is one, and begins no formula.
+    title = results.title.replace("$", r"\$")
+    figure.suptitle(": ".join(filter(None, (title, about))), fontsize=12)
     return figure, axes
 
 
@@ -197,10 +215,10 @@ class Frame:
 
     def figure(self, results, about, count):
         """The figure and as many axes as are asked for."""
-        figure, axes = new_figure(results, about, self.rows, self.columns,
-                                  self.height + ROW, sharex=True, sharey=True)
+        with plt.rc_context({"figure.constrained_layout.h_pad": 0.08}):
+            figure, axes = new_figure(results, about, self.rows, self.columns,
+                                      self.height + ROW, sharex=True, sharey=True)
         figure.set_figwidth(min(WIDTH, max(self.width, 0.7 * WIDTH)))
-        figure.set_constrained_layout_pads(h_pad=0.08)
         for axis in axes.flat[count:]:
             axis.remove()
         for axis in axes.flat[:count]:

@@ -92,7 +92,9 @@ namespace lamella
         {"through_the_contact",
          "Displacements and stresses through all bodies that meet."},
         {"section_", "Stresses over the section, as seen along the axis."},
-        {"history", "Force against displacement, load step by load step."},
+        {"history",
+         "Forces against displacement, load step by load step; on an axis of "
+         "their own the moments that supports hold."},
         {"fields",
          "How many fields of its section each node of the axis carries: more "
          "where more happens."},

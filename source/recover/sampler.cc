@@ -388,6 +388,15 @@ namespace lamella
                       s[3] * d[0] + s[1] * d[1] + s[5] * d[2],
                       s[4] * d[0] + s[5] * d[1] + s[2] * d[2]);
     }
+
+    double
+    largest_component(const Voigt &s)
+    {
+      double largest = 0.;
+      for (unsigned int i = 0; i < s.dimension; ++i)
+        largest = std::max(largest, std::abs(s[i]));
+      return largest;
+    }
   } // namespace
 
 
@@ -395,27 +404,31 @@ namespace lamella
   InterfaceJump
   interface_jump(const std::vector<LineRow> &rows, const Tensor<1, 3> &d)
   {
-    InterfaceJump  jump;
-    double         largest = 0., largest_stress = 0.;
-    const LineRow *last = nullptr;
+    InterfaceJump      jump;
+    double             largest_jump = 0., traction = 0., component = 0.;
+    const Tensor<1, 3> along = d / d.norm();
+    const LineRow     *last  = nullptr;
     for (const LineRow &row : rows)
       {
         const Voigt &stress = row.fields.sample.stress;
-        largest             = std::max(largest, traction_on(stress, d).norm());
-        largest_stress = std::max(largest_stress, d.norm() * stress.norm());
+        traction  = std::max(traction, traction_on(stress, along).norm());
+        component = std::max(component, largest_component(stress));
         if (last != nullptr && row.s == last->s &&
             row.fields.ply != last->fields.ply)
           {
             ++jump.interfaces;
-            jump.relative = std::max(
-              jump.relative,
-              traction_on(stress - last->fields.sample.stress, d).norm());
+            largest_jump = std::max(
+              largest_jump,
+              traction_on(stress - last->fields.sample.stress, along).norm());
           }
         last = &row;
       }
     // Tractions that are rounding of the other stresses jump by nothing.
-    jump.relative =
-      largest > 1e-9 * largest_stress ? jump.relative / largest : 0.;
+    if (traction > 1e-9 * component)
+      {
+        jump.of_stress   = largest_jump / component;
+        jump.of_traction = largest_jump / traction;
+      }
     return jump;
   }
 

@@ -273,9 +273,12 @@ namespace lamella
           << " % of the energy\n";
     for (unsigned int l = 0; l < results.lines.size(); ++l)
       if (step.jumps[l].interfaces > 0)
-        out << "  line " << results.lines[l] << ": tractions jump by "
-            << percent(100. * step.jumps[l].relative)
-            << " of the largest at ply interfaces\n";
+        out << "  line " << results.lines[l]
+            << ": at ply interfaces tractions jump by "
+            << percent(100. * step.jumps[l].of_stress)
+            << " of the line's largest stress, "
+            << percent(100. * step.jumps[l].of_traction)
+            << " of its largest traction\n";
     print_closures(out, results);
     print_reserves(out, results);
     print_probes(out, results);

@@ -274,10 +274,16 @@ namespace lamella
           json["first_failure"]["load_factor"] = first->failing;
           json["first_failure"]["safe"]        = first->safe;
         }
-      json["interface_jumps"] = Json::object();
+      json["interface_jumps"]              = Json::object();
+      json["interface_jumps_of_tractions"] = Json::object();
       for (unsigned int l = 0; l < results.lines.size(); ++l)
         if (last.jumps[l].interfaces > 0)
-          json["interface_jumps"][results.lines[l]] = last.jumps[l].relative;
+          {
+            const auto &[name, jump] =
+              std::tie(results.lines[l], last.jumps[l]);
+            json["interface_jumps"][name]              = jump.of_stress;
+            json["interface_jumps_of_tractions"][name] = jump.of_traction;
+          }
       add_closures(results, last.closures, json);
     }
   } // namespace

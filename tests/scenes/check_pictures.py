@@ -88,7 +88,7 @@ class Run:
     def __init__(self, folder, second="upper: arc", modulus=200., force=None):
         self.folder = folder
         shutil.rmtree(folder, ignore_errors=True)
-        for part in ("lines", "cuts", "sections"):
+        for part in ("lines", "history", "cuts", "sections"):
             (folder / part).mkdir(parents=True)
         (folder / "scene.prm").write_text(
             SCENE.format(modulus=modulus, nu=NU, second=second))
@@ -626,8 +626,8 @@ class Figures:
 
     def __init__(self, path):
         sys.path.insert(0, str(path.parent))
-        for part in ("data", "style", "lines", "sections", "contact", "goals",
-                     "shape"):
+        for part in ("data", "style", "lines", "history", "sections", "contact", "goals",
+                     "shape", "strength"):
             setattr(self, part, importlib.import_module(f"figures_{part}"))
         self.FIGURES = importlib.import_module(path.stem).FIGURES
 

@@ -119,12 +119,15 @@ namespace lamella
   /**
    * What @p rows, of a line in the direction @p d, meet at ply interfaces:
    * wherever two rows that follow each other have the same arc length and
-   * different plies, the traction t = sigma . d on either side is compared,
-   *   relative = max |t_upper - t_lower| / max |t|,
-   * the second maximum over the whole line. Equilibrium makes it vanish where
-   * the line is normal to the plies, so it is an error estimate of transverse
-   * stresses. 0 where the tractions are below 1e-9 of the stresses. The length
-   * of @p d does not matter.
+   * different plies, the traction t = sigma . d / |d| on either side is
+   * compared,
+   *   of_stress   = max |t_upper - t_lower| / max |sigma_ij|,
+   *   of_traction = max |t_upper - t_lower| / max |t|,
+   * the second maxima over the whole line, sigma_ij in scene axes. Equilibrium
+   * makes the jump vanish where the line is normal to the plies, so it is an
+   * error estimate of transverse stresses. Where tractions should be zero (pure
+   * bending) of_traction compares the error with itself; it is 0 where they are
+   * below 1e-9 of the stresses.
    */
   InterfaceJump
   interface_jump(const std::vector<LineRow> &rows,

@@ -87,9 +87,13 @@ namespace lamella
     /// 0: it crosses none.
     unsigned int interfaces = 0;
     /// The largest jump of the traction sigma . d, d the line's direction,
-    /// over the largest traction on the line. Equilibrium makes it zero where
-    /// the line is normal to the plies; what is left is the section's mesh.
-    double relative = 0.;
+    /// over the largest stress component on the line: what the jump is to the
+    /// body. Equilibrium makes it zero where the line is normal to the plies;
+    /// what is left is the section's mesh.
+    double of_stress = 0.;
+    /// The same over the largest traction on the line: what it is to the
+    /// transverse stresses. 0 where these are rounding.
+    double of_traction = 0.;
   };
 
   /// What the integration of equilibrium leaves in the columns of each probe,
