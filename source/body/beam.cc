@@ -238,6 +238,19 @@ namespace lamella
 
 
 
+  std::vector<double>
+  Beam::dof_sizes() const
+  {
+    const std::vector<double> of_field = space->sizes();
+    std::vector<double>       sizes;
+    for (unsigned int node = 0; node < dof_map.n_nodes(); ++node)
+      for (const unsigned int alpha : dof_map.fields(node))
+        sizes.push_back(of_field[alpha]);
+    return sizes;
+  }
+
+
+
   Point<3>
   Beam::dof_position(const DofIndex dof) const
   {

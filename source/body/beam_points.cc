@@ -30,18 +30,25 @@ namespace lamella
 
 
 
+  double
+  Beam::nearness() const
+  {
+    return std::max(1e-6 * beam_section->extents().first,
+                    1e-10 * beam_axis->length());
+  }
+
+
+
   std::vector<std::vector<Location>>
   Beam::locate(const std::vector<Point<3>> &points) const
   {
+    const double                       near = nearness();
     std::vector<std::vector<Location>> result;
     for (const Point<3> &point : points)
       {
-        const Point<3> x = placement.to_body(point);
-        // Positions come out of decimal texts and rotations.
-        const auto on_axis =
-          beam_axis->locate(x[1], 1e-10 * beam_axis->length());
-        const auto in_section = beam_section->locate(
-          {x[0], x[2]}, 1e-8 * beam_section->element().reference_length());
+        const Point<3> x          = placement.to_body(point);
+        const auto     on_axis    = beam_axis->locate(x[1], near);
+        const auto     in_section = beam_section->locate({x[0], x[2]}, near);
         std::map<unsigned int, Location> by_ply;
         for (const auto &[section_cell, unit] : in_section)
           for (const auto &[axis_cell, eta] : on_axis)
@@ -313,17 +320,14 @@ namespace lamella
     const Point<3>      a = placement.to_body(from), b = placement.to_body(to);
     const Tensor<1, 3>  d = b - a;
     std::vector<double> breaks;
-    if (std::abs(d[1]) > 1e-10 * beam_axis->length())
+    if (std::abs(d[1]) > nearness())
       for (unsigned int cell = 0; cell < beam_axis->n_cells(); ++cell)
         breaks.push_back((beam_axis->cell_end(cell) - a[1]) / d[1]);
     Tensor<1, 2> in_section;
     in_section[0] = d[0];
     in_section[1] = d[2];
-    add_section_breaks(beam_section->element(),
-                       {a[0], a[2]},
-                       in_section,
-                       1e-8 * beam_section->element().reference_length(),
-                       breaks);
+    add_section_breaks(
+      beam_section->element(), {a[0], a[2]}, in_section, nearness(), breaks);
     return tidy_breaks(std::move(breaks));
   }
 
@@ -333,7 +337,7 @@ namespace lamella
   Beam::line_degree(const Point<3> &from, const Point<3> &to) const
   {
     const Tensor<1, 3> d         = placement.vector_to_body(to - from);
-    const double       tolerance = 1e-10 * d.norm();
+    const double       tolerance = std::min(nearness(), 1e-3 * d.norm());
     const unsigned int p         = beam_section->element().degree();
     return (std::abs(d[0]) > tolerance ? p : 0) +
            (std::abs(d[1]) > tolerance ? beam_axis->degree() : 0) +

@@ -20,13 +20,17 @@ namespace lamella
 
   namespace
   {
-    // An entry below this fraction of its column's largest at the start is
-    // rounding.
-    constexpr double rank_tolerance = 1e-9;
-    // So is what is left of the value of a row that depends on others, below
-    // this fraction of the largest value: pivots may be small (rows of a skew
-    // line), and rounding grows by their inverse.
+    // A row of which less than this is left, of its largest weight at the
+    // start, depends on those before: it would hold displacements that are as
+    // much smaller than those of the body, and rounding grows by the inverse of
+    // what is left (rows of a line that nearly is one of the mesh).
+    constexpr double dependent = 1e-6;
+    // What is left of the value of such a row is rounding below this fraction
+    // of the largest value.
     constexpr double contradiction = 1e-6;
+    // DoFs that a row eliminates have this of its largest weight or more: those
+    // that depend on them are not moved by multiples of that.
+    constexpr double stable = 0.1;
     // Weights that differ by less are the same, but for the rounding of places.
     constexpr double same = 1e-12;
 
@@ -78,12 +82,30 @@ namespace lamella
 
 
   /// A row under elimination: what is left of it and of its right-hand side.
+  /// Its entries are those of displacements, DoFs times their sizes.
   struct RowReduction::Equation
   {
     unsigned int               number;
     std::map<DofIndex, double> entries;
     double                     value;
+    double                     largest = 0., at_start = 0.;
     DofIndex                   pivot = numbers::invalid_dof_index;
+
+    /// Whether there is enough of it left to eliminate a DoF with.
+    bool
+    is_open() const
+    {
+      return pivot == numbers::invalid_dof_index &&
+             largest > dependent * at_start;
+    }
+
+    void
+    find_largest()
+    {
+      largest = 0.;
+      for (const auto &[dof, weight] : entries)
+        largest = std::max(largest, std::abs(weight));
+    }
 
     double
     entry(const DofIndex dof) const
@@ -92,9 +114,12 @@ namespace lamella
       return found == entries.end() ? 0. : found->second;
     }
 
-    /// Returns the DoFs that come in.
+    /// Takes @p factor times @p other off, and with it @p eliminated. Returns
+    /// the DoFs that come in.
     std::vector<DofIndex>
-    subtract(const Equation &other, const double factor)
+    subtract(const Equation &other,
+             const DofIndex  eliminated,
+             const double    factor)
     {
       std::vector<DofIndex> fresh;
       for (const auto &[dof, weight] : other.entries)
@@ -106,7 +131,9 @@ namespace lamella
           else if (place->second == 0.)
             entries.erase(place);
         }
+      entries.erase(eliminated);
       value -= factor * other.value;
+      find_largest();
       return fresh;
     }
   };
@@ -115,47 +142,77 @@ namespace lamella
 
   namespace
   {
-    /// The columns of @p equations, coarse levels first, with their scales.
+    /// The DoFs in @p equations, coarse levels first.
     template <typename Equations>
-    std::vector<std::pair<DofIndex, double>>
+    std::vector<DofIndex>
     ordered_columns(const Body &body, const Equations &equations)
     {
-      std::map<std::pair<unsigned int, DofIndex>, double> scale;
+      std::set<std::pair<unsigned int, DofIndex>> ordered;
       for (const auto &equation : equations)
         for (const auto &[dof, weight] : equation.entries)
-          {
-            double &s = scale[{body.dof_level(dof), dof}];
-            s         = std::max(s, std::abs(weight));
-          }
-      std::vector<std::pair<DofIndex, double>> columns;
-      for (const auto &[key, s] : scale)
-        columns.emplace_back(key.second, s);
+          ordered.emplace(body.dof_level(dof), dof);
+      std::vector<DofIndex> columns;
+      for (const auto &[level, dof] : ordered)
+        columns.push_back(dof);
       return columns;
     }
 
 
 
     /// The one of @p equations, all with an entry of @p dof, to eliminate it
-    /// with; null if none is above @p threshold.
+    /// with: the shortest of those whose entry is within a factor of ten of the
+    /// largest. Null if @p dof is small in all of them.
     template <typename Equation>
     Equation *
-    find_pivot(const std::vector<Equation *> &equations,
-               const DofIndex                 dof,
-               const double                   threshold)
+    find_pivot(const std::vector<Equation *> &equations, const DofIndex dof)
     {
-      double largest = threshold;
+      const auto may_eliminate = [dof](const Equation &equation) {
+        return equation.is_open() &&
+               std::abs(equation.entry(dof)) > stable * equation.largest;
+      };
+      double largest = 0.;
       for (const Equation *equation : equations)
-        if (equation->pivot == numbers::invalid_dof_index)
+        if (may_eliminate(*equation))
           largest = std::max(largest, std::abs(equation->entry(dof)));
       Equation *best = nullptr;
       for (Equation *equation : equations)
-        if (equation->pivot == numbers::invalid_dof_index &&
+        if (may_eliminate(*equation) &&
             std::abs(equation->entry(dof)) >= 0.1 * largest &&
-            std::abs(equation->entry(dof)) > threshold &&
             (best == nullptr ||
              equation->entries.size() < best->entries.size()))
           best = equation;
       return best;
+    }
+
+
+
+    /// Of the open ones among @p equations that of which most is left; null if
+    /// there is none.
+    template <typename Equation>
+    Equation *
+    least_dependent(std::vector<Equation> &equations)
+    {
+      Equation *best = nullptr;
+      for (Equation &equation : equations)
+        if (equation.is_open() &&
+            (best == nullptr || equation.largest * best->at_start >
+                                  best->largest * equation.at_start))
+          best = &equation;
+      return best;
+    }
+
+
+
+    /// Where @p entries are largest.
+    DofIndex
+    largest_entry(const std::map<DofIndex, double> &entries)
+    {
+      return std::max_element(entries.begin(),
+                              entries.end(),
+                              [](const auto &a, const auto &b) {
+                                return std::abs(a.second) < std::abs(b.second);
+                              })
+        ->first;
     }
   } // namespace
 
@@ -175,7 +232,8 @@ namespace lamella
     shift_to(const std::vector<unsigned int>  &group,
              const std::vector<Row>           &functionals,
              const std::vector<PrescribedRow> &prescribed,
-             const Body                       &body) const
+             const Body                       &body,
+             const std::vector<double>        &sizes) const
     {
       if (group.size() != rows.size())
         return {};
@@ -195,6 +253,7 @@ namespace lamella
           for (unsigned int i = 0; i < here.size(); ++i)
             if (here[i].first + shift != there[i].first ||
                 std::abs(here[i].second - there[i].second) > same * largest ||
+                sizes[here[i].first] != sizes[there[i].first] ||
                 body.dof_level(here[i].first) != body.dof_level(there[i].first))
               return {};
         }
@@ -228,55 +287,93 @@ namespace lamella
 
 
 
+  /// Gauss and Jordan's elimination of the equations of a group.
+  class RowReduction::GaussJordan
+  {
+  public:
+    explicit GaussJordan(Elimination &group)
+      : group(group)
+    {
+      for (Equation &equation : group.equations)
+        for (const auto &[dof, weight] : equation.entries)
+          users[dof].insert(&equation);
+    }
+
+    /// Coarse DoFs first, each with a row in which it is large; then those rows
+    /// that had none, by their largest entries.
+    void
+    run(const Body &body)
+    {
+      for (const DofIndex dof : ordered_columns(body, group.equations))
+        {
+          const std::vector<Equation *> with_dof(users[dof].begin(),
+                                                 users[dof].end());
+          if (Equation *pivot = find_pivot(with_dof, dof))
+            eliminate(*pivot, dof);
+        }
+      while (Equation *pivot = least_dependent(group.equations))
+        eliminate(*pivot, largest_entry(pivot->entries));
+    }
+
+  private:
+    /// Solves @p pivot for @p dof and takes it out of all others.
+    void
+    eliminate(Equation &pivot, const DofIndex dof)
+    {
+      pivot.pivot           = dof;
+      const double diagonal = pivot.entry(dof);
+      for (auto &[other, weight] : pivot.entries)
+        weight /= diagonal;
+      pivot.value /= diagonal;
+      const std::vector<Equation *> with_dof(users[dof].begin(),
+                                             users[dof].end());
+      for (Equation *equation : with_dof)
+        if (equation != &pivot && equation->entry(dof) != 0.)
+          {
+            const double factor = equation->entry(dof);
+            for (const DofIndex other : equation->subtract(pivot, dof, factor))
+              users[other].insert(equation);
+          }
+      group.independent.rows.push_back(pivot.number);
+      group.independent.pivots.push_back(dof);
+    }
+
+    Elimination &group;
+    /// Which equations have an entry of a DoF, or once had. In their order.
+    std::map<DofIndex, std::set<Equation *>> users;
+  };
+
+
+
   RowReduction::Elimination
   RowReduction::eliminate(const Body                       &body,
                           const std::vector<unsigned int>  &group,
                           const std::vector<Row>           &functionals,
-                          const std::vector<PrescribedRow> &rows)
+                          const std::vector<PrescribedRow> &rows,
+                          const std::vector<double>        &sizes)
   {
     Elimination result;
-    result.rows                      = group;
-    std::vector<Equation> &equations = result.equations;
+    result.rows = group;
     for (const unsigned int r : group)
       {
-        equations.push_back({r, {}, rows[r].value});
+        result.equations.push_back({r, {}, rows[r].value});
+        Equation &equation = result.equations.back();
+        for (const auto &[dof, weight] : functionals[r].entries())
+          equation.entries.emplace(dof, weight / sizes[dof]);
+        equation.find_largest();
+        equation.at_start = equation.largest;
         result.largest_value =
           std::max(result.largest_value, std::abs(rows[r].value));
-        for (const auto &[dof, weight] : functionals[r].entries())
-          equations.back().entries.emplace(dof, weight);
       }
-
-    // Which equations have an entry of a DoF, or once had.
-    std::map<DofIndex, std::set<Equation *>> users;
-    for (Equation &equation : equations)
-      for (const auto &[dof, weight] : equation.entries)
-        users[dof].insert(&equation);
-
-    Group &independent = result.independent;
-    for (const auto &[dof, scale] : ordered_columns(body, equations))
-      {
-        const std::vector<Equation *> with_dof(users[dof].begin(),
-                                               users[dof].end());
-        Equation *pivot = find_pivot(with_dof, dof, rank_tolerance * scale);
-        if (pivot == nullptr)
-          continue;
-        pivot->pivot          = dof;
-        const double diagonal = pivot->entry(dof);
-        for (auto &[other, weight] : pivot->entries)
-          weight /= diagonal;
-        pivot->value /= diagonal;
-        for (Equation *equation : with_dof)
-          if (equation != pivot && equation->entry(dof) != 0.)
-            {
-              for (const DofIndex other :
-                   equation->subtract(*pivot, equation->entry(dof)))
-                users[other].insert(equation);
-              equation->entries.erase(dof);
-            }
-        independent.rows.push_back(pivot->number);
-        independent.pivots.push_back(dof);
-      }
-    factorise(independent, functionals);
+    GaussJordan(result).run(body);
+    for (Equation &equation : result.equations)
+      if (equation.pivot != numbers::invalid_dof_index)
+        {
+          for (auto &[dof, weight] : equation.entries)
+            weight *= sizes[dof] / sizes[equation.pivot];
+          equation.value /= sizes[equation.pivot];
+        }
+    factorise(result.independent, functionals);
     return result;
   }
 
@@ -358,15 +455,17 @@ namespace lamella
     , particular_solution(body.n_dofs())
   {
     const std::vector<Row>     functionals = functionals_of(body, index, rows);
+    const std::vector<double>  sizes       = body.dof_sizes();
     std::optional<Elimination> last;
     for (const auto &group : groups_of_rows(body, functionals))
       {
         const auto shift =
-          last ? last->shift_to(group, functionals, rows, body) : std::nullopt;
+          last ? last->shift_to(group, functionals, rows, body, sizes) :
+                 std::nullopt;
         if (shift)
           last->move_to(group, *shift);
         else
-          last = eliminate(body, group, functionals, rows);
+          last = eliminate(body, group, functionals, rows, sizes);
         keep(*last, body, rows, support_names);
       }
     // Closing resolves DoFs that the theory ties to eliminated ones.

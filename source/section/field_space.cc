@@ -4,6 +4,7 @@
 #include <lamella/section/field_space.h>
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 
 namespace lamella
@@ -77,6 +78,34 @@ namespace lamella
     else
       std::copy_n(mode(alpha - first_mode()), result.size(), result.begin());
     return result;
+  }
+
+
+
+  std::vector<double>
+  FieldSpace::sizes() const
+  {
+    std::vector<double> squares(n_fields(), 0.);
+    const auto          look_at = [&squares](const unsigned int  alpha,
+                                    const Tensor<1, 3> &value) {
+      squares[alpha] = std::max(squares[alpha], value.norm_square());
+    };
+    for (const SectionPoint &point : base->integration_points())
+      {
+        const std::vector<unsigned int> &fields = *point.fields;
+        for (unsigned int a = 0; a < fields.size(); ++a)
+          look_at(fields[a], point.value[a]);
+        for (unsigned int j = 0; j < n_modes(); ++j)
+          {
+            Tensor<1, 3> value;
+            for (unsigned int a = 0; a < fields.size(); ++a)
+              value += mode(j)[fields[a]] * point.value[a];
+            look_at(first_mode() + j, value);
+          }
+      }
+    for (double &square : squares)
+      square = square > 0. ? std::sqrt(square) : 1.;
+    return squares;
   }
 
 

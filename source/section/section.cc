@@ -288,6 +288,28 @@ namespace lamella
 
 
 
+  namespace
+  {
+    /// @p unit on those sides of the unit square that it is within @p tolerance
+    /// of, where @p jacobian is d(x, z) / d(xi, eta).
+    Point<2>
+    on_near_sides(Point<2>            unit,
+                  const Tensor<2, 2> &jacobian,
+                  const double        tolerance)
+    {
+      for (unsigned int d = 0; d < 2; ++d)
+        {
+          const double size = std::hypot(jacobian[0][d], jacobian[1][d]);
+          for (const double side : {0., 1.})
+            if (std::abs(unit[d] - side) * size <= tolerance)
+              unit[d] = side;
+        }
+      return unit;
+    }
+  } // namespace
+
+
+
   std::vector<std::pair<unsigned int, Point<2>>>
   Section::locate(const Point<2> &x, const double tolerance) const
   {
@@ -303,7 +325,11 @@ namespace lamella
       {
         const auto [place, distance] = nearest_in_cell(cell, x);
         if (distance <= tolerance)
-          found.emplace_back(cell, place);
+          found.emplace_back(
+            cell,
+            on_near_sides(place,
+                          Tensor<2, 2>(expansion->map(cell, place).jacobian),
+                          tolerance));
         // The distance allowed is a fraction of the cell's extension, which the
         // box exceeds by a fifth on each side.
         const auto   corners = box.get_boundary_points();

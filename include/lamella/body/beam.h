@@ -99,6 +99,9 @@ namespace lamella
     /// That of the DoF's field (SectionField::level).
     unsigned int
     dof_level(const DofIndex dof) const override;
+    /// Those of the fields (FieldSpace::sizes()).
+    std::vector<double>
+    dof_sizes() const override;
     /// On the axis through the section's centre of area, at the DoF's node.
     dealii::Point<3>
     dof_position(const DofIndex dof) const override;
@@ -292,6 +295,11 @@ namespace lamella
 
   private:
     friend class BeamSecondOrder;
+    /// 1e-6 of the section's smaller extent [length]: what is nearer than that
+    /// to a line of the mesh lies on it. Positions come out of decimal texts
+    /// and rotations, often with ten digits of a long body.
+    double
+    nearness() const;
 
     /**
      * Makes w' and the rotation cancel on every element. With B4 the cubic w of

@@ -299,6 +299,16 @@ namespace lamella
     virtual unsigned int
     dof_level(const DofIndex dof) const = 0;
 
+    /// For each DoF the largest displacement of the body that a unit of it
+    /// makes, but for a factor of order one: what makes weights of rows that
+    /// belong to DoFs of different kinds comparable. 1 for all DoFs of a nodal
+    /// basis.
+    virtual std::vector<double>
+    dof_sizes() const
+    {
+      return std::vector<double>(n_dofs(), 1.);
+    }
+
     /// Where @p dof is at home, for messages: of a beam the place of its node
     /// on the axis.
     virtual dealii::Point<3>
@@ -417,7 +427,8 @@ namespace lamella
      * undeformed scene.
      *
      * Tolerances are far above the rounding of positions that come out of
-     * decimal texts and rotations, and far below any element. Beyond a curved
+     * decimal texts and rotations, and far below any element (of a beam 1e-6 of
+     * the section's smaller extent). Beyond a curved
      * edge, which the mesh interpolates, a point counts as on the body within
      * 2 % of the size of the cell.
      */

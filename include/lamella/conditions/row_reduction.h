@@ -20,16 +20,21 @@ namespace lamella
    * which come first: as many DoFs are eliminated as rows are independent
    * (Gauss-Jordan elimination of the rows of each group that shares DoFs, with
    * rank detection). Coarse DoFs go first, so that what stays is still
-   * hierarchical; among rows with a pivot within a factor of ten of the largest
-   * the shortest is taken, which keeps the fill low. A group that is the one
-   * before it, shifted along the axis, is not eliminated again.
+   * hierarchical, each with a row in which it is a tenth of the largest weight
+   * or more; among rows with a pivot within a factor of ten of the largest the
+   * shortest is taken, which keeps the fill low. A group that is the one before
+   * it, shifted along the axis, is not eliminated again.
    *
    *   R = P (pivot columns) + Q (others),  u_P = P^-1 d - P^-1 Q u_Q:
    *
    * the elimination leaves these equations as lines of constraints. Exact to
    * rounding, without a penalty. Rows may depend on each other; what is left of
-   * a dependent one must be 0 = 0. An entry below 1e-9 of the largest of its
-   * column counts as zero, a value below 1e-6 of the largest as agreement.
+   * a dependent one must be 0 = 0. A row depends on others where less than 1e-6
+   * of its largest weight is left, DoFs measured by the displacements that they
+   * make (Body::dof_sizes()): the points of a line that runs as near as that to
+   * a line of the mesh hold what those on it do, and displacements there are
+   * prescribed to 1e-6 of those around. A value below 1e-6 of the largest is
+   * agreement.
    *
    * Refers to the kinematic constraints of its body, which must outlive it. All
    * processes compute all of it.
@@ -110,14 +115,17 @@ namespace lamella
 
     struct Equation;
     struct Elimination;
+    class GaussJordan;
 
     /// Eliminates one group of rows (numbers in the constructor's list), given
-    /// as @p functionals of the DoFs that the theory leaves independent.
+    /// as @p functionals of the DoFs that the theory leaves independent, which
+    /// have the sizes @p sizes.
     static Elimination
     eliminate(const Body                       &body,
               const std::vector<unsigned int>  &group,
               const std::vector<Row>           &functionals,
-              const std::vector<PrescribedRow> &rows);
+              const std::vector<PrescribedRow> &rows,
+              const std::vector<double>        &sizes);
 
     /// Keeps what is left of a group as constraints. Throws InputError if
     /// nothing but a value is left of one of its rows.

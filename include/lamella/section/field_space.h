@@ -112,6 +112,11 @@ namespace lamella
       return alpha < first_mode() ? base->field(alpha).level : 1;
     }
 
+    /// Of each field the largest displacement that a unit of it makes at the
+    /// integration points; 1 of one that makes none there.
+    std::vector<double>
+    sizes() const;
+
     /// The field @p alpha as numbers for the fields of the section.
     Vector
     in_section_fields(const unsigned int alpha) const;
