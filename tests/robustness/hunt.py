@@ -1,0 +1,340 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Hunts for wrong numbers: random scenes, each solved by theories that have to agree.
+
+Usage: hunt.py LAMELLA WORKDIR --count N --seed S [--jobs 2] [--case I] [--bars]
+
+A scene is a body (a laminate with angle plies, perhaps with a foam, a box or a tube; turned
+anyhow), held at an end, at both, or at an end and along a line inside the span, under a
+pressure, an end force, a couple, heat or weight, perhaps with a second body, a roller or
+a floor that it touches. The same number is asked of LE-2, SV-6 and solid-2: the
+displacement of a probe away from whatever touches the body, in the direction in which it
+is largest, and the forces of contacts. With --bars a run of LE-2 with error bars is held
+against LE-3 on twice the elements. What is due:
+
+    runs        all models of a scene run, or none does (an answer of InputError or
+                NumericsError of all of them is no finding, of one it is)
+    agree       SV-6 and solid-2 differ from LE-2 by less than 3 % of the displacement and
+                5 % of a contact's force; solid-2 has quadratic functions along the axis for
+                cubic ones, and SV-6 fields of its own
+    holds       an error bar that is trusted holds the finer number
+
+The same seed gives the same scenes. What is a finding stays in WORKDIR/cases, each scene
+with the lines that say what it is. Exit status 1 if there is one."""
+
+import argparse
+import concurrent.futures
+import json
+import math
+import os
+import random
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+MODELS = ("LE-2", "SV-6", "solid-2")
+OF_DISPLACEMENTS, OF_FORCES = 0.03, 0.05
+ENVIRONMENT = {**os.environ, "OPENBLAS_NUM_THREADS": "1", "OMP_NUM_THREADS": "1"}
+MATERIALS = """
+subsection Material carbon
+  set Engineering constants = 140000, 9000, 9000, 4800, 4800, 3200, 0.3, 0.3, 0.4
+  set Thermal expansion     = -0.5e-6, 30e-6, 30e-6
+  set Density               = 1.6e-9
+end
+subsection Material glass
+  set Engineering constants = 42000, 12000, 12000, 4500, 4500, 4000, 0.28, 0.28, 0.4
+  set Thermal expansion     = 7e-6, 22e-6, 22e-6
+  set Density               = 2e-9
+end
+subsection Material steel
+  set Isotropic         = 200000, 0.3
+  set Thermal expansion = 12e-6
+  set Density           = 7.8e-9
+end
+subsection Material foam
+  set Isotropic         = 150, 0.3
+  set Thermal expansion = 35e-6
+  set Density           = 1e-10
+end
+"""
+
+
+def numbers(vector):
+    return ", ".join(f"{x:.13g}" for x in vector)
+
+
+def unit(v):
+    size = math.sqrt(sum(x * x for x in v))
+    return [x / size for x in v]
+
+
+def cross(a, b):
+    return [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
+
+
+class Frame:
+    """Where a body stands: the scene's position of a point of the body's axes."""
+
+    def __init__(self, dice):
+        self.y, up = [0., 1., 0.], [0., 0., 1.]
+        self.origin = [0., 0., 0.]
+        if dice.random() < 0.5:
+            self.y = unit([dice.uniform(-1., 1.) for _ in range(3)])
+            up = unit([dice.uniform(-1., 1.) for _ in range(3)])
+            self.origin = [dice.uniform(-100., 100.) for _ in range(3)]
+        self.x = unit(cross(self.y, up))
+        self.z = cross(self.x, self.y)
+
+    def point(self, x, y, z):
+        return [self.origin[k] + x * self.x[k] + y * self.y[k] + z * self.z[k] for k in range(3)]
+
+    def vector(self, x, y, z):
+        return [x * self.x[k] + y * self.y[k] + z * self.z[k] for k in range(3)]
+
+    def body(self, name, section, length, at, elements):
+        return (f"subsection Body {name}\n  set Section = {section}\n"
+                f"  set Origin  = {numbers(self.point(*at))}\n  set Axis    = {numbers(self.y)}\n"
+                f"  set Up      = {numbers(self.z)}\n  set Length  = {length:.6g}\n"
+                f"  subsection Kinematics\n    set Axis elements = {elements}\n  end\nend\n")
+
+
+def section(dice):
+    """Text, width and height of a section called `section`."""
+    kind = dice.choices(("laminate", "sandwich", "box", "tube"), (6, 2, 1, 1))[0]
+    width = dice.choice((6., 10., 16.))
+    if kind == "laminate":
+        n = dice.randint(1, 3)
+        plies = [dice.choice(("carbon", "glass", "steel")) for _ in range(n)]
+        angles = [dice.choice((0, 0, 90, 45, -45, 30)) for _ in range(n)]
+        thick = [dice.choice((1., 2., 3.)) for _ in range(n)]
+    elif kind == "sandwich":
+        plies, angles = ["carbon", "foam", "carbon"], [0, 0, 0]
+        thick = [1., dice.choice((4., 8.)), 1.]
+    if kind in ("laminate", "sandwich"):
+        return (f"  set Width         = {width}\n  set Layup         = {'/'.join(map(str, angles))}\n"
+                f"  set Ply thickness = {numbers(thick)}\n  set Ply materials = {', '.join(plies)}\n"
+                f"  set Cells across  = 2\n", width, sum(thick), kind)
+    height = dice.choice((8., 12.))
+    text = (f"  set Shape          = {kind}\n  set Width          = {width}\n"
+            f"  set Height         = {height}\n  set Wall thickness = 1.5\n"
+            f"  set Material       = {dice.choice(('glass', 'steel'))}\n")
+    if kind == "box":
+        text += "  set Cells along wall = 2\n"
+    return text, width, height, kind
+
+
+class Scene:
+    """Everything of one scene but its theory."""
+
+    def __init__(self, seed, number):
+        dice = random.Random(f"{seed}.{number}")
+        self.frame = frame = Frame(dice)
+        text, width, height, kind = section(dice)
+        flat = kind in ("laminate", "sandwich")
+        length = round(dice.uniform(6., 14.) * max(width, height))
+        self.elements = 10
+        bodies = [frame.body("beam", "section", length, (0., 0., 0.), self.elements)]
+        blocks, names = [], {key: [] for key in ("Supports", "Loads", "Obstacles", "Contacts")}
+
+        def add(kind, name, *entries):
+            names[kind + ("ies" if kind == "Body" else "s")].append(name)
+            blocks.append(f"subsection {kind} {name}\n" +
+                          "".join(f"  set {entry}\n" for entry in entries) + "end\n")
+
+        add("Support", "clamp", "On = beam: start")
+        held = dice.choice(("start", "both", "inside") if flat else ("start", "both"))
+        if held == "both":
+            add("Support", "far", "On = beam: end")
+        if held == "inside":
+            y = dice.uniform(0.55, 0.8) * length
+            along = [max((abs(n), k) for k, n in enumerate(frame.z))[1]]
+            u = ["0" if k in along else "free" for k in range(3)]
+            add("Support", "inside", "On = beam: line",
+                f"At = {numbers(frame.point(0., y, 0.))}; {numbers(frame.point(width, y, 0.))}",
+                "u = " + ", ".join(u))
+        self.touched = None
+        if held != "inside" and flat:
+            self.touched = dice.choice((None, None, "roller", "second", "floor"))
+        where = 0.6 * length
+        load = dice.choice(("pressure", "force", "couple", "heat", "weight"))
+        if self.touched in ("second", "floor") or (held == "both" and load in ("force", "couple")):
+            load = "pressure"
+        sign = -1. if self.touched == "floor" else dice.choice((-1., 1.))
+        self.gravity = None
+        if load == "pressure":
+            face = "top" if flat else "start"
+            if flat:
+                add("Load", "push", f"On = beam: {face}", f"Pressure = {-sign * 0.02:.3g}")
+            else:
+                load = "weight"
+        if load == "force":
+            direction = frame.vector(dice.uniform(-1., 1.), dice.uniform(-1., 1.), sign)
+            add("Load", "push", "On = beam: end", f"Force = {numbers(0.05 * x for x in direction)}")
+        if load == "couple":
+            direction = frame.vector(dice.uniform(-1., 1.), dice.uniform(-1., 1.), sign)
+            add("Load", "turn", "On = beam: end", f"Couple = {numbers(20. * x for x in direction)}")
+        if load == "heat":
+            add("Load", "warm", "On = beam: body", f"Temperature = {dice.choice((40., -100.))}")
+        if load == "weight":
+            self.gravity = frame.vector(dice.uniform(-1., 1.), 0., sign)
+        if self.touched == "roller":
+            radius = dice.uniform(0.5, 2.) * height
+            add("Obstacle", "roller", "Shape = cylinder",
+                f"Through = {numbers(frame.point(0., where, height + radius))}",
+                f"Axis = {numbers(frame.x)}", f"Radius = {radius:.13g}",
+                f"u = {numbers(frame.vector(0., 0., -0.02 * height))}")
+            # On a line of the mesh: between lines a coarse one lets it sink in.
+            add("Contact", "touch", "First = beam: top", "Second = roller",
+                "Discretisation = node to surface")
+        if self.touched == "floor":
+            add("Obstacle", "floor", "Shape = plane",
+                f"Through = {numbers(frame.point(0., 0., -0.001 * height))}",
+                f"Normal = {numbers(frame.z)}")
+            add("Contact", "touch", "First = beam: bottom", "Second = floor",
+                "Discretisation = surface to surface")
+        if self.touched == "second":
+            bodies.append(frame.body("other", "section", length,
+                                     (0., 0., -height - 0.001 * height), self.elements))
+            add("Support", "other_clamp", "On = other: ends")
+            add("Contact", "touch", "First = beam: bottom", "Second = other: top",
+                "Discretisation = surface to surface")
+        probe = frame.point(0.5 * width, (0.85 if held == "start" else 0.4) * length,
+                            0. if flat else 0.75)
+        self.text = (
+            "set Units = mm, N\nset Rotation limit = 100\nset Beyond linear range = accept\n"
+            "set Write VTU = false\nset Materials = carbon, glass, steel, foam\n"
+            "set Sections = section\nset Bodies = beam" +
+            (", other" if self.touched == "second" else "") + "\nset Probes = probe\n" +
+            "".join(f"set {kind} = {', '.join(of)}\n" for kind, of in names.items() if of) +
+            (f"set Gravity = {numbers(1e4 * g for g in self.gravity)}\n" if self.gravity else "") +
+            MATERIALS + f"subsection Section section\n{text}end\n" + "".join(bodies) +
+            "".join(blocks) +
+            f"subsection Probe probe\n  set At = beam: {numbers(probe)}\nend\n")
+        self.bodies = ("beam", "other") if self.touched == "second" else ("beam",)
+        self.words = f"{kind}, held {held}, {load}, touches {self.touched}"
+
+    def finer(self):
+        """Twice the elements along all axes."""
+        return [f"Body {body}/Kinematics/Axis elements={2 * self.elements}"
+                for body in self.bodies]
+
+
+def run(lamella, scene, folder, name, *entries):
+    """summary.json, or what the program said and its exit status."""
+    path = folder / "scene.prm"
+    path.write_text(scene.text)
+    words = [lamella, str(path), "--output", str(folder / name)]
+    for entry in entries:
+        words += ["--set", entry]
+    try:
+        done = subprocess.run(words, env=ENVIRONMENT, capture_output=True, text=True, check=False,
+                              timeout=300)
+    except subprocess.TimeoutExpired:
+        return None, "takes more than 300 s"
+    if done.returncode != 0:
+        return None, f"exit status {done.returncode}: {done.stderr.strip()[:400]}"
+    probes = (folder / name / "probes.csv").read_text().splitlines()
+    row = dict(zip(probes[0].split(","), probes[1].split(",")))
+    summary = json.loads((folder / name / "summary.json").read_text())
+    return {"u": [float(row[c]) for c in ("ux", "uy", "uz")],
+            "forces": {name: math.hypot(*contact["force"])
+                       for name, contact in summary.get("contacts", {}).items()},
+            "goals": summary.get("goals", {})}, ""
+
+
+def models_disagree(lamella, scene, folder):
+    found, faults, failed = {}, [], {}
+    for theory in MODELS:
+        # Quadratic functions along the axis where beams have cubic ones.
+        finer = scene.finer() if theory.startswith("solid") else []
+        result, words = run(lamella, scene, folder, theory, f"Theory={theory}", *finer)
+        if result is None:
+            failed[theory] = words
+        else:
+            found[theory] = result
+    if failed and found:
+        faults += [f"{theory} alone fails, {words}" for theory, words in failed.items()]
+    if "LE-2" not in found:
+        return faults
+    one = found["LE-2"]
+    size = math.hypot(*one["u"])
+    for theory, other in found.items():
+        off = math.dist(one["u"], other["u"])
+        if off > OF_DISPLACEMENTS * size:
+            faults.append(f"{theory}: displacement {other['u']} beside {one['u']} of LE-2, "
+                          f"{100. * off / size:.2g} % off")
+        for name, force in one["forces"].items():
+            off = abs(other["forces"][name] - force)
+            if off > OF_FORCES * force and force > 0.:
+                faults.append(f"{theory}: force of {name} {other['forces'][name]:.6g} beside "
+                              f"{force:.6g} of LE-2, {100. * off / force:.2g} % off")
+    return faults
+
+
+def bar_fails(lamella, scene, folder):
+    with_bars, words = run(lamella, scene, folder, "bars", "Theory=LE-2",
+                           "Goals/Error bars=true", "Goals/Quantities=probe: ux | probe: uy | probe: uz")
+    finer, _ = run(lamella, scene, folder, "finer", "Theory=LE-3",
+                   *scene.finer())
+    if finer is None:
+        return []
+    if with_bars is None:
+        return [f"LE-2 with bars fails, {words}"]
+    faults = []
+    size = math.hypot(*finer["u"])
+    for k, component in enumerate(("ux", "uy", "uz")):
+        goal = with_bars["goals"].get(f"probe: {component}")
+        if goal and goal["trusted"]:
+            off = abs(finer["u"][k] - goal["value"])
+            if off > goal["bar"] + 1e-4 * size:
+                faults.append(f"{component} = {goal['value']:.6g} +- {goal['bar']:.2g}, but "
+                              f"{finer['u'][k]:.6g} by LE-3 on twice the elements")
+    return faults
+
+
+def judge(arguments):
+    lamella, work, seed, number, bars = arguments
+    scene = Scene(seed, number)
+    folder = work / f"{seed}.{number}"
+    shutil.rmtree(folder, ignore_errors=True)
+    folder.mkdir(parents=True)
+    faults = models_disagree(lamella, scene, folder)
+    if bars:
+        faults += bar_fails(lamella, scene, folder)
+    if faults:
+        kept = work / "cases" / f"{seed}.{number}"
+        kept.mkdir(parents=True, exist_ok=True)
+        shutil.copy(folder / "scene.prm", kept)
+        (kept / "found").write_text("\n".join(faults) + "\n")
+    shutil.rmtree(folder)
+    return number, scene.words, faults
+
+
+def main():
+    parser = argparse.ArgumentParser()
+    parser.add_argument("lamella")
+    parser.add_argument("work", type=Path)
+    parser.add_argument("--count", type=int, required=True)
+    parser.add_argument("--seed", type=int, required=True)
+    parser.add_argument("--jobs", type=int, default=1)
+    parser.add_argument("--case", type=int)
+    parser.add_argument("--bars", action="store_true")
+    options = parser.parse_args()
+    shutil.rmtree(options.work / "cases", ignore_errors=True)
+    cases = range(options.count) if options.case is None else [options.case]
+    jobs = [(options.lamella, options.work, options.seed, k, options.bars) for k in cases]
+    findings = 0
+    with concurrent.futures.ProcessPoolExecutor(options.jobs) as pool:
+        for number, words, faults in pool.map(judge, jobs):
+            if faults:
+                findings += 1
+                print(f"{options.seed}.{number} ({words}):", flush=True)
+                for fault in faults:
+                    print(f"    {fault}", flush=True)
+    print(f"{len(jobs)} scenes, {findings} findings")
+    sys.exit(1 if findings else 0)
+
+
+if __name__ == "__main__":
+    main()
