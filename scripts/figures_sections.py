@@ -20,7 +20,7 @@ from figures_style import (COLOURS, LABEL, NAMES, WIDTH, Frame, Place, Plies, Sc
 
 # Colours of the first, second and third scale of a panel.
 TWO_SIGNS = ("RdBu_r", "PuOr_r", "BrBG_r")
-ONE_SIGN = ("cividis", "YlGn", "copper")
+ONE_SIGN = ("cividis", "YlGn_r", "copper")
 
 
 # ---- cuts
