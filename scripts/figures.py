@@ -13,11 +13,12 @@ long patch beside the Hertz ellipse where the materials in scene.prm are isotrop
 cuts through the patch give contours around it. Nodes that carry different lists of
 fields give a strip along each body, goals their error bars, a run to a tolerance its
 passes, and a sweep for strength how near each ply comes to failure along its body. The
-bodies for ParaView give the deformed shape.
+bodies for ParaView give the deformed shape, and the stress on it.
 
 figures_data.py reads, figures_style.py holds what all figures share, and
 figures_lines.py, figures_history.py, figures_sections.py, figures_contact.py,
-figures_goals.py, figures_strength.py and figures_shape.py draw. In the end the script
+figures_goals.py, figures_strength.py, figures_shape.py and figures_stress.py draw;
+figures_surface.py reads what the last two show. In the end the script
 says where the pictures are.
 """
 
@@ -33,10 +34,11 @@ from figures_lines import across_the_width, along_the_axis, through_the_thicknes
 from figures_sections import section_cuts, section_meshes
 from figures_shape import deformed_shape
 from figures_strength import ply_stacks
+from figures_stress import stress_on_the_shape
 from figures_style import plt
 
-FIGURES = (deformed_shape, along_the_axis, through_the_thickness, across_the_width,
-           section_cuts, load_history, contact_pressure, around_the_contact,
+FIGURES = (deformed_shape, stress_on_the_shape, along_the_axis, through_the_thickness,
+           across_the_width, section_cuts, load_history, contact_pressure, around_the_contact,
            section_meshes, fields_of_nodes, goals_with_bars, passes_of_a_tolerance,
            ply_stacks)
 

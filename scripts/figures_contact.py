@@ -8,7 +8,7 @@ from matplotlib.ticker import MaxNLocator
 from matplotlib.tri import Triangulation
 
 from figures_data import magnitude
-from figures_sections import SectionPicture, contour
+from figures_sections import Part, SectionPicture, contour
 from figures_style import (COLOURS, DASHES, Frame, Place, Scale, at, colour_bar,
                            legend_above, middle, new_figure)
 
@@ -317,8 +317,8 @@ def draw_around(results, name, tables, centre, half):
         shown = [table[column][(np.abs(table["x"] - centre[0]) <= half)
                                & (np.abs(table["z"] - centre[1]) <= half)]
                  for table in tables]
-        contour(axis, tables, column, dict(zip("xz", places)),
-                Scale(results.unit(column), *shown))
+        contour(axis, [Part(tables, column, Scale(results.unit(column), *shown))],
+                dict(zip("xz", places)), frame)
         axis.set_xlim(*places[0](limits[0]))
         axis.set_ylim(*places[1](limits[1]))
     frame.label(axes, places[0].label("x"), places[1].label("z"))

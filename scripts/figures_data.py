@@ -14,6 +14,7 @@ import numpy as np
 ROUNDING = 1e-12  # of the largest coordinate: a place at zero
 NEGLIGIBLE = 1e-6  # of the largest component: rounding, not worth a panel
 LEAST_SHEAR = 1e-3  # of the largest stress: what is drawn beyond the usual ones
+SOFT = 0.1  # of what others bear: a material that stays below has its own colour scale
 DISPLACEMENTS = ("ux", "uy", "uz")
 STRAINS = ("exx", "eyy", "ezz", "gxy", "gxz", "gyz")
 STRESSES = ("sxx", "syy", "szz", "sxy", "sxz", "syz")
@@ -152,6 +153,22 @@ class Results:
         return "xyz"[k], "xyz"[3 - k - m], "xyz"[m], bool(
             axis[k] > (1. - 1e-9) * np.linalg.norm(axis))
 
+    def is_flat_laminate(self, section):
+        """Whether a section is a stack of level plies made by the program: what is
+        drawn of all others, meshes by Gmsh among them, stays in proportion."""
+        entries = self.scene.get(f"Section {section}", {})
+        return entries.get("Shape", "laminate") == "laminate"
+
+    def section_of(self, body):
+        return self.scene.get(f"Body {body}", {}).get("Section", "")
+
+    def materials(self, body):
+        """The material of each ply number of a body; none without its section."""
+        table = self.sections.get(self.section_of(body))
+        if table is None or not len(table):
+            return {}
+        return dict(zip(table["ply"].astype(int), table["material"].astype(str)))
+
     def unit(self, column):
         if column[0] in "eg":
             return None
@@ -204,6 +221,30 @@ def stresses_to_show(tables, axis="y", across="x", up="z"):
     largest = max(sizes.values())
     return [c for c, least in order.items()
             if sizes[c] > max(least, NEGLIGIBLE) * largest]
+
+
+def own_scales(materials, table, column):
+    """(names, rows) of what shares a colour scale, the most stressed first: a material
+    that stays below a tenth of the others, as a core beside its faces, has one of its
+    own, so that what varies in it is seen; but for components that are little in it,
+    too. A single pair without names where all share one."""
+    kind = STRESSES if column in STRESSES else STRAINS
+    rows = {name: table.where(np.isin(table["ply"].astype(float), [
+        ply for ply, other in materials.items() if other == name]))
+        for name in dict.fromkeys(materials.values())}
+    rows = {name: part for name, part in rows.items() if len(part)}
+    size = {name: magnitude([part], column) for name, part in rows.items()}
+    groups = []
+    for name in sorted(size, key=size.get, reverse=True):
+        matters = size[name] > LEAST_SHEAR * max(magnitude([rows[name]], c) for c in kind)
+        if groups and (size[name] >= SOFT * size[groups[-1][0]] or not matters):
+            groups[-1].append(name)
+        else:
+            groups.append([name])
+    if len(groups) < 2 or sum(map(len, rows.values())) < len(table):
+        return [("", table)]
+    return [(", ".join(group), table.where(np.isin(table["ply"].astype(float), [
+        ply for ply, name in materials.items() if name in group]))) for group in groups]
 
 
 def read_scene(text):

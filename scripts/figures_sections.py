@@ -13,10 +13,14 @@ from matplotlib.patches import Patch
 from matplotlib.path import Path as MplPath
 from matplotlib.ticker import FixedFormatter, FixedLocator, MaxNLocator
 
-from figures_data import magnitude, stress, stresses_to_show
+from figures_data import magnitude, own_scales, stress, stresses_to_show
 from figures_style import (COLOURS, LABEL, NAMES, WIDTH, Frame, Place, Plies, Scale,
                            apart, at, colour_bar, drawn_larger, exaggeration,
                            new_figure, tell_zero)
+
+# Colours of the first, second and third scale of a panel.
+TWO_SIGNS = ("RdBu_r", "PuOr_r", "BrBG_r")
+ONE_SIGN = ("cividis", "YlGn_r", "copper")
 
 
 # ---- cuts
@@ -43,9 +47,10 @@ def draw_cut(results, body, table, columns):
     x, z = (up, across) if across == "z" else (across, up)
     station = at(results, table, *(axis if straight else "xyz"))
     plies = Plies(table, z)
-    edges = plies.thickened()
+    flat = results.is_flat_laminate(results.section_of(body))
+    edges = plies.thickened() if flat else None
     frame = Frame(len(columns), np.ptp(table[x]), np.ptp(table[z]), len(plies),
-                  free=edges is not None)
+                  free=edges is not None, true=not flat)
     figure, axes = frame.figure(results, f"{body}, section at {station}", len(columns))
     place = {c: Place(results.units.get("length"), table[c]) for c in (x, z)}
     label = place[z].label(z)
@@ -53,9 +58,11 @@ def draw_cut(results, body, table, columns):
     if edges is not None:
         position[z] = lambda values: place[z](np.interp(values, plies.edges, edges))
         label += "\nthin plies enlarged"
+    materials = results.materials(body)
     for panel, column in zip(axes, columns):
-        contour(panel, [table], column, position,
-                Scale(results.unit(column), table[column]))
+        parts = [Part([rows], column, Scale(results.unit(column), rows[column]), names)
+                 for names, rows in own_scales(materials, table, column)]
+        contour(panel, parts, position, frame)
         if edges is not None:
             show_edges(panel, place[z](edges), place[z](plies.edges), frame.height)
     frame.label(axes, place[x].label(x), label)
@@ -71,10 +78,24 @@ def show_edges(panel, drawn, values, height):
     panel.yaxis.set_major_formatter(FixedFormatter([f"{values[k]:.5g}" for k in kept]))
 
 
-def contour(panel, tables, column, position, stress_scale):
-    """Cell by cell, so that the jumps between cells stay visible. The positions are
-    of the coordinates to the right and upwards, in this order."""
-    values = np.concatenate([stress_scale(table[column]) for table in tables])
+class Part:
+    """Tables that are drawn on one colour scale, and what they are called beside the
+    bar where there are several."""
+
+    def __init__(self, tables, column, scale, names=""):
+        self.tables, self.column, self.scale, self.names = tables, column, scale, names
+
+    def values(self):
+        return np.concatenate([self.scale(table[self.column]) for table in self.tables])
+
+    def label(self):
+        shown = self.scale.label(NAMES[self.column])
+        return f"{self.names}: {shown}" if self.names else shown
+
+
+def shades(values, number):
+    """(levels, what turns values into colours); about zero where they have two signs.
+    Scales of different numbers have different colours."""
     low, high = values.min(), values.max()
     two_signs = low < -0.1 * high and high > -0.1 * low
     if two_signs:
@@ -85,8 +106,14 @@ def contour(panel, tables, column, position, stress_scale):
         margin = 0.05 * max(-low, high) or 1.
         low, high = low - margin, high + margin
     levels = MaxNLocator(14).tick_values(low, high)
-    colours = plt.get_cmap("RdBu_r" if two_signs else "cividis")
-    norm = BoundaryNorm(levels, colours.N)
+    colours = plt.get_cmap((TWO_SIGNS if two_signs else ONE_SIGN)[number % 3])
+    return levels, ScalarMappable(BoundaryNorm(levels, colours.N), colours)
+
+
+def contour(panel, parts, position, frame):
+    """Cell by cell, so that the jumps between cells stay visible. The positions are
+    of the coordinates to the right and upwards, in this order."""
+    tables = [table for part in parts for table in part.tables]
     # Known limits: without, each cell makes matplotlib look through all others.
     for limits, c in zip((panel.set_xlim, panel.set_ylim), position):
         along = np.concatenate([position[c](table[c]) for table in tables])
@@ -94,21 +121,27 @@ def contour(panel, tables, column, position, stress_scale):
         limits(along.min() - margin, along.max() + margin)
     panel.autoscale(False)
     outlines = []
-    for table in tables:
-        for _, cell in table.split("cell"):
-            x, z, v = cell_grids(cell, position, stress_scale, column)
-            panel.contourf(x, z, v, reached(levels, v), cmap=colours, norm=norm,
-                           antialiased=False)
-            outline = np.r_[0:x.size].reshape(x.shape)
-            edge = np.concatenate([outline[0], outline[1:, -1],
-                                   outline[-1, -2::-1], outline[-2::-1, 0]])
-            outlines.append(np.column_stack([x.flat[edge], z.flat[edge]]))
+    for number, (part, bar) in enumerate(zip(parts, frame.bars(len(parts)))):
+        levels, colours = shades(part.values(), number)
+        for table in part.tables:
+            for _, cell in table.split("cell"):
+                x, z, v = cell_grids(cell, position, part)
+                panel.contourf(x, z, v, reached(levels, v), cmap=colours.cmap,
+                               norm=colours.norm, antialiased=False)
+                outlines.append(outline(x, z))
+        colour_bar(panel, colours, part.label(), *bar)
     panel.add_collection(LineCollection(outlines, colors="0.25", linewidths=0.5
                                         if len(outlines) <= 200 else 0.2))
     # They stay within the panel, and asking each for its place takes long.
     for artist in panel.collections:
         artist.set_in_layout(False)
-    colour_bar(panel, ScalarMappable(norm, colours), stress_scale.label(NAMES[column]))
+
+
+def outline(x, z):
+    """Around the grid of a cell."""
+    k = np.r_[0:x.size].reshape(x.shape)
+    edge = np.concatenate([k[0], k[1:, -1], k[-1, -2::-1], k[-2::-1, 0]])
+    return np.column_stack([x.flat[edge], z.flat[edge]])
 
 
 def reached(levels, values):
@@ -119,12 +152,12 @@ def reached(levels, values):
     return levels[first:last + 2]
 
 
-def cell_grids(cell, position, stress_scale, column):
+def cell_grids(cell, position, part):
     i, j = cell["i"].astype(int), cell["j"].astype(int)
     shape = i.max() + 1, j.max() + 1
     grids = []
     for values in (*(position[c](cell[c]) for c in position),
-                   stress_scale(cell[column])):
+                   part.scale(cell[part.column])):
         grid = np.full(shape, np.nan)
         grid[i, j] = values
         grids.append(grid)
@@ -205,7 +238,8 @@ def section_meshes(results):
 
 def draw_section(results, name, picture):
     scale = Scale(results.units.get("length"), picture.low, picture.high)
-    stretch = np.array(exaggeration(*picture.size, wanted=3.))
+    stretch = np.array(exaggeration(*picture.size, wanted=3.)
+                       if results.is_flat_laminate(name) else (1, 1))
     drawn = picture.size * stretch
     # The section fills what labels and legend leave of the width, or the height.
     longest = max((len(boundary) for boundary in picture.edges), default=0)

@@ -19,6 +19,7 @@ DASHES = ("-", "--", "-.", ":")
 WIDTH = 8.4  # inches of every figure; 1260 pixels
 BESIDE = 1.7  # inches beside a contour: labels and colour bar
 ROW = 0.5  # inches below it
+LEAST_BAR = 0.9  # inches of a colour bar
 TALLEST = 11.  # inches of a figure of contours
 LABEL = 0.18  # inches that a label takes in height
 FAR = 200.  # times their range: values that are drawn from their middle
@@ -182,10 +183,14 @@ def exaggeration(width, height, wanted=4.):
     aspect = width / height
     if 1 / (1.5 * wanted) <= aspect <= 1.5 * wanted:
         return 1, 1
-    factors = np.array([k * 10.**p for p in range(12) for k in (1, 2, 3, 5)])
-    ratio = max(aspect, 1 / aspect) / wanted
-    factor = int(factors[np.argmin(np.abs(np.log(factors / ratio)))])
+    factor = round_factor(max(aspect, 1 / aspect), wanted)
     return (1, factor) if aspect > 1 else (factor, 1)
+
+
+def round_factor(wanted, present):
+    """A round number, not below 1, that brings what is there near to what is wanted."""
+    factors = np.array([k * 10.**p for p in range(12) for k in (1, 2, 3, 5)])
+    return int(factors[np.argmin(np.abs(np.log(factors * present / wanted)))])
 
 
 def drawn_larger(factor):
@@ -194,9 +199,10 @@ def drawn_larger(factor):
 
 class Frame:
     """Rows and columns of so many contours of one size, and the stretch of x and z
-    that lets the data fill them; free if the axes need not be to any scale."""
+    that lets the data fill them; free if the axes need not be to any scale, true if
+    they must be to the same."""
 
-    def __init__(self, count, width, height, plies=1, free=False):
+    def __init__(self, count, width, height, plies=1, free=False, true=False):
         # One below the other where they are wide and that is not too tall.
         for self.columns in (1, 2, 3):
             self.rows = -(-count // self.columns)
@@ -204,11 +210,14 @@ class Frame:
             # Some pixels a ply, but no panel taller than wide for that.
             wanted = min((4., 1.6, 2.)[self.columns - 1] if width > height else 1.6,
                          max(1., across / (0.08 * plies)))
-            self.stretch = (1, 1) if free else exaggeration(width, height, wanted)
+            self.stretch = (1, 1) if free or true else exaggeration(
+                width, height, wanted)
             drawn = 1. if free else width * self.stretch[0] / (height * self.stretch[1])
             self.height = min(across / drawn, 4.5)
             self.width = self.columns * (self.height * drawn + BESIDE)
-            fits = self.rows * (self.height + ROW) <= TALLEST
+            # A flat section leaves its colour bar the height that that needs.
+            self.room = max(self.height, LEAST_BAR)
+            fits = self.rows * (self.room + ROW) <= TALLEST
             if count <= self.columns or (fits and (drawn > 1.4 or self.columns > 1)):
                 break
         self.aspect = "auto" if free else self.stretch[1] / self.stretch[0]
@@ -217,7 +226,7 @@ class Frame:
         """The figure and as many axes as are asked for."""
         with plt.rc_context({"figure.constrained_layout.h_pad": 0.08}):
             figure, axes = new_figure(results, about, self.rows, self.columns,
-                                      self.height + ROW, sharex=True, sharey=True)
+                                      self.room + ROW, sharex=True, sharey=True)
         figure.set_figwidth(min(WIDTH, max(self.width, 0.7 * WIDTH)))
         for axis in axes.flat[count:]:
             axis.remove()
@@ -226,6 +235,15 @@ class Frame:
             axis.grid(False)
             axis.xaxis.set_major_locator(MaxNLocator(6 if self.columns == 1 else 4))
         return figure, axes.flat[:count]
+
+    def bars(self, count):
+        """The (low, high) of so many colour bars one above the other, over the height
+        of a panel, the first uppermost."""
+        high = 0.5 + 0.5 * self.room / self.height
+        step = (2. * high - 1.) / count
+        gap = 0.06 * step if count > 1 else 0.
+        return [(high - (k + 1) * step + gap, high - k * step - gap)
+                for k in range(count)]
 
     def label(self, axes, x, z):
         for k, axis in enumerate(axes):
@@ -236,13 +254,13 @@ class Frame:
                 axis.tick_params(labelbottom=True)
 
 
-def colour_bar(axis, shades, label):
-    """Beside the axes and as high as they are drawn."""
+def colour_bar(axis, shades, label, low=0., high=1.):
+    """Beside the axes and as high as they are drawn, or over a part of the height."""
     columns = axis.get_subplotspec().get_gridspec().ncols
     width = WIDTH / columns - BESIDE
-    beside = axis.inset_axes([1. + 0.08 / width, 0., 0.15 / width, 1.])
+    beside = axis.inset_axes([1. + 0.08 / width, low, 0.15 / width, high - low])
     axis.get_figure().colorbar(shades, cax=beside)
-    beside.yaxis.set_major_locator(MaxNLocator(6))
+    beside.yaxis.set_major_locator(MaxNLocator(6 if high - low > 0.6 else 4))
     beside.set_ylabel(label)
 
 

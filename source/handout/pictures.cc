@@ -82,6 +82,10 @@ namespace lamella
     meaning(const std::string &name)
     {
       static const std::vector<std::pair<std::string, std::string>> meanings{
+        {"deformed_stress",
+         "The stress that is largest over the bodies, on their surface where "
+         "they end up, in isometric projection; what is not to scale is said "
+         "below."},
         {"deformed",
          "The bodies where they end up, coloured by how far they "
          "have moved; grey, where they were."},

@@ -124,9 +124,10 @@ class Run:
             for cell, (ply, low, high, left) in enumerate(cells)
             for i in range(3) for j in range(3)))
 
-    def bodies(self, cells, moved):
+    def bodies(self, cells, moved, stress=None):
         """The VTU of cells of 2 x 2 x 2 points, a body's number and its points each, x
-        fastest; moved(point) is the displacement."""
+        fastest; moved(point) is the displacement, stress(number of the cell, point)
+        gives its ply and its six stresses."""
         points = [point for _, corners in cells for point in corners]
         shifts = [moved(point) for point in points]
         arrays = {"": ("Float32", "f", [x + u for p, s in zip(points, shifts)
@@ -134,6 +135,11 @@ class Run:
                   "displacement": ("Float32", "f", [u for s in shifts for u in s]),
                   "body": ("Float32", "f", [b for b, _ in cells for _ in range(8)]),
                   "offsets": ("Int32", "i", [8 * k + 8 for k in range(len(cells))])}
+        if stress:
+            found = [stress(k // 8, point) for k, point in enumerate(points)]
+            arrays["ply"] = ("Float32", "f", [ply for ply, _ in found])
+            for c, name in enumerate(STRESSES):
+                arrays[name] = ("Float32", "f", [values[c] for _, values in found])
         text = "".join(
             f'<DataArray type="{kind}"' + (f' Name="{name}"' if name else "") +
             f">{packed(values, form)}</DataArray>"
@@ -625,9 +631,11 @@ class Figures:
     """The parts of scripts/figures.py, which import each other by name."""
 
     def __init__(self, path):
+        self.path = path
         sys.path.insert(0, str(path.parent))
         for part in ("data", "style", "lines", "history", "sections", "contact", "goals",
-                     "shape", "strength"):
+                     "surface", "shape", "stress",
+                     "strength"):
             setattr(self, part, importlib.import_module(f"figures_{part}"))
         self.FIGURES = importlib.import_module(path.stem).FIGURES
 
@@ -653,8 +661,8 @@ def check_deformed(figures, folder):
     for end, factor in ((-2., 1), (-0.01, 20)):
         run = Run(folder).bodies(cells, lambda p: (0., 0., end * (p[1] / 100.) ** 2))
         results = figures.data.Results(run.folder)
-        places, moved, bodies = figures.shape.outer_surface(
-            figures.shape.last_files(run.folder))
+        surface = figures.surface.surface_of(results)
+        places, moved, bodies = surface.places, surface.moved, surface.bodies
         areas = 0.5 * figures.shape.np.linalg.norm(figures.shape.np.cross(
             places[:, 2] - places[:, 0], places[:, 3] - places[:, 1]), axis=1)
         check([round(float(areas[bodies == b].sum()), 3) for b in (1, 2)] ==
@@ -683,7 +691,8 @@ def check_deformed(figures, folder):
         run.folder))] == ["deformed", "deformed_from_the_other_side"],
         "compact: from two sides")
     (folder / "solution.pvd").unlink()
-    check(not list(figures.shape.deformed_shape(results)), "nothing without a VTU")
+    check(not list(figures.shape.deformed_shape(figures.data.Results(run.folder))),
+          "nothing without a VTU")
 
 
 def main():

@@ -10,10 +10,15 @@ is. Exit status 77 (skipped) without numpy or matplotlib.
 """
 
 import json
+import math
+import re
+import subprocess
 import sys
+import warnings
 from pathlib import Path
 
-from check_pictures import Figures, Run, all_axes, check
+from check_pictures import (MESH, PAIR, Figures, Run, all_axes, brick, check,
+                            title_of)
 
 # ---- the load history
 
@@ -87,6 +92,189 @@ def check_history(figures, folder):
           "a couple alone: no axis for forces that are rounding")
 
 
+# ---- sections
+
+
+DRAWN = """
+subsection Section drawn
+  set Shape = file
+  set File  = drawn.msh
+end
+subsection Body blade
+  set Section = drawn
+end
+"""
+
+
+def check_proportions(figures, folder):
+    """A flat section that Gmsh has meshed is as flat in its pictures; a laminate's plies
+    are enlarged so that they are seen."""
+    for body, section, is_true in (("blade", "drawn", True), ("lower", "half", False)):
+        run = Run(folder)
+        with open(folder / "scene.prm", "a") as scene:
+            scene.write(DRAWN)
+        run.section(section, 120., 3.)
+        run.cut("cut", 120., (1., 0.2, 1.8), lambda z, ply: {"syy": 10. * z + 1.},
+                body=body)
+        results = figures.data.Results(folder)
+        for draw in (figures.sections.section_meshes, figures.sections.section_cuts):
+            (name, figure), = draw(results)
+            figure.canvas.draw()
+            corners = figure.axes[0].transData.transform([(0., 0.), (120., 3.)])
+            across, up = corners[1] - corners[0]
+            found = across / up / (120. / 3.)
+            check(abs(found - 1.) < 1e-6 if is_true else found < 0.5,
+                  f"{name} of {section}: its width over its height is {found:.3f} times "
+                  "what it should be")
+            check(("enlarged" in figure.axes[0].get_ylabel()) != is_true,
+                  "and the label says so")
+            check(not outside(figure), f"all labels are in the picture {outside(figure)}")
+
+
+def bars_of(panel):
+    """The label and the (low, high) of each colour bar of a panel."""
+    return {bar.get_ylabel(): tuple(float(v) for v in bar.get_ylim())
+            for bar in panel.child_axes}
+
+
+def check_scales(figures, folder):
+    """A core that bears a thousandth of what its faces do, and as much shear."""
+    thickness = (1., 8., 1.)
+
+    def sandwich(z, ply):
+        soft = 1e-3 if ply == 2 else 1.
+        return {"syy": 200. * (z - 5.) * soft, "syz": 0.5 + 0.01 * z}
+
+    run = Run(folder)
+    run.cut("cut", 50., thickness, sandwich)
+    mesh = [{"cell": k, "ply": k + 1, "material": material, "angle": 0, **{
+        f"side_{s + 1}": ";".join(f"{x} {z}" for x, z in (a, b))
+        for s, (a, b) in enumerate(zip(corners, corners[1:] + corners[:1]))}}
+        for k, (material, low, high) in enumerate((
+            ("carbon", 0, 1), ("foam", 1, 9), ("carbon", 9, 10)))
+        for corners in [[(0, low), (50, low), (50, high), (0, high)]]]
+
+    run.write("sections/strip.csv", MESH, mesh)
+    (_, figure), = figures.sections.section_cuts(figures.data.Results(folder))
+    shear, axial = (bars_of(panel) for panel in figure.axes)
+    check(list(axial) == ["carbon: $\\sigma_{yy}$ [MPa]", "foam: $\\sigma_{yy}$ [MPa]"],
+          f"two bars: {axial}")
+    faces, core = axial.values()
+    check(faces[1] >= 1000. and -1. < core[0] < -0.8 < core[1] < 1.,
+          f"from {core[0]:g} to {core[1]:g} in the core, {faces[1]:g} in the faces")
+    check(list(shear) == ["$\\sigma_{yz}$ [MPa]"], "shear that both bear is on one")
+    places = [bar.get_window_extent() for bar in figure.axes[1].child_axes]
+    check(not places[0].overlaps(places[1]) and not outside(figure),
+          f"one above the other, with labels in the picture {outside(figure)}")
+    for row in mesh:
+        row["material"] = "carbon"
+    run.write("sections/strip.csv", MESH, mesh)
+    (_, figure), = figures.sections.section_cuts(figures.data.Results(folder))
+    check(len(figure.axes[1].child_axes) == 1, "plies of one material are on one scale")
+
+
+# ---- stress on the deformed shape
+
+
+TWIST = 0.02  # from one end to the other
+
+
+def bar():
+    """Of 4 x 100 x 3, two elements along y: a face of 0.5, a core of 2, a face of 0.5;
+    numbers of cells ascend with the ply, then with y."""
+    return [brick(1, (0., y, z), (4., 50., height)) for y in (0., 50.)
+            for z, height in ((0., 0.5), (0.5, 2.), (2.5, 0.5))]
+
+
+def twisted(point):
+    """About (2, y, 1.5), clockwise as seen along +y."""
+    angle = TWIST * point[1] / 100.
+    return angle * (point[2] - 1.5), 0., -angle * (point[0] - 2.)
+
+
+def stressed(cell, point):
+    """sigma_yy: 10 y, and 10 less in the first of both elements of the faces; a
+    thousandth of it in the core."""
+    ply = cell % 3 + 1
+    syy = 10. * point[1] - (10. if cell < 3 else 0.)
+    return ply, (0., 1e-3 * syy if ply == 2 else syy, 0., 0.1, 0., 0.)
+
+
+def drawn_places(axis):
+    """The corners of all facets of the bodies, in the picture."""
+    shapes = max(axis.collections, key=lambda part: len(part.get_paths()))
+    return [tuple(vertex) for path in shapes.get_paths() for vertex in path.vertices]
+
+
+def check_projection(figures):
+    np = figures.stress.np
+    for extents, longer in (((1., 2., 1.), 1), ((2., 1., 1.), 0)):
+        corners = np.array([np.zeros(3), *np.diag(extents)])
+        view = figures.stress.Isometric(corners)
+        x, y, z = (view(axis)[:2] for axis in np.eye(3) / view.stretch)
+        lengths = [float(np.linalg.norm(axis)) for axis in (x, y, z)]
+        angles = [float(a @ b) for a, b in ((x, y), (y, z), (z, x))]
+        check(np.allclose(lengths, 1.) and np.allclose(np.abs(angles), 0.5),
+              f"three axes of one length, 120 or 60 degrees apart: {lengths}, {angles}")
+        seen = float(np.cross(x, y))
+        check(seen > 0., "not as in a mirror: from above, y is to the left of x")
+        check((x, y)[longer][1] > 0. and (x, y)[longer][0] > 0.,
+              "the longer one goes up to the right")
+
+
+def check_stress(figures, folder):
+    np = figures.stress.np
+    check_projection(figures)
+    run = Run(folder).bodies(bar(), twisted, stressed)
+    results = figures.data.Results(folder)
+    surface = figures.surface.surface_of(results)
+    values = figures.surface.continuous(surface, surface.stress("syy"))
+    joint = np.isclose(surface.places[:, :, 1], 50.)
+    face = np.repeat((surface.plies != 2)[:, None], 4, axis=1)
+    check(np.allclose(values[joint & face], 495.) and np.allclose(
+        values[joint & ~face], 0.495), "where elements meet their mean, ply by ply")
+    inside = ~joint & face
+    check(np.allclose(values[inside], surface.stress("syy")[inside]), "else as they are")
+
+    (name, figure), = figures.stress.stress_on_the_shape(results)
+    check(name == "deformed_stress" and "sigma_{yy}" in title_of(figure), title_of(figure))
+    told = figure._supxlabel.get_text()
+    factors = [int(n) for n in re.findall(r"(\d+) times", told)]
+    check("isometric" in told and len(factors) == 3 and factors[:2] == [5, 5],
+          f"it says what is enlarged: {told}")
+    # The corner at the end that goes down most, by hand.
+    place = np.array([4., 100., 0.])
+    moved = place + factors[2] * np.array(twisted(place))
+    x, y, z = moved * (5., 1., 5.)
+    wanted = (math.sqrt(0.75) * (x + y), z + 0.5 * (y - x))
+    nearest = min(math.dist(wanted, vertex) for vertex in drawn_places(figure.axes[0]))
+    check(nearest < 1e-3, f"the twisted end is where it should be, to {nearest:.1e}")
+    ends = np.array([figures.stress.Isometric(surface.places)(
+        p + factors[2] * np.array(twisted(p)))[:2] for p in (
+            np.array([0., 100., 3.]), np.array([4., 100., 3.]))])
+    slope = np.degrees(np.arctan2(*(ends[1] - ends[0])[::-1]))
+    check(slope < -35., f"its upper edge is seen at {slope:.0f} degrees, -30 untwisted")
+    bars = bars_of(figure.axes[0])
+    check(list(bars) == ["$\\sigma_{yy}$ [MPa]"] and not outside(figure),
+          "without a section one scale")
+    run.write("sections/strip.csv", MESH, [
+        {"cell": ply - 1, "ply": ply, "material": material, "angle": 0, **{
+            f"side_{s}": "0 0;1 0" for s in range(1, 5)}}
+        for ply, material in enumerate(("carbon", "foam", "carbon"), 1)])
+    with open(folder / "scene.prm", "a") as scene:
+        scene.write("set Bodies = laminate\n")
+    (_, figure), = figures.stress.stress_on_the_shape(figures.data.Results(folder))
+    bars = bars_of(figure.axes[0])
+    check([label.split(":")[0] for label in bars] == ["carbon", "foam"]
+          and list(bars.values())[1][1] <= 1., f"core and faces: {bars}")
+    shapes = max(figure.axes[0].collections, key=lambda part: len(part.get_paths()))
+    shades = {tuple(np.round(colour, 3)) for colour in shapes.get_facecolor()}
+    check(len(shades) > 100, f"smooth: {len(shades)} shades on two elements")
+    run.bodies(bar(), twisted)
+    check(not list(figures.stress.stress_on_the_shape(figures.data.Results(folder))),
+          "nothing without stresses")
+
+
 # ---- strength
 
 
@@ -122,6 +310,37 @@ def check_strength(figures, folder):
         check(contours, "a line where 1/R is 1")
 
 
+# ---- what is said
+
+
+def check_console(figures, folder):
+    """One line that says where the pictures are, and no warning: of a ply that is left
+    out whole, of a title with a dollar and with characters that the font lacks, of a
+    contact that touches without pressure."""
+    run = Run(folder)
+    told = json.loads((folder / "summary.json").read_text())
+    told["title"] = "Bars for $5, 梁"
+    (folder / "summary.json").write_text(json.dumps(told))
+    run.bodies(bar(), twisted, stressed)
+    run.cut("cut", 50., (1., 8., 1.), lambda z, ply: {"syy": 10. * z + 1.})
+    run.write("contact_idle.csv", PAIR, (
+        {"step": 1, "x": k, "y": k % 3, "nz": 1., "area": 1., "active": 1}
+        for k in range(12)))
+    run.write("history.csv", HISTORY, steps())
+    run.write("plies_along.csv", PLIES, (
+        {"step": 1, "body": "bar", "ply": ply, "s": k, "y": k,
+         "inverse_reserve_factor": "" if ply == 2 else 0.2 * k}
+        for ply in (1, 2) for k in range(9)))
+    done = subprocess.run([sys.executable, figures.path, folder], capture_output=True,
+                          text=True)
+    check(done.returncode == 0 and not done.stderr,
+          f"no warning on the console {done.stderr.strip()}")
+    check(done.stdout == f"Pictures:  {folder / 'pictures'}\n", done.stdout.strip())
+    drawn = sorted(path.stem for path in (folder / "pictures").glob("*.png"))
+    check(drawn == ["deformed", "deformed_stress", "history", "reserve_factors",
+                    "section_cut"], f"pictures: {', '.join(drawn)}")
+
+
 def main():
     if len(sys.argv) != 3:
         sys.exit("Usage: check_pictures_of_runs.py FIGURES.py WORKDIR")
@@ -132,7 +351,9 @@ def main():
         print("numpy or matplotlib is not here: skipped")
         sys.exit(77)
     figures, folder = Figures(Path(sys.argv[1])), Path(sys.argv[2])
-    for part in (check_history, check_strength):
+    warnings.simplefilter("error")
+    for part in (check_history, check_proportions, check_scales, check_stress,
+                 check_strength, check_console):
         part(figures, folder)
         figures.style.plt.close("all")
 
