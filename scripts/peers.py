@@ -189,19 +189,19 @@ def extrapolated(points, natural):
 
 
 def probe_values(plies, displacements, stresses):
-    """Ply -> values at a probe: means over the elements that share it."""
+    """Ply -> values at a probe: means over the points of its box, or over the
+    elements that share its point. Ply 0: several."""
     result = {}
     for ply in plies:
-        found = []
+        sums = [0.] * len(DISPLACEMENTS + STRESSES)
         for element in ply["elements"]:
             N = shape_functions(element["natural"], len(element["nodes"]))
             u = [sum(N[i] * displacements[node][c]
                      for i, node in enumerate(element["nodes"])) for c in range(3)]
-            found.append(u + extrapolated(stresses[element["element"]],
-                                          element["natural"]))
-        result[ply["ply"]] = {
-            name: statistics.fmean(values[c] for values in found)
-            for c, name in enumerate(DISPLACEMENTS + STRESSES)}
+            values = u + extrapolated(stresses[element["element"]],
+                                      element["natural"])
+            sums = [a + element["weight"] * b for a, b in zip(sums, values)]
+        result[ply["ply"]] = dict(zip(DISPLACEMENTS + STRESSES, sums))
     return result
 
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <lamella/base/exceptions.h>
+#include <lamella/base/memory.h>
 #include <lamella/base/mpi_session.h>
 #include <lamella/base/processes.h>
 #include <lamella/base/version.h>
@@ -14,6 +15,7 @@
 #include <lamella/trade/trade.h>
 
 #include <chrono>
+#include <cstdlib>
 #include <iostream>
 #include <memory>
 #include <thread>
@@ -150,6 +152,13 @@ namespace
 int
 main(int argc, char **argv)
 {
+  if (const auto [status, message] = outcome_of(require_address_space);
+      status != 0)
+    {
+      std::cerr << "lamella: " << message << std::endl;
+      // What libraries do at the end of a process may want memory, too.
+      std::_Exit(status);
+    }
   const auto all = [&] { run(CommandLine::parse({argv + 1, argv + argc})); };
   const std::string task = argc > 1 ? argv[1] : "";
   if ((task == "trade" || task == "report" || task == "new") &&

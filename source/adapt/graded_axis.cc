@@ -287,8 +287,7 @@ namespace lamella
     {
       for (const ContactPair &contact : contacts)
         {
-          if (contact.discretisation != Discretisation::node_to_node ||
-              contact.obstacle != nullptr)
+          if (!may_pair_nodes(contact))
             continue;
           const unsigned int a = contact.first.body, b = contact.second.body;
           const auto        &one   = dynamic_cast<const Beam &>(*bodies[a]),

@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <lamella/base/exceptions.h>
 #include <lamella/base/memory.h>
 #include <lamella/base/processes.h>
 #include <lamella/base/text.h>
 
 #include <deal.II/base/utilities.h>
+
+#include <sys/mman.h>
+#include <sys/resource.h>
 
 #include <filesystem>
 #include <fstream>
@@ -177,5 +181,31 @@ namespace lamella
   gigabytes(const double bytes)
   {
     return to_text(1e-9 * bytes, bytes < 1e9 ? 2 : 3) + " GB";
+  }
+
+
+
+  void
+  require_address_space()
+  {
+    // What MPI and a first BLAS call take beyond the libraries themselves: a
+    // small scene on one thread takes 250 MB, measured.
+    constexpr std::size_t least = 300 * 1024 * 1024;
+    rlimit                limit;
+    if (getrlimit(RLIMIT_AS, &limit) != 0 || limit.rlim_cur == RLIM_INFINITY)
+      return;
+    void *const trial =
+      mmap(nullptr, least, PROT_NONE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+    if (trial != MAP_FAILED)
+      {
+        munmap(trial, least);
+        return;
+      }
+    throw InputError(
+      "the address space of this process is limited to " +
+      gigabytes(limit.rlim_cur) + " (ulimit -v), and less than " +
+      gigabytes(least) +
+      " of it are left for computing once the program's libraries are loaded. "
+      "Raise it, or bound memory by the entry Memory limit instead.");
   }
 } // namespace lamella

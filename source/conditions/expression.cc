@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <lamella/base/text.h>
 #include <lamella/conditions/expression.h>
 
 #include <deal.II/base/exceptions.h>
@@ -97,6 +98,10 @@ namespace lamella
     if (!std::isfinite(value))
       entry.refuse("'" + text + "' is not a finite number at " + to_text(x),
                    "Change the expression or where it applies.");
+    if (std::abs(value) > largest_number)
+      entry.refuse("'" + text + "' is " + to_text(value) + " at " + to_text(x) +
+                     ", and numbers must lie below " + to_text(largest_number),
+                   "Change the expression, or choose other units.");
     return value;
   }
 } // namespace lamella

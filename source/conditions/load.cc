@@ -102,11 +102,12 @@ namespace lamella
     void
     take(const Moments<dim> &moments, PointForces &result)
     {
-      result.size        = moments.size;
-      result.error       = moments.error;
-      result.independent = moments.independent;
-      result.bisections  = moments.bisections;
-      result.checked     = true;
+      result.size              = moments.size;
+      result.error             = moments.error;
+      result.independent       = moments.independent;
+      result.independent_error = moments.independent_error;
+      result.bisections        = moments.bisections;
+      result.checked           = true;
     }
 
 
@@ -341,8 +342,8 @@ namespace lamella
                         to_text(at.error / at.size, 2) +
                         " of itself. Let its edges run along the elements, or "
                         "give it a smoother expression");
-      if (at.size > 0. &&
-          (at.force - at.independent).norm() > agreement * at.size)
+      if (at.size > 0. && (at.force - at.independent).norm() >
+                            agreement * at.size + 2. * at.independent_error)
         notes.push_back(
           "load " + name + ": another, finer rule finds the resultant " +
           to_text(at.independent) + " instead of " + to_text(at.force) +

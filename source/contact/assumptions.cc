@@ -5,6 +5,7 @@
 #include <lamella/contact/assumptions.h>
 #include <lamella/contact/search.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace lamella
@@ -118,6 +119,33 @@ namespace lamella
             "Name surfaces that have no nodes in common, or keep one of the "
             "two contacts.");
         }
+  }
+
+
+
+  void
+  check_partners(const std::vector<ContactInterface> &interfaces)
+  {
+    for (const ContactInterface &contact : interfaces)
+      {
+        const unsigned int pairs = contact.rows.size();
+        if (contact.discretisation != Discretisation::node_to_node ||
+            pairs >=
+              std::min(contact.beside_nodes, contact.beside_nodes_second))
+          continue;
+        throw InputError(
+          "Contact " + contact.name + "/Discretisation",
+          name_of(contact.discretisation),
+          "only " + std::to_string(pairs) +
+            " nodes of First and of Second "
+            "face each other, " +
+            std::to_string(contact.beside_nodes) + " and " +
+            std::to_string(contact.beside_nodes_second) +
+            " others face the other surface, but none of its nodes: the "
+            "bodies would pass through each other",
+          "Use auto or surface to surface, or give both surfaces the same "
+          "nodes (cells across, axis elements, axis nodes).");
+      }
   }
 
 

@@ -311,35 +311,64 @@ namespace lamella
 
 
 
-    /// Notes where nodes do not face nodes.
-    void
-    note_unpaired(const ContactPair               &contact,
-                  const Bodies                    &bodies,
-                  const std::vector<SurfacePoint> &first,
-                  const std::vector<SurfacePoint> &second,
-                  const Pairing                   &pairing,
-                  const double                     reach,
-                  ContactInterface                &interface)
+    /// The nodes of both sides and which of them face each other.
+    struct NodePairs
     {
-      std::vector<bool> first_paired(first.size(), false),
-        second_paired(second.size(), false);
+      std::vector<SurfacePoint> first, second;
+      Pairing                   pairing;
+      /// Of either side, those without a partner that face the other surface.
+      unsigned int beside = 0, beside_second = 0;
+    };
+
+
+
+    NodePairs
+    pair_nodes(const ContactPair &contact,
+               const Bodies      &bodies,
+               const double       reach)
+    {
+      NodePairs nodes;
+      nodes.first =
+        bodies[contact.first.body]->surface_points(contact.first.surface);
+      nodes.second =
+        bodies[contact.second.body]->surface_points(contact.second.surface);
+      nodes.pairing =
+        pair_node_to_node(nodes.first, nodes.second, contact.tolerance, reach);
+      const Pairing &pairing = nodes.pairing;
+      if (pairing.pairs.empty() ||
+          pairing.unpaired + pairing.unpaired_second == 0)
+        return nodes;
+      std::vector<bool> first_paired(nodes.first.size(), false),
+        second_paired(nodes.second.size(), false);
       for (const PointPair &pair : pairing.pairs)
         {
           first_paired[pair.first]   = true;
           second_paired[pair.second] = true;
         }
-      const Surfaces     surfaces = make_surfaces(contact, bodies);
-      const unsigned int of_first =
-        count_facing(first, first_paired, *surfaces.second, reach);
-      const unsigned int of_second =
-        count_facing(second, second_paired, *surfaces.first, reach);
-      if (of_first + of_second > 0)
-        interface.notes.push_back(
-          "contact " + contact.name + ": " + std::to_string(of_first) +
-          " nodes of First and " + std::to_string(of_second) +
-          " of Second face the other surface, but none of its nodes, and can "
-          "pass through it. Use Discretisation = surface to surface, or give "
-          "both surfaces the same nodes");
+      const Surfaces surfaces = make_surfaces(contact, bodies);
+      nodes.beside =
+        count_facing(nodes.first, first_paired, *surfaces.second, reach);
+      nodes.beside_second =
+        count_facing(nodes.second, second_paired, *surfaces.first, reach);
+      return nodes;
+    }
+
+
+
+    /// @p contact with the discretisation that `automatic` is on these bodies.
+    ContactPair
+    decided(ContactPair contact, const Bodies &bodies, const double reach)
+    {
+      if (contact.discretisation != Discretisation::automatic)
+        return contact;
+      contact.discretisation = Discretisation::surface_to_surface;
+      if (contact.obstacle != nullptr)
+        return contact;
+      const NodePairs nodes = pair_nodes(contact, bodies, reach);
+      if (!nodes.pairing.pairs.empty() &&
+          nodes.beside + nodes.beside_second == 0)
+        contact.discretisation = Discretisation::node_to_node;
+      return contact;
     }
 
 
@@ -351,17 +380,19 @@ namespace lamella
                  const double       reach,
                  ContactInterface  &interface)
     {
-      const auto first =
-        bodies[contact.first.body]->surface_points(contact.first.surface);
-      const auto second =
-        bodies[contact.second.body]->surface_points(contact.second.surface);
-      const Pairing pairing =
-        pair_node_to_node(first, second, contact.tolerance, reach);
-      interface.unpaired_second = pairing.unpaired_second;
-      if (!pairing.pairs.empty() &&
-          pairing.unpaired + pairing.unpaired_second > 0)
-        note_unpaired(
-          contact, bodies, first, second, pairing, reach, interface);
+      const NodePairs nodes         = pair_nodes(contact, bodies, reach);
+      const auto &[first, second]   = std::tie(nodes.first, nodes.second);
+      const Pairing &pairing        = nodes.pairing;
+      interface.unpaired_second     = pairing.unpaired_second;
+      interface.beside_nodes        = nodes.beside;
+      interface.beside_nodes_second = nodes.beside_second;
+      if (nodes.beside + nodes.beside_second > 0)
+        interface.notes.push_back(
+          "contact " + contact.name + ": " + std::to_string(nodes.beside) +
+          " nodes of First and " + std::to_string(nodes.beside_second) +
+          " of Second face the other surface, but none of its nodes, and can "
+          "pass through it. Use Discretisation = auto or surface to surface, "
+          "or give both surfaces the same nodes");
 
       Gaps result;
       result.unpaired = pairing.unpaired;
@@ -681,11 +712,12 @@ namespace lamella
 
 
   ContactInterface
-  interface_within(const ContactPair &contact,
+  interface_within(const ContactPair &given,
                    const Bodies      &bodies,
                    const double       reach)
   {
-    ContactInterface interface;
+    const ContactPair contact = decided(given, bodies, reach);
+    ContactInterface  interface;
     interface.name           = contact.name;
     interface.discretisation = contact.discretisation;
     interface.first_body     = contact.first.body;

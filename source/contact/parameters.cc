@@ -60,8 +60,10 @@ namespace lamella
       "is reported as it acts on this one.");
     prm.declare_entry(
       "Discretisation",
-      name_of(Discretisation::node_to_node),
+      name_of(Discretisation::automatic),
       selection<Discretisation>(),
+      "auto: node to node where every node that faces the other surface faces "
+      "one of its nodes, else (and with obstacles) surface to surface; "
       "node to node: rows between nodes that face each other; node to surface: "
       "between the nodes of one side and the places of the other that they "
       "face; surface to surface: gaps averaged around the nodes of one side, "
@@ -219,7 +221,7 @@ namespace lamella
         "the obstacle '" + contact.obstacle->name + "' has no nodes";
       if (contact.discretisation == Discretisation::node_to_node)
         in["Discretisation"].refuse(
-          rule, "Use surface to surface, or node to surface.");
+          rule, "Use auto, surface to surface, or node to surface.");
       if (contact.points_on == PointsOn::second)
         in["Points on"].refuse(rule, "Use first, or auto.");
     }

@@ -302,7 +302,6 @@ namespace lamella
   void
   Estimation::climb()
   {
-    models = {first_model()};
     cache.keep(models.front());
     for (const Source source :
          {Source::axis, Source::fields, Source::section, Source::contact})
@@ -430,21 +429,16 @@ namespace lamella
     if (!reason_for_none().empty())
       return {};
     out << "Error bars, from richer models of the scene:" << std::endl;
-    const auto give_up = [this](const std::exception &error) {
-      failure = "a richer model has no result (" + trimmed(error.what()) + ")";
-      out << "failed" << std::endl;
-    };
-    try
+    models = {first_model()};
+    // The run has its numbers: no model beside it takes them away.
+    if (const Outcome outcome = outcome_of([this] { climb(); });
+        outcome.status != 0)
       {
-        climb();
-      }
-    catch (const InputError &error)
-      {
-        give_up(error);
-      }
-    catch (const NumericsError &error)
-      {
-        give_up(error);
+        failure =
+          "a richer model has no result (" + trimmed(outcome.message) + ")";
+        if (local.size() != quantities().size())
+          local.clear();
+        out << "failed" << std::endl;
       }
     std::vector<GoalResult> results;
     for (const NamedQuantity &quantity : quantities())

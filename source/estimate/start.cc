@@ -30,8 +30,7 @@ namespace lamella
     {
       constexpr unsigned int elements = 10;
       for (const ContactPair &contact : scene.contacts)
-        if (contact.discretisation == Discretisation::node_to_node &&
-            contact.obstacle == nullptr)
+        if (may_pair_nodes(contact))
           {
             const unsigned int one   = contact.first.body,
                                other = contact.second.body;

@@ -7,9 +7,11 @@
 #include <lamella/export/calculix_conditions.h>
 #include <lamella/export/calculix_contact.h>
 #include <lamella/export/calculix_deck.h>
+#include <lamella/recover/box_points.h>
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <filesystem>
 #include <ostream>
 #include <sstream>
@@ -22,11 +24,12 @@ namespace lamella
   {
     using Json = nlohmann::ordered_json;
 
-    /// A probe with the elements that hold it.
+    /// A probe with the points that it is the mean over, a list each of its
+    /// rows: of a point one point a ply.
     struct LocatedProbe
     {
-      const Probe          *probe;
-      std::vector<Location> locations;
+      const Probe           *probe;
+      std::vector<BoxPoints> rows;
     };
 
     /// All that a deck is written from.
@@ -54,6 +57,10 @@ namespace lamella
       write_output_sets(std::ostream &deck) const;
       void
       write_output(std::ostream &deck) const;
+      /// The elements of one row of a probe on @p body, with places and
+      /// weights.
+      Json
+      meaning_of_row(const BoxPoints &points, const unsigned int body) const;
       Json
       meaning_of_probe(const LocatedProbe &probe) const;
       Json
@@ -74,10 +81,11 @@ namespace lamella
     {
       for (const Probe &probe : scene.probes)
         {
-          const Body &body = *mesh.bodies()[probe.body];
-          // For its message only.
-          locate_all(body, {probe.position}, "Probe " + probe.name);
-          probes.push_back({&probe, body.locate({probe.position})[0]});
+          probes.push_back({&probe,
+                            box_points(*mesh.bodies()[probe.body],
+                                       probe.position,
+                                       probe.box,
+                                       "Probe " + probe.name)});
         }
     }
 
@@ -88,15 +96,16 @@ namespace lamella
     {
       std::set<unsigned int> nodes, elements;
       for (const LocatedProbe &probe : probes)
-        for (const Location &location : probe.locations)
-          for (const Location::Place &place : location.places)
-            {
-              const unsigned int element =
-                mesh.element_of(probe.probe->body, place.cell);
-              elements.insert(element);
-              nodes.insert(mesh.nodes_of(element).begin(),
-                           mesh.nodes_of(element).end());
-            }
+        for (const BoxPoints &points : probe.rows)
+          for (const auto &point : points)
+            for (const Location::Place &place : point.second.places)
+              {
+                const unsigned int element =
+                  mesh.element_of(probe.probe->body, place.cell);
+                elements.insert(element);
+                nodes.insert(mesh.nodes_of(element).begin(),
+                             mesh.nodes_of(element).end());
+              }
       if (probes.empty())
         return;
       deck << "** the elements that hold the probes, and their nodes\n";
@@ -152,6 +161,34 @@ namespace lamella
 
 
     Json
+    Deck::meaning_of_row(const BoxPoints &points, const unsigned int body) const
+    {
+      Json               row;
+      const unsigned int ply = points.front().second.ply;
+      const bool         one_ply =
+        std::all_of(points.begin(), points.end(), [ply](const auto &point) {
+          return point.second.ply == ply;
+        });
+      row["ply"] = one_ply ? ply + 1 : 0;
+      for (const auto &[weight, location] : points)
+        for (const Location::Place &place : location.places)
+          {
+            const unsigned int element = mesh.element_of(body, place.cell);
+            Json               natural;
+            for (unsigned int d = 0; d < 3; ++d)
+              natural.push_back(2. * place.unit[d] - 1.);
+            row["elements"].push_back(
+              {{"element", element},
+               {"nodes", mesh.nodes_of(element)},
+               {"natural", natural},
+               {"weight", weight / location.places.size()}});
+          }
+      return row;
+    }
+
+
+
+    Json
     Deck::meaning_of_probe(const LocatedProbe &located) const
     {
       const Probe &probe = *located.probe;
@@ -159,23 +196,8 @@ namespace lamella
       json["body"]  = scene.bodies[probe.body].name;
       json["at"]    = {probe.position[0], probe.position[1], probe.position[2]};
       json["plies"] = Json::array();
-      for (const Location &location : located.locations)
-        {
-          Json ply;
-          ply["ply"] = location.ply + 1;
-          for (const Location::Place &place : location.places)
-            {
-              const unsigned int element =
-                mesh.element_of(probe.body, place.cell);
-              Json natural;
-              for (unsigned int d = 0; d < 3; ++d)
-                natural.push_back(2. * place.unit[d] - 1.);
-              ply["elements"].push_back({{"element", element},
-                                         {"nodes", mesh.nodes_of(element)},
-                                         {"natural", natural}});
-            }
-          json["plies"].push_back(ply);
-        }
+      for (const BoxPoints &points : located.rows)
+        json["plies"].push_back(meaning_of_row(points, probe.body));
       for (const Reference &reference : probe.references)
         json["references"].push_back({{"quantity", reference.quantity},
                                       {"value", reference.value},

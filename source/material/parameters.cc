@@ -286,7 +286,8 @@ namespace lamella
         if (*material.density < 0.)
           density.refuse("must not be negative");
       }
-    material.expansion = parse_expansion(in["Thermal expansion"]);
+    if (const auto expansion = parse_expansion(in["Thermal expansion"]))
+      material.expansion = expansion;
     parse_strengths(in, material);
     return material;
   }

@@ -306,8 +306,12 @@ namespace lamella
       std::set<std::string> seen;
       for (const Reference &reference : references)
         if (seen.insert(reference.quantity).second)
-          quantities.push_back(
-            {of, name, 0, reference.quantity, reference.value, "References"});
+          quantities.push_back({of,
+                                name,
+                                0,
+                                reference.quantity,
+                                reference.value,
+                                references_path});
     };
     for (const Probe &probe : names.probes)
       {

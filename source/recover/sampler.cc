@@ -60,15 +60,62 @@ namespace lamella
 
 
 
-  namespace
+  std::vector<std::string>
+  Sampler::plies_at(const unsigned int probe) const
   {
-    bool
-    are_alike(const Ply &a, const Ply &b)
-    {
-      return a.material == b.material && a.angle == b.angle &&
-             a.plane.normal == b.plane.normal;
-    }
-  } // namespace
+    std::vector<std::string> plies;
+    for (const BoxPoints &points : probe_points[probe])
+      {
+        const unsigned int ply = 1 + points[0].second.ply;
+        const bool         is_one =
+          std::all_of(points.begin(), points.end(), [ply](const auto &point) {
+            return 1 + point.second.ply == ply;
+          });
+        plies.push_back(is_one ? std::to_string(ply) : "0");
+      }
+    return plies;
+  }
+
+
+
+  unsigned int
+  Sampler::number_of(const std::string &probe) const
+  {
+    const auto place =
+      std::find_if(probes.begin(), probes.end(), [&](const Probe &one) {
+        return one.name == probe;
+      });
+    AssertThrow(place != probes.end(), ExcInternalError());
+    return place - probes.begin();
+  }
+
+
+
+  bool
+  Sampler::is_between_plies(const NamedQuantity &quantity) const
+  {
+    if (quantity.of != NamedQuantity::Of::probe || quantity.ply != 0)
+      return false;
+    const unsigned int probe = number_of(quantity.name);
+    return plies_at(probe).size() > 1 && quantity.column[0] != 'u' &&
+           !is_traction_by_equilibrium(probes[probe], quantity.column);
+  }
+
+
+
+  bool
+  Sampler::is_traction_by_equilibrium(const Probe       &probe,
+                                      const std::string &column) const
+  {
+    if (probe.stress != StressValues::equilibrium)
+      return false;
+    const LaminateBox box =
+      laminate_box(*bodies[probe.body], entry_of("Probe", probe));
+    const bool is_level = std::abs(box.frame.axes[2][2]) > 1. - 1e-12;
+    return column == "s33" ||
+           (is_level &&
+            (column == "szz" || column == "sxz" || column == "syz"));
+  }
 
 
 
@@ -79,31 +126,20 @@ namespace lamella
       check(term);
     if (quantity.of != NamedQuantity::Of::probe)
       return;
-    const auto probe =
-      std::find_if(probes.begin(), probes.end(), [&](const Probe &one) {
-        return one.name == quantity.name;
-      });
-    AssertThrow(probe != probes.end(), ExcInternalError());
-    std::vector<std::string> plies;
-    for (const BoxPoints &points : probe_points[probe - probes.begin()])
-      {
-        const unsigned int ply = 1 + points[0].second.ply;
-        const bool         is_one =
-          std::all_of(points.begin(), points.end(), [ply](const auto &point) {
-            return 1 + point.second.ply == ply;
-          });
-        plies.push_back(is_one ? std::to_string(ply) : "0");
-      }
+    const auto plies = plies_at(number_of(quantity.name));
     require_ply(quantity, plies);
-    // Plies of one law, and tractions by equilibrium, may agree.
-    const std::vector<Ply> &laws   = bodies[probe->body]->plies();
-    const bool              differ = plies.size() == 2 && plies[0] != "0" &&
-                        plies[1] != "0" &&
-                        !are_alike(laws[std::stoul(plies[0]) - 1],
-                                   laws[std::stoul(plies[1]) - 1]);
-    if (quantity.ply == 0 && differ && quantity.column[0] == 's' &&
-        probe->stress != StressValues::equilibrium)
+    if (is_between_plies(quantity))
       refuse_interface(quantity, plies);
+  }
+
+
+
+  NamedQuantity
+  Sampler::in_lower_ply(NamedQuantity quantity) const
+  {
+    if (is_between_plies(quantity))
+      quantity.ply = std::stoul(plies_at(number_of(quantity.name)).front());
+    return quantity;
   }
 
 

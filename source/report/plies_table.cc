@@ -128,12 +128,12 @@ namespace lamella
       table.push_back(cells_of(results, rows[k]));
     print_table(out, table);
 
-    if (const auto &first = results.first_failure)
+    if (const auto &first = results.first_failure; first && first->where)
       out << "First failure at load factor " << to_text(first->failing, 6)
           << " (none at " << to_text(first->safe, 6) << "): ply "
-          << first->where.ply + 1 << " of "
-          << results.bodies[first->where.body].name << ", "
-          << first->where.criterion << ", " << first->where.mode << ", at "
-          << to_text(first->where.position) << "\n";
+          << first->where->ply + 1 << " of "
+          << results.bodies[first->where->body].name << ", "
+          << first->where->criterion << ", " << first->where->mode << ", at "
+          << to_text(first->where->position) << "\n";
   }
 } // namespace lamella

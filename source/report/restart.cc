@@ -59,18 +59,40 @@ namespace boost
 
 
 
+    /// A number that may be missing.
+    template <typename Archive>
+    void
+    serialize_optional(Archive &archive, std::optional<double> &number)
+    {
+      bool               is_there = number.has_value();
+      double             value    = number.value_or(0.);
+      archive &is_there &value;
+      number = is_there ? std::optional<double>(value) : std::nullopt;
+    }
+
+
+
+    template <typename Archive>
+    void
+    serialize(Archive &archive, lamella::PlyReserve &row, const unsigned int)
+    {
+      archive &row.body &row.ply &row.criterion &row.mode &row.index &row
+        .position                                                    &row.doubt;
+      serialize_optional(archive, row.reserve);
+      serialize_optional(archive, row.angle);
+    }
+
+
+
     template <typename Archive>
     void
     serialize(Archive               &archive,
               lamella::BeyondLinear &beyond,
               const unsigned int)
     {
-      bool     buckles = beyond.buckling_factor.has_value();
-      double   factor  = beyond.buckling_factor.value_or(0.);
-      archive &beyond.stiffening &beyond.stiffened &beyond
-        .buckled &buckles                          &factor;
-      if (Archive::is_loading::value && buckles)
-        beyond.buckling_factor = factor;
+      archive &beyond.stiffening &beyond.stiffened &beyond.buckled &beyond
+        .amplification;
+      serialize_optional(archive, beyond.buckling_factor);
     }
 
 
@@ -80,7 +102,7 @@ namespace boost
     serialize(Archive &archive, lamella::StepResults &step, const unsigned int)
     {
       archive &step.step &step.load_factor &step.state &step.memory &step
-        .changes &step.warnings &step.checks.beyond;
+        .changes &step.warnings &step.plies &step.checks.beyond;
     }
 
 

@@ -139,6 +139,7 @@ namespace lamella
     kept.state       = last.state;
     kept.memory      = last.memory;
     kept.changes     = last.changes;
+    kept.plies       = last.plies;
     kept.warnings    = last.warnings;
     standing.steps.push_back(std::move(kept));
     write_file(place.path() + "/summary.json", summary_text(results));

@@ -268,9 +268,9 @@ namespace lamella
       json["contact_corrections"]  = last.state.contact_corrections;
       if (const PlyReserve *worst = worst_of(last.plies))
         json["strength"] = reserve_json(results, *worst);
-      if (const auto &first = results.first_failure)
+      if (const auto &first = results.first_failure; first && first->where)
         {
-          json["first_failure"] = reserve_json(results, first->where);
+          json["first_failure"] = reserve_json(results, *first->where);
           json["first_failure"]["load_factor"] = first->failing;
           json["first_failure"]["safe"]        = first->safe;
         }

@@ -87,6 +87,82 @@ namespace lamella
 
 
 
+  namespace
+  {
+    /// `Xt 2326.2, Xc 1200.1`.
+    std::string
+    listed(const std::vector<std::pair<const char *, double>> &numbers)
+    {
+      std::vector<std::string> words;
+      for (const auto &[name, number] : numbers)
+        words.push_back(std::string(name) + " " + to_text(number));
+      return joined(words);
+    }
+
+
+
+    std::string
+    listed(const Strengths &s)
+    {
+      return listed({{"Xt", s.Xt},
+                     {"Xc", s.Xc},
+                     {"Yt", s.Yt},
+                     {"Yc", s.Yc},
+                     {"Zt", s.Zt},
+                     {"Zc", s.Zc},
+                     {"S12", s.S12},
+                     {"S13", s.S13},
+                     {"S23", s.S23}});
+    }
+  } // namespace
+
+
+
+  void
+  print_material(std::ostream      &out,
+                 const std::string &name,
+                 const Material    &material,
+                 const Units       &units)
+  {
+    const EngineeringConstants &c = material.elastic;
+    out << "Material " << name
+        << (units.stress.empty() ? "" : " [" + units.stress + "]") << ": "
+        << listed({{"E1", c.E1},
+                   {"E2", c.E2},
+                   {"E3", c.E3},
+                   {"G12", c.G12},
+                   {"G13", c.G13},
+                   {"G23", c.G23},
+                   {"nu12", c.nu12},
+                   {"nu13", c.nu13},
+                   {"nu23", c.nu23}})
+        << "\n";
+    if (material.strengths)
+      out << "  strengths " << listed(*material.strengths) << "\n";
+    if (material.ultimate_strains)
+      out << "  ultimate strains " << listed(*material.ultimate_strains)
+          << "\n";
+    if (material.yield)
+      out << "  yield " << to_text(*material.yield) << "\n";
+    if (const auto &core = material.core)
+      out << "  core: "
+          << listed({{"crushing", core->crushing},
+                     {"shear 13", core->shear_13},
+                     {"shear 23", core->shear_23}})
+          << "\n";
+    if (material.density)
+      out << "  density " << to_text(*material.density)
+          << (units.length == "m"  ? " kg/m^3" :
+              units.length == "mm" ? " t/mm^3" :
+                                     "")
+          << "\n";
+    if (const auto &alpha = material.expansion)
+      out << "  expansion " << to_text((*alpha)[0]) << ", "
+          << to_text((*alpha)[1]) << ", " << to_text((*alpha)[2]) << " per K\n";
+  }
+
+
+
   void
   print_laminate(std::ostream           &out,
                  const std::string      &name,
@@ -262,7 +338,7 @@ namespace lamella
       print_load(out, load, structure.size(), units);
     for (const ContactInterface &contact : contacts)
       out << "Contact " << contact.name << ": " << contact.rows.size()
-          << " pairs that may touch"
+          << " pairs that may touch, " << name_of(contact.discretisation)
           << (contact.unpaired == 0 ? "" :
                                       ", " + std::to_string(contact.unpaired) +
                                         " nodes of First that face none")

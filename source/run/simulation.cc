@@ -16,6 +16,7 @@
 #include <lamella/report/section_stiffness.h>
 #include <lamella/report/section_table.h>
 #include <lamella/report/validation.h>
+#include <lamella/run/first_failure.h>
 #include <lamella/run/simulation.h>
 #include <lamella/scene/theory_notes.h>
 #include <lamella/solve/multiplier_loop.h>
@@ -160,12 +161,12 @@ namespace lamella
                                         scene.cuts);
     for (const Measure &measure : scene.measures)
       sampler->check(measure.quantity);
-    // What stands in for goals (a trade's quantities) is looked at by who asks
-    // for it.
-    for (const NamedQuantity &quantity : scene.goals.quantities)
-      if (quantity.path.rfind("Goals/", 0) == 0)
-        sampler->check(quantity);
+    scene.goals.quantities = in_plies(scene.goals.quantities);
+    plausibility =
+      std::make_unique<Plausibility>(structure->bodies(), scene.units);
     build_strength();
+    if (scene.find_first_failure)
+      require_growth(*structure, contacts);
     describe();
   }
 
@@ -248,9 +249,18 @@ namespace lamella
   void
   Simulation::build_contacts()
   {
-    for (const ContactPair &contact : scene.contacts)
-      contacts.push_back(make_interface(contact, structure->bodies()));
+    for (ContactPair &contact : scene.contacts)
+      {
+        contacts.push_back(make_interface(contact, structure->bodies()));
+        contact.discretisation = contacts.back().discretisation;
+        scene.resolved =
+          SceneText::with_automatic(scene.resolved,
+                                    "Contact " + contact.name,
+                                    "Discretisation",
+                                    name_of(contact.discretisation));
+      }
     gap_rows = GapRows(contacts);
+    check_partners(contacts);
     check_conflicts(contacts, structure->bodies());
     for (const ContactPair &contact : scene.contacts)
       search_checks.emplace_back(contact, structure->bodies());
@@ -349,6 +359,20 @@ namespace lamella
 
 
 
+  std::vector<NamedQuantity>
+  Simulation::in_plies(std::vector<NamedQuantity> quantities) const
+  {
+    for (NamedQuantity &quantity : quantities)
+      {
+        if (quantity.path == references_path)
+          quantity = sampler->in_lower_ply(quantity);
+        sampler->check(quantity);
+      }
+    return quantities;
+  }
+
+
+
   const Results &
   Simulation::solve(const Observer &observer)
   {
@@ -356,6 +380,8 @@ namespace lamella
     if (strength != nullptr && structure->is_heated())
       find_cured_state();
     const std::vector<double> &factors = scene.solve.load_factors;
+    if (last_is_bare && found.steps.size() == factors.size())
+      complete_last_step();
     while (found.steps.size() < factors.size())
       {
         const unsigned int step = found.steps.size() + 1;
@@ -469,6 +495,14 @@ namespace lamella
         state = solver->release_springs(
           solver->solve_contact(state, factor, previous), factor);
       }
+    return checked(factor);
+  }
+
+
+
+  Checks
+  Simulation::checked(const double factor)
+  {
     Checks checks;
     {
       TimerOutput::Scope scope(timer, name_of(Phase::solve));
@@ -489,6 +523,22 @@ namespace lamella
     if (scene.solve.beyond_linear == OutOfRange::refuse)
       require_linear_range(checks.beyond, *structure);
     return checks;
+  }
+
+
+
+  void
+  Simulation::complete_last_step()
+  {
+    StepResults  kept   = std::move(found.steps.back());
+    const Checks checks = checked(kept.load_factor);
+    StepResults &last   = found.steps.back();
+    last          = take_results(kept.step, kept.load_factor, checks, state);
+    last.memory   = std::move(kept.memory);
+    last.changes  = std::move(kept.changes);
+    last.warnings = std::move(kept.warnings);
+    take_measures();
+    last_is_bare = false;
   }
 
 
@@ -533,8 +583,18 @@ namespace lamella
                               std::vector<PlyReserve> &plies)
   {
     FailureTrial trial;
-    trial.load_factor             = factor;
-    trial.checks                  = solve_state(factor);
+    trial.load_factor  = factor;
+    const State before = state;
+    try
+      {
+        trial.checks = solve_state(factor);
+      }
+    catch (const NumericsError &)
+      {
+        // No start for the next trial.
+        state = before;
+        throw;
+      }
     const FaceTractions tractions = tractions_at(factor);
     trial.probes                  = sampler->sample_probes(state.u, tractions);
     plies = strength->sweep(state.u, tractions, cured_state()).plies;
@@ -548,69 +608,15 @@ namespace lamella
   void
   Simulation::find_first_failure()
   {
-    // Halvings until the two ends are within 0.1 %, doublings before that.
-    constexpr double       accuracy    = 1e-3;
-    constexpr unsigned int n_doublings = 10;
-
-    const State  last_step = state;
-    FirstFailure first;
-    // Whether a ply fails at the load factor; what it is then kept.
-    const auto judged = [&](const double                   factor,
-                            const std::vector<PlyReserve> &plies) {
-      const PlyReserve *worst = worst_of(plies);
-      const bool        does =
-        worst != nullptr && worst->reserve && *worst->reserve <= 1.;
-      out << "  load factor " << to_text(factor, 6)
-          << ", smallest reserve factor "
-          << (worst != nullptr && worst->reserve ? to_text(*worst->reserve, 5) :
-                                                   "none")
-          << std::endl;
-      if (does)
-        first.where = *worst;
-      (does ? first.failing : first.safe) = factor;
-      return does;
-    };
-    const auto fails = [&](const double factor) {
-      std::vector<PlyReserve> plies;
-      out << "Trial " << first.trials.size() + 1 << ", load factor "
-          << to_text(factor, 6) << std::endl;
-      first.trials.push_back(try_for_failure(factor, plies));
-      return judged(factor, plies);
-    };
-
-    out << "First failure:" << std::endl;
-    bool found_one = false;
-    try
-      {
-        // Steps of a run that was resumed have none of their plies any more.
-        for (const StepResults &step : found.steps)
-          if ((found_one = step.plies.empty() ?
-                             fails(step.load_factor) :
-                             judged(step.load_factor, step.plies)))
-            break;
-        if (!found_one)
-          for (const double factor : scene.solve.load_factors)
-            if (std::abs(factor) > std::abs(first.safe))
-              first.safe = factor;
-        for (unsigned int k = 0; k < n_doublings && !found_one; ++k)
-          found_one = fails(2. * first.safe);
-        while (found_one && std::abs(first.failing - first.safe) >
-                              accuracy * std::abs(first.failing))
-          fails(0.5 * (first.safe + first.failing));
-        if (found_one)
-          found.first_failure = first;
-        else
-          found.endnotes.push_back("no ply fails up to load factor " +
-                                   to_text(first.safe, 6));
-      }
-    catch (const NumericsError &error)
-      {
-        found.endnotes.push_back(
-          "the search for the first failure ended between load factors " +
-          to_text(first.safe, 6) + " (safe) and " +
-          (found_one ? to_text(first.failing, 6) + " (failing)" : "more") +
-          ": " + without_full_stop(error.what()));
-      }
+    const State        last_step = state;
+    FirstFailureSearch search(
+      [this](const double factor, std::vector<PlyReserve> &plies) {
+        return try_for_failure(factor, plies);
+      },
+      out);
+    found.first_failure = search.find(found.steps);
+    if (const std::string note = search.note(); !note.empty())
+      found.endnotes.push_back(note);
     state = last_step;
   }
 
@@ -662,8 +668,8 @@ namespace lamella
   Simulation::warnings_of_step(const double factor, const Checks &checks) const
   {
     std::vector<std::string> warnings = warnings_of(state, checks, contacts);
-    for (const std::string &warning : warnings_of(checks.beyond, *structure))
-      warnings.push_back(warning);
+    for (const std::string &doubt : plausibility->doubts(state.u))
+      warnings.push_back(doubt);
     for (unsigned int k = 0; k < contacts.size(); ++k)
       for (const std::string &warning :
            broken_assumptions(contacts[k],
@@ -725,9 +731,10 @@ namespace lamella
     std::size_t earlier = 0;
     if (resume)
       {
-        found.steps = writer.resume();
-        earlier     = found.steps.size();
-        state       = found.steps.back().state;
+        found.steps  = writer.resume();
+        earlier      = found.steps.size();
+        state        = found.steps.back().state;
+        last_is_bare = true;
         out << "Going on after load step " << found.steps.size() << " of "
             << found.load_steps << std::endl;
       }
@@ -801,6 +808,8 @@ namespace lamella
   Simulation::print_validation(const std::string &directory) const
   {
     out << scene.title << (scene.title.empty() ? "" : "\n");
+    for (const auto &[name, material] : scene.materials)
+      print_material(out, name, material, scene.units);
     for (const auto &[name, shape] : scene.sections)
       {
         if (const auto *laminate = std::get_if<Laminate>(&shape))

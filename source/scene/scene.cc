@@ -6,6 +6,7 @@
 #include <lamella/conditions/parameters.h>
 #include <lamella/contact/parameters.h>
 #include <lamella/material/parameters.h>
+#include <lamella/material/plausibility.h>
 #include <lamella/scene/scene.h>
 #include <lamella/scene/size_check.h>
 #include <lamella/scene/stacks.h>
@@ -292,6 +293,12 @@ namespace lamella
       const Entry theory = Entries(prm, "")["Theory"];
       subsections.each("Materials", "Material", [&](const auto &name, auto in) {
         scene.materials[name] = MaterialParameters::parse(in, scene.units);
+        // That of the paper's half-cylinders has no unit.
+        if (in["Library"].text() != "hertz-200")
+          if (const std::string doubt =
+                doubt_of_moduli(name, scene.materials[name], scene.units);
+              !doubt.empty())
+            scene.warnings.push_back(doubt);
       });
       subsections.each("Sections", "Section", [&](const auto &name, auto in) {
         scene.sections[name] =
@@ -303,7 +310,8 @@ namespace lamella
         scene.bodies.push_back(
           BodyParameters::parse(prm, name, theory, names.at("Sections")));
       });
-      scene.warnings = notes_on_choices(scene);
+      const std::vector<std::string> notes = notes_on_choices(scene);
+      scene.warnings.insert(scene.warnings.end(), notes.begin(), notes.end());
     }
 
 

@@ -236,7 +236,10 @@ namespace lamella
       std::vector<std::string> parts = split(assignment.substr(0, equals), '/');
       for (std::string &part : parts)
         part = collapsed(part);
-      return {joined(parts, "/"), trimmed(assignment.substr(equals + 1)), 0};
+      // As in a file; here a '#' alone begins no comment, either.
+      return {joined(parts, "/"),
+              replaced(trimmed(assignment.substr(equals + 1)), "\\#", "#"),
+              0};
     }
   } // namespace
 
@@ -378,6 +381,26 @@ namespace lamella
                          dealii::ParameterHandler::ShortText |
                            dealii::ParameterHandler::KeepDeclarationOrder);
     return replaced(text.str(), "#", "\\#");
+  }
+
+
+
+  std::string
+  SceneText::with_automatic(std::string        scene,
+                            const std::string &path,
+                            const std::string &name,
+                            const std::string &value)
+  {
+    const std::string word  = "auto";
+    const auto        begin = scene.find("subsection " + path + "\n");
+    const auto        end   = scene.find("\nend", begin);
+    const auto        entry = scene.find("set " + name, begin);
+    if (begin == std::string::npos || entry > end)
+      return scene;
+    const auto equals = scene.find("= ", entry) + 2;
+    if (scene.compare(equals, word.size() + 1, word + "\n") == 0)
+      scene.replace(equals, word.size(), value);
+    return scene;
   }
 
 

@@ -58,7 +58,8 @@ namespace lamella
         text << input.rdbuf();
       if (!regular || !input || !text)
         entry.refuse("cannot read this file",
-                     "Its name is relative to the scene's folder.");
+                     "Its name is relative to the scene's folder; a '#' in it "
+                     "is written \\#, since what follows a '#' is a comment.");
       return text.str();
     }
 

@@ -21,6 +21,7 @@
 #include <fstream>
 #include <iomanip>
 #include <iostream>
+#include <memory>
 #include <ostream>
 #include <set>
 #include <sstream>
@@ -312,19 +313,30 @@ namespace lamella
   ProcessEnd
   Trade::run_scene(const Job &job, const std::string &output) const
   {
-    const auto work = [&] {
+    return run_in_child([&] { return answer_of(job, output); },
+                        job.folder + "/output.txt",
+                        job.folder + "/errors.txt",
+                        scene.trade.time_limit);
+  }
+
+
+
+  ProcessEnd
+  Trade::run_in_child(const std::function<json()> &work,
+                      const std::string           &output,
+                      const std::string           &errors,
+                      const double                 time_limit) const
+  {
+    const auto with_mpi = [&] {
       int                 argc = 1;
       std::string         name = "lamella";
       std::vector<char *> words{name.data(), nullptr};
       char              **argv = words.data();
       const MpiSession    mpi(argc, argv);
       limit_threads(threads);
-      return answer_of(job, output).dump();
+      return work().dump();
     };
-    return run_forked(work,
-                      job.folder + "/output.txt",
-                      job.folder + "/errors.txt",
-                      scene.trade.time_limit);
+    return run_forked(with_mpi, output, errors, time_limit);
   }
 
 
@@ -396,9 +408,6 @@ namespace lamella
       {
         values = RungValues(record.at("values"));
         values.tell_cost(result);
-        // What no run can give shows in the first, not after the last.
-        for (const NamedQuantity &quantity : quantities)
-          values.value(quantity);
       }
     out << (result.failure.empty() ? std::to_string(result.dofs) + " DoFs, " +
                                        to_text(result.seconds, 3) + " s" :
@@ -406,6 +415,55 @@ namespace lamella
         << (had ? " (of an earlier trade)" : "") << std::endl;
     results.push_back(result);
     numbers.push_back(values);
+  }
+
+
+
+  void
+  Trade::check_quantities(const std::string &directory)
+  {
+    const auto check = [&]() -> json {
+      std::ostream                      nowhere(nullptr);
+      std::unique_ptr<const Simulation> model;
+      // Goals, by default these very quantities, would be looked at, too.
+      Scene plain = scene;
+      plain.goals = GoalParameters();
+      // Whether the scene can be built at all is for the rungs to say.
+      if (outcome_of([&] {
+            model = std::make_unique<const Simulation>(plain, nowhere);
+          }).status != 0)
+        return json();
+      json answer{{"plies", json::array()}};
+      try
+        {
+          for (const NamedQuantity &quantity : model->in_plies(quantities))
+            answer["plies"].push_back(quantity.ply);
+        }
+      catch (const InputError &error)
+        {
+          answer["fault"] = {error.path(),
+                             error.value(),
+                             error.rule(),
+                             error.remedy()};
+        }
+      return answer;
+    };
+    const std::string said   = directory + "/rungs/check.txt",
+                      errors = directory + "/rungs/check_errors.txt";
+    const ProcessEnd end =
+      run_in_child(check, said, errors, scene.trade.time_limit);
+    fs::remove(said);
+    fs::remove(errors);
+    const json answer = end.answer.empty() ? json() : json::parse(end.answer);
+    if (answer.is_null())
+      return;
+    if (answer.contains("fault"))
+      {
+        const std::vector<std::string> fault = answer["fault"];
+        throw InputError(fault[0], fault[1], fault[2], fault[3]);
+      }
+    for (unsigned int q = 0; q < quantities.size(); ++q)
+      quantities[q].ply = answer["plies"][q];
   }
 
 
@@ -500,6 +558,7 @@ namespace lamella
     results.clear();
     numbers.clear();
     reference = scene.trade.reference;
+    check_quantities(directory);
     climb(directory);
     say_if_interrupted("");
     complete_quantities();

@@ -324,11 +324,24 @@ def check_probes(deck, meaning):
                 check(where["nodes"] == deck.elements[where["element"]],
                       f"nodes of {name}'s element")
                 x, _ = deck.shape(where["element"], where["natural"])
-                check(math.dist(x, probe["at"]) < 1e-5, f"the place of {name}")
+                check(name == "mean" or math.dist(x, probe["at"]) < 1e-5,
+                      f"the place of {name}")
                 check(set(where["nodes"]) <= set(deck.nsets["PROBES"]) and
                       where["element"] in deck.elsets["PROBES"], "it is printed")
     check([ply["ply"] for ply in meaning["probes"]["middle"]["plies"]] == [1, 2],
           "a probe between two plies is in both")
+    # A box of 0.4 x 1 x 0.2 over two elements along y.
+    (row,) = meaning["probes"]["mean"]["plies"]
+    places = [(where["weight"], deck.shape(where["element"], where["natural"])[0])
+              for where in row["elements"]]
+    at, edges = meaning["probes"]["mean"]["at"], (0.4, 1., 0.2)
+    near(sum(w for w, _ in places), 1., 1e-12, "the weights of a mean")
+    for c in range(3):
+        check(all(abs(x[c] - at[c]) <= 0.5 * edges[c] + 1e-5 for _, x in places),
+              "its points are in the box")
+        near(sum(w * x[c] for w, x in places), at[c], 1e-5, "its middle")
+        near(sum(w * (x[c] - at[c]) ** 2 for w, x in places), edges[c] ** 2 / 12, 1e-5,
+             "the mean of a square")
 
 
 def main(program, scene, folder):

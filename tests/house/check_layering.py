@@ -27,7 +27,7 @@ ARROWS = {
     "solve": ("base", "linear", "body", "conditions", "contact"),
     "recover": ("base", "material", "strength", "shape", "body", "conditions", "solve"),
     "adapt": ("base", "shape", "section", "axis", "body", "conditions", "contact", "solve", "recover"),
-    "report": ("base", "shape", "section", "body", "contact", "solve", "recover"),
+    "report": ("base", "material", "shape", "section", "body", "contact", "solve", "recover"),
     "scene": ("base", "material", "strength", "shape", "section", "axis", "body", "conditions",
               "contact", "solve", "recover"),
     "handout": ("base", "material", "scene"),
@@ -35,7 +35,7 @@ ARROWS = {
     "estimate": ("base", "section", "axis", "body", "contact", "solve", "recover", "adapt", "report", "scene",
                  "run"),
     "trade": ("base", "section", "body", "solve", "report", "scene", "run", "estimate"),
-    "export": ("base", "body", "contact", "adapt", "scene"),
+    "export": ("base", "body", "contact", "recover", "adapt", "scene"),
 }
 ROOMS = tuple(ARROWS)
 

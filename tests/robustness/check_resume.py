@@ -8,9 +8,10 @@ SCENE is run in 20 load steps, once without interruption and then KILLS (4) time
 kill -9 at a random moment. What a killed run leaves is whole: rows of as many load
 steps as its summary says, in every table, and their VTU files in the collection. Then
 it goes on with --resume, and every table is that of the uninterrupted run number by number
-to 1e-12 (numdiff). --resume on what cannot go on is refused, and a file that
-reaches its limit at a later step leaves the steps before it; a step that fails fails
-again when resumed.
+to 1e-12 (numdiff). So does one that is killed behind its load steps, while it looks
+for the first failure or makes error bars. --resume on what cannot go on is refused,
+and a file that reaches its limit at a later step leaves the steps before it; a step
+that fails fails again when resumed.
 """
 
 import csv
@@ -24,6 +25,7 @@ import sys
 import time
 from pathlib import Path
 
+ROOT = Path(__file__).resolve().parents[2]
 STEPS, TOLERANCE = 20, "1e-12"
 faults = []
 
@@ -67,15 +69,18 @@ def whole_steps(folder):
     return steps
 
 
+def same_numbers(one, other):
+    """What numdiff says of two files; empty if they are equal."""
+    done = subprocess.run(["numdiff", "--quiet", "--separators= \\t\\n,",
+                           "--relative-tolerance", TOLERANCE, one, other],
+                          capture_output=True, text=True)
+    return f"{one.name}: {done.stdout or done.stderr}; " if done.returncode else ""
+
+
 def differences(folder, other):
-    """What numdiff says of the tables of both; empty if they are equal."""
+    """The same of the tables of two runs."""
     names = sorted(tables(folder).keys() | tables(other).keys())
-    found = [subprocess.run(["numdiff", "--quiet", "--separators= \\t\\n,",
-                             "--relative-tolerance", TOLERANCE, folder / name,
-                             other / name], capture_output=True, text=True)
-             for name in names]
-    return "; ".join(f"{name}: {done.stdout or done.stderr}"
-                     for name, done in zip(names, found) if done.returncode)
+    return "".join(same_numbers(folder / name, other / name) for name in names)
 
 
 def check_kills(program, scene, work, kills, seed):
@@ -106,6 +111,46 @@ def check_kills(program, scene, work, kills, seed):
                      for path in (whole, folder)]
         check(all(summaries[0][key] == summaries[1][key]
                   for key in ("iterations", "load_steps", "warnings", "converged")),
+              "  and says the same in its summary")
+
+
+def check_kills_behind_steps(program, work):
+    """All load steps are there, and what comes behind them is not: error bars, and the
+    search for the first failure before that."""
+    def words(folder):
+        return [program, str(ROOT / "prm/cantilever.prm"), "--output", str(folder),
+                "--set", "Body beam/Section=laminate", "--set", "Load factors=0.5, 1",
+                "--set", "Strength/Criteria=maximum stress",
+                "--set", "Find=first failure", "--set", "Goals/Error bars=true",
+                "--set", "Goals/Quantities=tip: uz | clamp: mx"]
+
+    whole = work / "whole_behind"
+    done = subprocess.run(words(whole), capture_output=True, text=True)
+    check(done.returncode == 0, f"a run with Find and bars {done.stderr[:200]}")
+    for number, (stop, times) in enumerate((("smallest reserve factor", 4),
+                                            ("richer in axis", 1))):
+        folder = work / f"killed_behind{number}"
+        process = subprocess.Popen(words(folder), stdout=subprocess.PIPE,
+                                   stderr=subprocess.DEVNULL, text=True)
+        for line in process.stdout:
+            times -= stop in line
+            if times == 0:
+                break
+        process.kill()
+        process.wait()
+        summary = json.loads((folder / "summary.json").read_text())
+        check(summary["load_steps"] == 2 and not summary["converged"],
+              f"killed at '{stop}': all steps are there")
+        done = subprocess.run([*words(folder), "--resume"], capture_output=True, text=True)
+        check(done.returncode == 0, f"  it goes on: {done.returncode} {done.stderr[:200]}")
+        off = differences(whole, folder)
+        for name in ("failure.csv", "goals.csv"):
+            off += same_numbers(whole / name, folder / name)
+        check(not off, f"  to the same tables {off}")
+        ends = [json.loads((path / "summary.json").read_text())
+                for path in (whole, folder)]
+        check(all(ends[0].get(key) == ends[1].get(key) and key in ends[0] for key in
+                  ("first_failure", "supports", "strength", "warnings", "converged")),
               "  and says the same in its summary")
 
 
@@ -169,6 +214,7 @@ def main():
     work.mkdir(parents=True)
     os.environ.update(OPENBLAS_NUM_THREADS="1", OMP_NUM_THREADS="1")
     check_kills(program, scene, work, kills, seed)
+    check_kills_behind_steps(program, work)
     check_refused(program, scene, work)
     check_full_disk(program, scene, work)
     check_fails_again(program, work)

@@ -44,6 +44,7 @@ is `0.1%` (relative), `abs 1e-9`, `exact`, `below` (|result| <= VALUE), `limit`
                                       an empty cell `none`
     along:BODY/PLY:max                inverse_reserve_factor of plies_along.csv at the
                                       last step; also min, and count of stations
+    file:NAME                         `present` or `absent` in the output folder
     exit                              the exit status (0 where not named)
     stdout:REGEX, stderr:REGEX        `present` or `absent`, tolerance `exact`
 """
@@ -283,6 +284,8 @@ def evaluate(key, run, again):
         return run.status
     if kind == "summary" and rest:
         return json_value(run, "summary.json", rest)
+    if kind == "file" and rest:
+        return "present" if (run.folder / rest).is_file() else "absent"
     if kind == "section" and len(parts) == 2:
         return json_value(run, f"sections/{parts[0]}.json", parts[1])
     if kind == "coupling" and rest:

@@ -101,6 +101,26 @@ BOOST_AUTO_TEST_CASE(a_round_patch)
 
 
 
+BOOST_AUTO_TEST_CASE(a_grid_that_knows_less)
+{
+  // A strip of 0.0034 of the length: exact by the rule; a grid of some hundred
+  // midpoints along the length is off by a good part of it, and knows.
+  const auto strip = [](const double, const double t) {
+    return t > 0.6006 && t < 0.604 ? 1. : 0.;
+  };
+  const Moments<2> moments = integrate(strip, 10.);
+  BOOST_TEST(std::abs(sum(moments) / 0.0034 - 1.) < 1e-8);
+  const double off = std::abs(moments.independent[2] - 0.0034);
+  BOOST_TEST(off > 0.02 * 0.0034);
+  BOOST_TEST(moments.independent_error > 0.5 * off);
+  // What both know well is not asked again.
+  BOOST_TEST(integrate([](const double s, const double) {
+               return s;
+             }).independent_error == 0.);
+}
+
+
+
 BOOST_AUTO_TEST_CASE(nothing_and_constants)
 {
   const Moments<2> nothing =

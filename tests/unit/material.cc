@@ -12,6 +12,7 @@
 #include <lamella/material/layup.h>
 #include <lamella/material/library.h>
 #include <lamella/material/parameters.h>
+#include <lamella/material/plausibility.h>
 
 #include <boost/test/unit_test.hpp>
 
@@ -413,6 +414,21 @@ BOOST_AUTO_TEST_CASE(built_in_materials_convert)
 
   for (const std::string &name : library_materials())
     BOOST_TEST(library_material(name, m).elastic.violated_condition() == "");
+
+  // What is known beside constants: G23 = 11 GPa / 2.8, S23 by the plane of 53
+  // degrees, 7850 kg/m^3 = 7.85e-9 t/mm^3.
+  const Material AS4   = library_material("AS4-3501-6", mm),
+                 steel = library_material("steel-S355", mm),
+                 comb  = library_material("Nomex-48", mm);
+  BOOST_TEST(std::abs(AS4.elastic.G23 - 11000. / 2.8) < 1e-8);
+  BOOST_TEST(std::abs(AS4.strengths->Xc - 1480.) < 1e-9);
+  BOOST_TEST(std::abs(AS4.strengths->S23 - 75.36) < 0.01);
+  BOOST_TEST((*AS4.expansion)[1] == 26e-6);
+  BOOST_TEST(!AS4.density);
+  BOOST_TEST(std::abs(*steel.yield - 355.) < 1e-9);
+  BOOST_TEST(std::abs(*steel.density - 7.85e-9) < 1e-20);
+  BOOST_TEST(*library_material("steel-S355", m).density == 7850.);
+  BOOST_TEST(std::abs(comb.core->shear_13 - 1.25) < 1e-12);
   check_refused([&] { library_material("im7/8552", m); },
                 {"im7/8552", "nearest is 'IM7-8552'"});
   check_refused(
@@ -420,6 +436,26 @@ BOOST_AUTO_TEST_CASE(built_in_materials_convert)
       Units::parse({"Units", "cm, N"});
     },
     {"Units = cm, N", "mm, N"});
+}
+
+
+
+BOOST_AUTO_TEST_CASE(moduli_in_other_units)
+{
+  const Units m    = Units::parse({"Units", "m, N"}),
+              mm   = Units::parse({"Units", "mm, N"}),
+              none = Units::parse({"Units", "none"});
+  const Material megapascals(EngineeringConstants::isotropic(70000., 0.3)),
+    pascals(EngineeringConstants::isotropic(70e9, 0.3));
+  BOOST_TEST(doubt_of_moduli("a", megapascals, mm) == "");
+  BOOST_TEST(doubt_of_moduli("a", pascals, m) == "");
+  BOOST_TEST(doubt_of_moduli("a", megapascals, none) == "");
+  BOOST_TEST(doubt_of_moduli("a", megapascals, m)
+               .find("material a: E1 = 70000 Pa, E2 = 70000 Pa") == 0);
+  BOOST_TEST(doubt_of_moduli("a", pascals, mm) != "");
+  for (const std::string &name : library_materials())
+    if (name != "hertz-200")
+      BOOST_TEST(doubt_of_moduli(name, library_material(name, mm), mm) == "");
 }
 
 

@@ -22,6 +22,12 @@ namespace lamella
   double
   peak_memory();
 
+  /// Throws InputError where a limit on the address space (ulimit -v) leaves
+  /// too little of it to begin with: BLAS (OpenBLAS) waits for ever for a
+  /// buffer that it does not get. To be called before anything else.
+  void
+  require_address_space();
+
   /// The sum of @p bytes over the processes on this machine. Collective over
   /// all processes; each gets the sum of its own machine.
   double

@@ -50,6 +50,10 @@ namespace lamella
     /// on a grid of its own. About 2e4 points in all, at least four along each
     /// parameter of a cell.
     dealii::Tensor<1, 3> independent;
+    /// What that sum may be off by, as far as three finer grids tell: the
+    /// largest difference to theirs. Looked at where it is more than 1 % of the
+    /// size off the sum of all moments, else 0.
+    double independent_error = 0.;
     /// Of the cell that was bisected most: how often along one parameter, its
     /// number, and where. Zero if nothing was bisected; place then is the
     /// origin of the unit square.

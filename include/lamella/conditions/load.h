@@ -79,10 +79,10 @@ namespace lamella
     /// integral |t| [force]: what errors are compared with. Zero where the load
     /// was zero wherever it was looked at.
     double size = 0.;
-    /// The sum of another, finer rule, and what the integrals may be off by.
-    /// Both [force].
+    /// The sum of another, finer rule and what that may be off by, and what the
+    /// integrals may be. All [force].
     dealii::Tensor<1, 3> independent;
-    double               error = 0.;
+    double               independent_error = 0., error = 0.;
     /// How often an element had to be bisected along one of its parameters, and
     /// (place, in the scene) around which point.
     unsigned int     bisections = 0;

@@ -26,6 +26,16 @@ namespace lamella
   check_conflicts(const std::vector<ContactInterface> &interfaces,
                   const Bodies                        &bodies);
 
+  /**
+   * Throws InputError of `Contact NAME/Discretisation` where pairs of nodes
+   * leave most of a contact open: where of the nodes of either side that face
+   * the other surface fewer than half have a partner. The bodies would pass
+   * through each other there. Of bodies as they are solved, not of those that
+   * axes are graded with.
+   */
+  void
+  check_partners(const std::vector<ContactInterface> &interfaces);
+
   /// How far places that are held apart slide along each other: the tangential
   /// part of the relative displacement, d - (d . n) n with d = u_2 - u_1, which
   /// node pairs of the undeformed bodies take for small.

@@ -31,6 +31,8 @@ namespace lamella
   enum class Discretisation
   {
     undefined,
+    automatic,         ///< node to node where all nodes match, else surface to
+                       ///< surface: make_interface() decides
     node_to_node,      ///< nodes that face each other
     node_to_surface,   ///< nodes of one side against the other side's surface
     surface_to_surface ///< gaps averaged with hat functions of one side
@@ -40,6 +42,7 @@ namespace lamella
   struct Names<Discretisation>
   {
     static constexpr NameOf<Discretisation> all[] = {
+      {Discretisation::automatic, "auto"},
       {Discretisation::node_to_node, "node to node"},
       {Discretisation::node_to_surface, "node to surface"},
       {Discretisation::surface_to_surface, "surface to surface"}};
@@ -119,6 +122,15 @@ namespace lamella
     /// automatic_search_distance(). [length]
     std::optional<double> search_distance;
   };
+
+  /// Whether the nodes of both sides are paired, or would be if they matched.
+  inline bool
+  may_pair_nodes(const ContactPair &contact)
+  {
+    return contact.obstacle == nullptr &&
+           (contact.discretisation == Discretisation::node_to_node ||
+            contact.discretisation == Discretisation::automatic);
+  }
 
   /**
    * The linearised gap function of one pair of points (Eq. 16),
@@ -217,7 +229,7 @@ namespace lamella
       /// The node of the side that carries the points.
       Location node = {};
     };
-    /// These as in the ContactPair.
+    /// These as in the ContactPair; `automatic` is decided here.
     std::string    name;
     Discretisation discretisation = Discretisation::undefined;
     /// Number in Bodies.
@@ -237,6 +249,9 @@ namespace lamella
     /// no node. They can pass through the other body. Of an obstacle there are
     /// none.
     unsigned int unpaired = 0, unpaired_second = 0;
+    /// Those among them that face the other surface, but none of its nodes: of
+    /// `node to node` only.
+    unsigned int beside_nodes = 0, beside_nodes_second = 0;
     /// One for each pair of nodes, or each node of the carrying side that faces
     /// something.
     std::vector<GapRow> rows;
@@ -340,12 +355,14 @@ namespace lamella
   /**
    * Searches, pairs and makes the gap rows of @p contact on the undeformed
    * @p bodies: 1. the two surfaces with their normals and search trees
-   * (MeshSurface); 2. the side that carries the points: as PointsOn says,
+   * (MeshSurface); 2. what Discretisation::automatic is here: `node to node`
+   * where every node that faces the other surface faces one of its nodes; 3.
+   * the side that carries the points: as PointsOn says,
    * `automatic` the one with more grid cells where the two face each other
-   * (cells_facing()), of equal ones the body that comes first in the scene; 3.
+   * (cells_facing()), of equal ones the body that comes first in the scene; 4.
    * gaps, normals, areas and weights: pair_node_to_node(),
-   * pair_node_to_surface() or weighted_gaps(); 4. weights times the bodies'
-   * displacement rows, penalties from the local stiffnesses; 5. overlaps as
+   * pair_node_to_surface() or weighted_gaps(); 5. weights times the bodies'
+   * displacement rows, penalties from the local stiffnesses; 6. overlaps as
    * Overclosure says. A gap of rounding (1e-14 of the coordinates) becomes
    * zero.
    *

@@ -36,7 +36,8 @@ namespace lamella
   public:
     /// Makes the solids of @p scene, of the degree of @p element, and numbers
     /// their nodes and cells. Throws InputError where the mesh would have
-    /// hanging nodes (Refine near), which a deck cannot hold.
+    /// hanging nodes (Refine near), which a deck cannot hold, and for C3D20R
+    /// where a body is a single row of cells.
     CalculixMesh(const Scene &scene, const CalculixElement &element);
 
     /// Solids, in the order of the scene: what regions, locations and surfaces
@@ -129,6 +130,11 @@ namespace lamella
     /// has get no number.
     void
     number(const unsigned int body);
+    /// Throws InputError if @p body, the last one numbered, is one hexahedron
+    /// wide in two directions: rows of C3D20R hourglass, and nothing holds
+    /// them. (Two cells in one of the directions hold each other.)
+    void
+    refuse_single_row(const unsigned int body) const;
     /// region_nodes() of a line: looked at where it crosses from element to
     /// element and half way between, so on straight edges.
     std::set<unsigned int>

@@ -18,14 +18,13 @@ namespace lamella
   library_materials();
 
   /**
-   * The built-in material @p name in the stresses of @p units: those of the
-   * paper's Tables 3 (IM7-8552) and 7 (glass-polyester), of its sandwich core
-   * (foam-35) and of its half-cylinders (hertz-200, whose modulus has no unit
-   * and is not converted). Throws InputError with the nearest name if there is
-   * none; the second form takes the name from an entry and says which one it
-   * is. Moduli and strengths are multiplied with Units::pascal, ratios
-   * stay. IM7-8552 has strengths (doc/strength.md has their source); of the
-   * others elastic constants are all that is known.
+   * The built-in material @p name in the stresses of @p units: the four of the
+   * paper (hertz-200, whose modulus has no unit, is not converted), plies, a
+   * fabric, metals and cores whose sources stand in doc/materials.md. Throws
+   * InputError with the nearest name if there is none; the second form takes
+   * the name from an entry and says which one it is. Moduli and strengths are
+   * multiplied with Units::pascal, densities with its square, ratios stay. What
+   * a source does not have the material does not have.
    */
   Material
   library_material(const std::string &name, const Units &units);

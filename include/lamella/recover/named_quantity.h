@@ -114,6 +114,9 @@ namespace lamella
   check_strip(const NamedQuantity                        &quantity,
               const std::vector<ContactInterface::Point> &points);
 
+  /// The path of quantities that nobody asks for by name.
+  inline const char *const references_path = "References";
+
   /// Everything that the scene has References for, each once. Names of probes
   /// without any are appended to @p others.
   std::vector<NamedQuantity>

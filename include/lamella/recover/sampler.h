@@ -54,17 +54,40 @@ namespace lamella
            const FaceTractions &tractions = FaceTractions()) const;
 
     /// Throws InputError with the entry of @p quantity if its probe does not
-    /// lie in the ply that it names, or between two of different laws while it
-    /// is a stress that is not by equilibrium and names none. Looks at the
-    /// terms of measures, too.
+    /// lie in the ply that it names, or between two while it names none and is
+    /// not the same in both whatever the mesh: displacements are, and the
+    /// tractions of stresses by equilibrium. (Elements of plies of one law may
+    /// happen to agree in one model and not in the next.) Looks at the terms of
+    /// measures, too.
     void
     check(const NamedQuantity &quantity) const;
+
+    /// @p quantity, in the lower ply if its probe lies between two and it
+    /// names none: what References of a probe are compared with.
+    NamedQuantity
+    in_lower_ply(NamedQuantity quantity) const;
 
     /// The probes of the displacements @p u alone, as StepResults has them.
     std::vector<std::vector<FieldRow>>
     sample_probes(const BlockVector &u, const FaceTractions &tractions) const;
 
   private:
+    /// The plies that the probe number @p probe lies in, from 1; "0" of a box
+    /// that reaches into several.
+    std::vector<std::string>
+    plies_at(const unsigned int probe) const;
+    /// Of the probe called @p probe, which there is.
+    unsigned int
+    number_of(const std::string &probe) const;
+    /// Whether @p quantity has two values: see check().
+    bool
+    is_between_plies(const NamedQuantity &quantity) const;
+    /// Whether @p column of @p probe is a traction on plies' faces that
+    /// equilibrium gives.
+    bool
+    is_traction_by_equilibrium(const Probe       &probe,
+                               const std::string &column) const;
+
     /// A sample of a line and its arc length from the start [length].
     struct LinePlace
     {

@@ -33,9 +33,10 @@ namespace lamella
     /// Whether all load steps are done. Then nothing else but version and scene
     /// is kept.
     bool finished = false;
-    /// The steps so far: their numbers, load factors, iterations, changes and
-    /// warnings; of the last one the whole state and what the strategy had
-    /// learnt. Neither checks nor rows of tables: those stand in the files.
+    /// The steps so far: their numbers, load factors, iterations, changes,
+    /// reserve factors of plies and warnings; of the last one the whole state
+    /// and what the strategy had learnt. Neither checks nor rows of tables:
+    /// those stand in the files.
     std::vector<StepResults> steps;
     /// Bytes of each table, by its name in the folder.
     std::map<std::string, std::uint64_t> sizes;

@@ -5,6 +5,7 @@
 
 #include <lamella/base/units.h>
 #include <lamella/contact/gap_rows.h>
+#include <lamella/material/material.h>
 #include <lamella/report/section_stiffness.h>
 #include <lamella/shape/laminate.h>
 #include <lamella/solve/structure.h>
@@ -15,6 +16,15 @@
 
 namespace lamella
 {
+  /// Prints what is known of the material @p name, of the library or typed:
+  /// elastic constants, strengths, yield stress, core strengths, density,
+  /// expansion; @p units label the stresses.
+  void
+  print_material(std::ostream      &out,
+                 const std::string &name,
+                 const Material    &material,
+                 const Units       &units);
+
   /**
    * Prints the ply table of a section called @p name, the laminate's A, B, D
    * and the section's EA, EI, GA, k G A and, by @p section, its G J: what a

@@ -15,6 +15,7 @@
 
 #include <lamella/adapt/node_fields.h>
 #include <lamella/contact/search_check.h>
+#include <lamella/recover/plausibility.h>
 #include <lamella/recover/sampler.h>
 #include <lamella/recover/strength_sweep.h>
 #include <lamella/report/results_writer.h>
@@ -60,6 +61,13 @@ namespace lamella
                std::ostream     &out,
                const FieldRules &rules = FieldRules());
     ~Simulation();
+
+    /// @p quantities, which are of the scene, those that only References ask
+    /// for in the lower ply where their probe lies between two. Throws
+    /// InputError for one that names a ply that its probe is not in, or none
+    /// where plies differ (Sampler::check()). Goals are such.
+    std::vector<NamedQuantity>
+    in_plies(std::vector<NamedQuantity> quantities) const;
 
     /// Is handed the results each time that a load step is added to them; what
     /// it throws ends the run.
@@ -209,15 +217,21 @@ namespace lamella
     /// one; throws as solve() does where it is not to be trusted.
     Checks
     solve_state(const double factor);
-    /// The load at which the smallest reserve factor is 1, to 0.1 %: takes the
-    /// first load factor of the scene at which a ply fails, or doubles the last
-    /// one up to ten times until one does, and bisects, contact solved anew at
-    /// each. Says in an endnote where nothing fails or no state is to be had.
-    /// The state is then again that of the last load step.
+    /// The present state's checks; throws as solve_state() does.
+    Checks
+    checked(const double factor);
+    /// Gives the last of the steps that an earlier run has solved, of which
+    /// there are the state and what was said of it, its checks and rows again:
+    /// there is something to be done with it though no step is left.
+    void
+    complete_last_step();
+    /// The load at which the smallest reserve factor is 1
+    /// (FirstFailureSearch). Says in an endnote where nothing fails or states
+    /// end. The state is then again that of the last load step.
     void
     find_first_failure();
     /// Solves at @p factor: what that comes to, and its reserve factors into
-    /// @p plies.
+    /// @p plies. Where it throws the state stays what it was.
     FailureTrial
     try_for_failure(const double factor, std::vector<PlyReserve> &plies);
     /// The present state as results; @p previous, that of the step before,
@@ -276,6 +290,8 @@ namespace lamella
     std::unique_ptr<Sampler> sampler;
     /// Null where the scene asks for no criteria.
     std::unique_ptr<StrengthSweep> strength;
+    /// Tells what looks like a slip of units.
+    std::unique_ptr<Plausibility> plausibility;
 
     // How it is solved.
 
@@ -289,6 +305,8 @@ namespace lamella
     /// Of the last load step; empty before the first.
     State   state;
     Results found;
+    /// Whether the last step comes from an earlier run and has its state only.
+    bool last_is_bare = false;
     /// What find_cured_state() has found.
     std::optional<BlockVector> cured;
   };

@@ -75,6 +75,14 @@ namespace lamella
     static std::string
     printed(const dealii::ParameterHandler &prm);
 
+    /// @p scene, as printed() makes it, with @p value for the entry @p name in
+    /// the subsection @p path at the top level, where it says `auto` there.
+    static std::string
+    with_automatic(std::string        scene,
+                   const std::string &path,
+                   const std::string &name,
+                   const std::string &value);
+
     /// Removes the subsections `KIND NAME`, with all in them, whose name is not
     /// among @p names, if --set gave the list @p list: leaving a name out there
     /// is to leave out what it names.

@@ -230,16 +230,17 @@ namespace lamella
     std::vector<std::vector<FieldRow>> probes;
   };
 
-  /// The load at which the smallest reserve factor is 1.
+  /// What a search for the load at which the smallest reserve factor is 1 has
+  /// found.
   struct FirstFailure
   {
-    /// The load factors between which it is found: no ply fails at the first,
-    /// and one does at the second.
+    /// No ply fails at the first load factor, and one does at the second, if
+    /// any was seen to fail.
     double safe = 0., failing = 0.;
-    /// What fails, at `failing`.
-    PlyReserve where;
-    /// In the order in which they were looked at; load steps are not among
-    /// them.
+    /// What fails, at `failing`; none if nothing was seen to fail.
+    std::optional<PlyReserve> where;
+    /// In the order in which they were looked at; neither load steps nor load
+    /// factors without a state are among them.
     std::vector<FailureTrial> trials;
   };
 
@@ -351,7 +352,7 @@ namespace lamella
     /// What the user should know of the scene as a whole, said before and
     /// after what the steps say.
     std::vector<std::string> notes, endnotes;
-    /// Where the scene asks to find it.
+    /// Where the scene asks for such a search.
     std::optional<FirstFailure> first_failure;
     /// The numbers that it was made for, of the last step; none where no errors
     /// were estimated.

@@ -15,6 +15,7 @@
 
 #include <nlohmann/json_fwd.hpp>
 
+#include <functional>
 #include <iosfwd>
 #include <string>
 #include <vector>
@@ -97,6 +98,18 @@ namespace lamella
     /// folder.
     ProcessEnd
     run_scene(const Job &job, const std::string &output) const;
+    /// What @p work returns as ProcessEnd::answer, done in a process of its own
+    /// with an MPI of its own.
+    ProcessEnd
+    run_in_child(const std::function<nlohmann::json()> &work,
+                 const std::string                     &output,
+                 const std::string                     &errors,
+                 const double                           time_limit) const;
+    /// Puts quantities that only References ask for into the ply that these
+    /// are of. Throws InputError for one that the scene cannot give
+    /// (Simulation::in_plies()): before any rung, not after the last.
+    void
+    check_quantities(const std::string &directory);
     /// Runs it, three times where that takes less than a second, and returns
     /// what the record says: the costs of the fastest, which is kept in the
     /// folder; but where the rung makes bars the first run is kept, which alone

@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <lamella/base/exceptions.h>
+#include <lamella/base/text.h>
+#include <lamella/recover/strength_sweep.h>
+#include <lamella/run/first_failure.h>
+
+#include <algorithm>
+#include <cmath>
+#include <ostream>
+
+namespace lamella
+{
+  namespace
+  {
+    /// Of the two ends of the interval, over the upper one.
+    constexpr double accuracy = 1e-3;
+    /// Halvings end where plies fail at any load, too.
+    constexpr unsigned int n_doublings = 10, most_halvings = 60;
+  } // namespace
+
+
+
+  void
+  require_growth(const Structure                     &structure,
+                 const std::vector<ContactInterface> &contacts)
+  {
+    const auto is_moved = [](const ContactInterface &contact) {
+      return contact.obstacle != nullptr &&
+             contact.obstacle->displacement.norm() > 0.;
+    };
+    const auto is_driven = [](const PrescribedRow &row) {
+      return row.value != 0.;
+    };
+    if (structure.load().linfty_norm() == 0. &&
+        std::none_of(contacts.begin(), contacts.end(), is_moved) &&
+        std::none_of(structure.prescribed().begin(),
+                     structure.prescribed().end(),
+                     is_driven))
+      throw InputError("Find",
+                       "first failure",
+                       "there is no load: nothing in the scene grows with the "
+                       "load factor",
+                       "Add a load (temperatures do not grow), Gravity, or a "
+                       "displacement of a support or an obstacle.");
+  }
+
+
+
+  FirstFailureSearch::FirstFailureSearch(const Try &try_load, std::ostream &out)
+    : try_load(try_load)
+    , out(out)
+  {}
+
+
+
+  bool
+  FirstFailureSearch::judge(const double                   factor,
+                            const std::vector<PlyReserve> &plies)
+  {
+    const PlyReserve *worst = worst_of(plies);
+    const bool        does =
+      worst != nullptr && worst->reserve && *worst->reserve <= 1.;
+    out << "  load factor " << to_text(factor, 6)
+        << ", smallest reserve factor "
+        << (worst != nullptr && worst->reserve ? to_text(*worst->reserve, 5) :
+                                                 "none")
+        << std::endl;
+    if (does)
+      result.where = *worst;
+    (does ? result.failing : result.safe) = factor;
+    return does;
+  }
+
+
+
+  void
+  FirstFailureSearch::attempt(const double factor)
+  {
+    try
+      {
+        std::vector<PlyReserve> plies;
+        result.trials.push_back(try_load(factor, plies));
+        judge(factor, plies);
+      }
+    catch (const NumericsError &error)
+      {
+        without_state = factor;
+        reason        = trimmed(error.what());
+        if (!reason.empty() && reason.back() == '.')
+          reason.pop_back();
+        out << "  load factor " << to_text(factor, 6)
+            << ", no result: " << reason << std::endl;
+      }
+  }
+
+
+
+  std::optional<double>
+  FirstFailureSearch::upper() const
+  {
+    if (!result.where)
+      return without_state;
+    if (without_state && std::abs(*without_state - result.safe) <
+                           std::abs(result.failing - result.safe))
+      return without_state;
+    return result.failing;
+  }
+
+
+
+  bool
+  FirstFailureSearch::is_narrow() const
+  {
+    const double end = *upper();
+    return std::abs(end - result.safe) <= accuracy * std::abs(end);
+  }
+
+
+
+  FirstFailure
+  FirstFailureSearch::find(const std::vector<StepResults> &steps)
+  {
+    out << "First failure:" << std::endl;
+    for (const StepResults &step : steps)
+      if (judge(step.load_factor, step.plies))
+        break;
+    if (!result.where)
+      for (const StepResults &step : steps)
+        if (std::abs(step.load_factor) > std::abs(result.safe))
+          result.safe = step.load_factor;
+    for (unsigned int k = 0; k < n_doublings && !upper(); ++k)
+      attempt(result.safe == 0. ? 1. : 2. * result.safe);
+    for (unsigned int k = 0; k < most_halvings && upper() && !is_narrow(); ++k)
+      attempt(0.5 * (result.safe + *upper()));
+    return result;
+  }
+
+
+
+  std::string
+  FirstFailureSearch::note() const
+  {
+    const std::string safe = to_text(result.safe, 6);
+    if (!upper())
+      return "no ply fails up to load factor " + safe;
+    if (*upper() != without_state)
+      return "";
+    return "no ply fails up to load factor " + safe + ", and at " +
+           to_text(*without_state, 6) +
+           " there is no result to judge: " + reason;
+  }
+} // namespace lamella
