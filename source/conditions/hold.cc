@@ -68,15 +68,40 @@ namespace lamella
 
 
 
+  namespace
+  {
+    /// Adds n . u at @p place to @p rows, as if a support held it.
+    void
+    add_row(const ContactPlace         &place,
+            const Bodies               &bodies,
+            std::vector<PrescribedRow> &rows)
+    {
+      const Body &body  = *bodies[place.body];
+      const auto  sides = body.locate({place.position});
+      if (sides.front().empty())
+        return;
+      const auto u =
+        body.rows({sides.front().front()}, Quantity::displacement).front();
+      PrescribedRow row;
+      row.row.body = place.body;
+      for (unsigned int c = 0; c < 3; ++c)
+        row.row.row.add(u[c], place.normal[c]);
+      row.row.row.compress();
+      rows.push_back(row);
+    }
+  } // namespace
+
+
+
   void
-  find_held_motions(std::vector<Support>       &supports,
-                    const Bodies               &bodies,
-                    const std::vector<BodyRow> &others)
+  find_held_motions(std::vector<Support>            &supports,
+                    const Bodies                    &bodies,
+                    const std::vector<ContactPlace> &places)
   {
     clear_held_motions(supports);
     std::vector<PrescribedRow> rows = prescribed_rows(supports, bodies);
-    for (const BodyRow &other : others)
-      rows.push_back({other, 0., 0, {}, {}});
+    for (const ContactPlace &place : places)
+      add_row(place, bodies, rows);
     for (Support &support : supports)
       if (support.hold)
         support.hold->motions = free_rigid_motions(*bodies[support.hold->body],

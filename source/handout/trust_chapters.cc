@@ -148,20 +148,37 @@ namespace lamella
 
 
 
-    /// Goals without a bar, or outside of their tolerance.
+    /// Goals without a bar, or outside of their tolerance; what is true of
+    /// several is said once.
     std::vector<std::string>
     doubts_of_goals(const RunFolder &run)
     {
-      std::vector<std::string> doubts;
+      std::vector<std::pair<std::string, std::string>> why; // and names
+      std::string                                      beyond;
+      const auto add = [](std::string &names, const std::string &name) {
+        names += (names.empty() ? "" : "; ") + name;
+      };
       for (unsigned int k = 0; k < run.goals.rows.size(); ++k)
         {
-          const std::string name = escaped(run.goals.cell(k, "goal"));
-          if (run.goals.cell(k, "trusted") != "1")
-            doubts.push_back("No error bar is held for " + name + ": " +
-                             escaped(run.goals.cell(k, "why")) + ".");
+          const std::string name   = escaped(run.goals.cell(k, "goal"));
+          const std::string reason = escaped(run.goals.cell(k, "why"));
           if (run.goals.cell(k, "met") == "0")
-            doubts.push_back("The tolerance of " + name + " is not met.");
+            add(beyond, name);
+          if (run.goals.cell(k, "trusted") == "1")
+            continue;
+          auto known = std::find_if(why.begin(), why.end(), [&](const auto &w) {
+            return w.first == reason;
+          });
+          if (known == why.end())
+            known = why.insert(why.end(), {reason, ""});
+          add(known->second, name);
         }
+      std::vector<std::string> doubts;
+      for (const auto &[reason, names] : why)
+        doubts.push_back("No error bar is held for " + names + ": " + reason +
+                         ".");
+      if (!beyond.empty())
+        doubts.push_back("The tolerance is not met of " + beyond + ".");
       return doubts;
     }
 

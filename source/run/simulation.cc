@@ -10,6 +10,7 @@
 #include <lamella/base/text.h>
 #include <lamella/conditions/hold.h>
 #include <lamella/contact/assumptions.h>
+#include <lamella/contact/main_normals.h>
 #include <lamella/recover/named_quantity.h>
 #include <lamella/report/console.h>
 #include <lamella/report/results_writer.h>
@@ -209,11 +210,24 @@ namespace lamella
                      scene.bodies.end(),
                      [](const BodyDescription &body) { return body.is_held; }))
       return;
-    std::vector<BodyRow> touching;
+    std::vector<ContactPlace> places;
     for (const ContactPair &contact : scene.contacts)
-      for (const GapRow &row : make_interface(contact, bodies).rows)
-        touching.insert(touching.end(), row.parts.begin(), row.parts.end());
-    find_held_motions(scene.supports, bodies, touching);
+      {
+        const ContactInterface made  = make_interface(contact, bodies);
+        const Body            &first = *bodies[made.first_body];
+        // Nearer than a tenth of what the section extends to either side.
+        const double depth =
+          0.1 * centroid_of(first.surface_points("start"))
+                  .distance(far_points(first, "start").front().position);
+        for (const auto &[row, normal] : main_normals(made, depth))
+          {
+            const ContactInterface::Point &at = made.points[row];
+            places.push_back({made.first_body, at.first, normal});
+            if (made.second_body)
+              places.push_back({*made.second_body, at.second, normal});
+          }
+      }
+    find_held_motions(scene.supports, bodies, places);
   }
 
 
@@ -678,6 +692,43 @@ namespace lamella
                               factor,
                               gap_rows.of_contact(k, state.active)))
         warnings.push_back(warning);
+    for (const std::string &warning : warnings_of_holds(checks))
+      warnings.push_back(warning);
+    return warnings;
+  }
+
+
+
+  std::vector<std::string>
+  Simulation::warnings_of_holds(const Checks &checks) const
+  {
+    // Of the largest force, a moment over the scene's size.
+    constexpr double         worth_saying = 1e-5;
+    double                   largest      = 0.;
+    std::vector<std::string> warnings;
+    for (const Resultant &reaction : checks.reactions)
+      largest = std::max(largest, reaction.force.norm());
+    for (const KuhnTucker &contact : checks.contacts)
+      largest = std::max(largest, contact.force.norm());
+    for (unsigned int s = 0; s < scene.supports.size(); ++s)
+      {
+        const Resultant &reaction = checks.reactions[s];
+        const double     share =
+          std::max(reaction.force.norm(),
+                   reaction.moment.norm() / structure->size()) /
+          largest;
+        if (scene.supports[s].hold && !checks.contacts.empty() &&
+            share > worth_saying)
+          warnings.push_back(
+            "the hold of body '" +
+            structure->bodies()[scene.supports[s].hold->body]->name() +
+            "' bears a force of " + to_text(reaction.force) +
+            " and a moment of " + to_text(reaction.moment) + ", " +
+            to_text(100. * share, 2) +
+            " % of the largest force: contact forces off their main direction "
+            "do not balance in motions that it takes out. Put a support where "
+            "the real one is, if that is too much");
+      }
     return warnings;
   }
 

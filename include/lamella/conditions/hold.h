@@ -14,27 +14,35 @@ namespace lamella
    * `Hold = statically determinate` of a body: where supports leave it free to
    * move, displacements are measured from its own middle.
    *
-   * For each rigid motion q that nothing acts against, no support and no pair
-   * of a contact, there is one row
+   * For each rigid motion q that nothing acts against, no support and no
+   * contact along its normal, there is one row
    *   r(u) = 1 / n sum_p q(X_p) . u(X_p) = 0,
    * with the n points X_p where the section half way along the axis is furthest
    * from its centroid: there the body neither moves nor turns, on the mean. The
-   * rows are as many as the motions, so they strain nothing, and nothing but
-   * loads does work on such a motion: the force in a row is what the loads lack
-   * of equilibrium, zero or an error (check_balance_of_held()).
+   * rows are as many as the motions, so they strain nothing. The force in a row
+   * is what the loads lack of equilibrium, zero or an error
+   * (check_balance_of_held()), and what contact forces off their normal do.
    */
+
+  /// A place where a contact may act on a body, along a normal.
+  struct ContactPlace
+  {
+    unsigned int         body = 0;
+    dealii::Point<3>     position;
+    dealii::Tensor<1, 3> normal;
+  };
 
   /// What the hold of the body @p name is called among the supports.
   std::string
   name_of_hold(const std::string &name);
 
   /// Fills in the motions of the holds among @p supports: those of their bodies
-  /// that neither the other supports nor @p others, rows of contacts, act
-  /// against.
+  /// that neither the other supports nor contacts at @p places, on the surfaces
+  /// of their bodies, act against.
   void
-  find_held_motions(std::vector<Support>       &supports,
-                    const Bodies               &bodies,
-                    const std::vector<BodyRow> &others);
+  find_held_motions(std::vector<Support>            &supports,
+                    const Bodies                    &bodies,
+                    const std::vector<ContactPlace> &places);
 
   /// Forgets them.
   void

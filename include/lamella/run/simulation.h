@@ -268,6 +268,10 @@ namespace lamella
     /// pairing assumed (small sliding, collinear normals).
     std::vector<std::string>
     warnings_of_step(const double factor, const Checks &checks) const;
+    /// What the holds of bodies bear where contact forces do not balance in
+    /// motions that they take out.
+    std::vector<std::string>
+    warnings_of_holds(const Checks &checks) const;
 
     // What is to be solved.
     /// As given, with the axes that grade themselves made.
