@@ -124,6 +124,22 @@ namespace lamella
 
 
 
+  namespace
+  {
+    /// The names of those of @p goals that have no bar, because of @p why.
+    std::vector<std::string>
+    without_bar(const std::vector<GoalResult> &goals, const std::string &why)
+    {
+      std::vector<std::string> names;
+      for (const GoalResult &goal : goals)
+        if (!goal.trusted && goal.why == why)
+          names.push_back(goal.name);
+      return names;
+    }
+  } // namespace
+
+
+
   void
   print_goals(std::ostream &out, const std::vector<GoalResult> &goals)
   {
@@ -147,7 +163,13 @@ namespace lamella
       {
         constexpr double much = 0.01;
         if (!goal.trusted)
-          out << "  No bar for " << goal.name << " yet: " << goal.why << ".\n";
+          {
+            // A reason that several have is said once.
+            if (const auto names = without_bar(goals, goal.why);
+                names.front() == goal.name)
+              out << "  No bar for " << joined(names) << " yet: " << goal.why
+                  << ".\n";
+          }
         else if (const std::string source = largest_share(goal);
                  goal.bar > much * goal.scale && !source.empty())
           out << "  " << goal.name << " wants " << remedy(source) << ".\n";
