@@ -243,7 +243,7 @@ namespace lamella
       for (const Touch &touch :
            find_touches(beam, number, bodies, {}, loads, {}))
         for (const double edge : {touch.begin, touch.end})
-          if (edge > 0. && edge < beam.axis().length())
+          if (!touch.heats && edge > 0. && edge < beam.axis().length())
             places.push_back({edge, size});
     }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <lamella/adapt/fields_of_section.h>
+#include <lamella/base/independent_rows.h>
 #include <lamella/base/text.h>
 #include <lamella/recover/box_points.h>
 
@@ -321,6 +322,17 @@ namespace lamella
 
 
 
+    /// Whether @p beam was not to be solved with fewer fields than all.
+    bool
+    is_unsolved(const Beam &beam, const FieldRules &rules)
+    {
+      return std::find(rules.unsolved.begin(),
+                       rules.unsolved.end(),
+                       beam.name()) != rules.unsolved.end();
+    }
+
+
+
     /// Whether @p body has responses and end fields at all: one that is going
     /// to keep all fields of its section wants none.
     bool
@@ -331,6 +343,7 @@ namespace lamella
     {
       return description.theory.order > 0 &&
              ((beam.axis().n_nodes() > rules.least_nodes &&
+               !is_unsolved(beam, rules) &&
                !is_held_all_along(body, beam.axis())) ||
               !description.pieces.empty());
     }
@@ -400,7 +413,9 @@ namespace lamella
       const bool may_keep_all =
         description.pieces.empty() && description.theory.order > 0;
       std::string why;
-      if (may_keep_all && is_held_all_along(body, beam.axis()))
+      if (may_keep_all && is_unsolved(beam, rules))
+        why = "the scene could not be solved in double precision";
+      else if (may_keep_all && is_held_all_along(body, beam.axis()))
         why = "supports hold its sections all along";
       else if (may_keep_all)
         why = nothing_to_win(near, beam, fields, rules);
@@ -415,21 +430,60 @@ namespace lamella
 
 
 
-    /// The section load vectors of @p beam's heat, where it may differ along
-    /// the axis, and of its weight.
+    /// Of the section load vectors @p loads as many as span the others.
+    std::vector<Vector>
+    spanning(const std::vector<Vector> &loads)
+    {
+      constexpr double         nothing = 1e-3;
+      LAPACKFullMatrix<double> rows(loads.size(), loads[0].size());
+      for (unsigned int k = 0; k < loads.size(); ++k)
+        for (unsigned int a = 0; a < loads[k].size(); ++a)
+          rows(k, a) = loads[k][a];
+      std::vector<Vector> result;
+      for (const unsigned int k : most_independent(rows, nothing))
+        result.push_back(loads[k]);
+      return result;
+    }
+
+
+
+    /// The section load vectors of @p beam's heat, as it is at the nodes of its
+    /// axis, and of its weight.
     std::vector<Vector>
     loads_everywhere(const Beam &beam, const Tensor<1, 3> &gravity)
     {
-      // An expression is looked at there.
-      constexpr unsigned int n_places = 9;
-      std::vector<Vector>    loads;
+      std::vector<Vector> loads;
       if (beam.is_heated())
-        for (unsigned int k = 0; k < n_places; ++k)
-          loads.push_back(beam.section_heat(beam.axis().length() *
-                                            (double(k) / (n_places - 1))));
+        {
+          for (const double y : beam.axis().nodes())
+            loads.push_back(beam.section_heat(y));
+          loads = spanning(loads);
+        }
       if (gravity.norm() > 0.)
         loads.push_back(beam.section_weight(gravity));
       return loads;
+    }
+
+
+
+    /// Notes what touches @p body, which is @p beam, of SV, and has no fields.
+    void
+    note_missing_fields(const Beam               &beam,
+                        const TouchedBody        &body,
+                        std::vector<std::string> &notes)
+    {
+      for (const Touch &touch : body.touches)
+        if (touch.presses)
+          notes.push_back("body " + beam.name() + ": SV has no fields that " +
+                          touch.name +
+                          " can dent: forces are those of a beam, pressures "
+                          "and stresses there are not to be used. Use SV-N, "
+                          "SV-6 say");
+        else if (touch.heats)
+          notes.push_back("body " + beam.name() +
+                          ": SV has no fields for heat that varies along the "
+                          "axis: stresses are not to be used where it does. "
+                          "Use SV-N, SV-6 say");
     }
 
 
@@ -476,17 +530,13 @@ namespace lamella
           if (!why.empty())
             notes.push_back("body " + beam.name() + ": with " + theory.name() +
                             " " + why +
-                            "; nothing is won there, and its nodes carry all "
-                            "fields of the section (" +
+                            (is_unsolved(beam, rules) ?
+                               "; its nodes" :
+                               "; nothing is won there, and its nodes") +
+                            " carry all fields of the section (" +
                             section->theory().name() + ")");
-          for (const Touch &touch : body.touches)
-            if (touch.presses && theory.order == 0 &&
-                description.pieces.empty())
-              notes.push_back("body " + beam.name() +
-                              ": SV has no fields that " + touch.name +
-                              " can dent: forces are those of a beam, "
-                              "pressures and stresses there are not to be "
-                              "used. Use SV-N, SV-6 say");
+          if (theory.order == 0 && description.pieces.empty())
+            note_missing_fields(beam, body, notes);
         }
       const auto space = fields.space();
       for (unsigned int k = 0; k < touched.size(); ++k)

@@ -166,9 +166,11 @@ namespace lamella
 
 
     /// The load vector @p load, whatever it is at each node: those of each
-    /// element that it is on.
+    /// element that it is on, of the elements @p asked.
     std::vector<SectionLoad>
-    loads_of_vector(const Beam &beam, const Vector &load)
+    loads_of_vector(const Beam              &beam,
+                    const Vector            &load,
+                    const std::vector<bool> &asked)
     {
       Row row;
       for (unsigned int dof = 0; dof < load.size(); ++dof)
@@ -182,6 +184,8 @@ namespace lamella
       const Axis              &axis = beam.axis();
       for (unsigned int cell = 0; cell < axis.n_cells(); ++cell)
         {
+          if (!asked[cell])
+            continue;
           ByNode here;
           for (const unsigned int node : axis.nodes_of_cell(cell))
             if (const auto found = nodes.find(node); found != nodes.end())
@@ -306,6 +310,58 @@ namespace lamella
           begin = end;
         }
     }
+    /// Whether on each element of its axis the heat of @p beam varies along it
+    /// by more than the response to what is constant can follow.
+    std::vector<bool>
+    where_heat_varies(const Beam &beam)
+    {
+      // Over the smaller extent of the section, of the largest: the tolerance
+      // of fields far from what touches.
+      constexpr double    varies = 1e-2;
+      const Axis         &axis   = beam.axis();
+      std::vector<Vector> heat;
+      double              largest = 0.;
+      for (const double y : axis.nodes())
+        {
+          heat.push_back(beam.section_heat(y));
+          largest = std::max(largest, heat.back().l2_norm());
+        }
+      const double      H = beam.section().extents().first;
+      std::vector<bool> result;
+      for (unsigned int cell = 0; cell < axis.n_cells(); ++cell)
+        {
+          const auto  &nodes  = axis.nodes_of_cell(cell);
+          const double length = axis.cell_end(cell) - axis.cell_begin(cell);
+          double       largest_change = 0.;
+          for (const unsigned int node : nodes)
+            {
+              Vector change = heat[node];
+              change -= heat[nodes[0]];
+              largest_change = std::max(largest_change, change.l2_norm());
+            }
+          result.push_back(largest_change * H > varies * largest * length);
+        }
+      return result;
+    }
+
+
+
+    /// The heat of @p beam as a load where it varies along the axis.
+    void
+    add_heat(const Beam &beam, std::vector<Touch> &touches)
+    {
+      if (!beam.is_heated())
+        return;
+      Vector load(beam.n_dofs());
+      beam.add_heat(load);
+      const std::size_t before = touches.size();
+      add_touches("heat",
+                  beam.section().n_fields(),
+                  loads_of_vector(beam, load, where_heat_varies(beam)),
+                  touches);
+      for (std::size_t k = before; k < touches.size(); ++k)
+        touches[k].heats = true;
+    }
   } // namespace
 
 
@@ -342,9 +398,13 @@ namespace lamella
         add_load(load, bodies, vector);
         add_touches("load " + load.name,
                     n_fields,
-                    loads_of_vector(beam, vector.block(body)),
+                    loads_of_vector(beam,
+                                    vector.block(body),
+                                    std::vector<bool>(beam.axis().n_cells(),
+                                                      true)),
                     touches);
       }
+    add_heat(beam, touches);
     for (const ContactInterface &contact : contacts)
       {
         std::vector<SectionLoad> pressed;

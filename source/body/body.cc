@@ -201,9 +201,11 @@ namespace lamella
   void
   Body::throw_with_place(const NotPositiveDefinite &error) const
   {
-    throw NumericsError(std::string(error.what()) + " It shows first near " +
-                        to_text(dof_position(error.dof)) +
-                        ": look for elements that are very short or thin "
-                        "beside their neighbours there.");
+    throw NotPositiveDefinite(
+      std::string(error.what()) + " It shows first near " +
+        to_text(dof_position(error.dof)) +
+        ": look for elements that are very short or thin beside their "
+        "neighbours there.",
+      error.dof);
   }
 } // namespace lamella

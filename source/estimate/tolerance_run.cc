@@ -192,6 +192,17 @@ namespace lamella
 
 
   std::string
+  ToleranceRun::why_no_richer_model() const
+  {
+    for (const GoalResult &goal : passes.back().goals)
+      if (!goal.met() && goal.shares.empty())
+        return goal.why;
+    return "";
+  }
+
+
+
+  std::string
   ToleranceRun::reason_to_stop() const
   {
     if (all_met(passes.back().goals))
@@ -205,6 +216,8 @@ namespace lamella
     if (is_late())
       return "the budget of " + to_text(scene.goals.budget_seconds) +
              " s is spent";
+    if (!why_no_richer_model().empty())
+      return why_no_richer_model();
     if (wanted().empty())
       return "nothing is left to be enriched";
     return "";
@@ -326,7 +339,8 @@ namespace lamella
           break;
         scene = next_scene();
       }
-    if (!all_met(passes.back().goals) && !is_late())
+    if (!all_met(passes.back().goals) && !is_late() &&
+        why_no_richer_model().empty())
       end_with_bars(directory);
     say_if_interrupted("");
     simulation->print_results(directory, out);

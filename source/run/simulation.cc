@@ -20,6 +20,7 @@
 #include <lamella/run/first_failure.h>
 #include <lamella/run/simulation.h>
 #include <lamella/scene/theory_notes.h>
+#include <lamella/solve/lost_digits.h>
 #include <lamella/solve/multiplier_loop.h>
 #include <lamella/solve/penalty_newton.h>
 
@@ -146,6 +147,14 @@ namespace lamella
     , out(out)
     , field_rules(rules)
     , timer(out, TimerOutput::never, TimerOutput::wall_times)
+  {
+    build();
+  }
+
+
+
+  void
+  Simulation::build()
   {
     {
       TimerOutput::Scope scope(timer, name_of(Phase::setup));
@@ -387,8 +396,57 @@ namespace lamella
 
 
 
+  bool
+  Simulation::take_all_fields()
+  {
+    bool any = false;
+    for (unsigned int b = 0; b < scene.bodies.size(); ++b)
+      if (const Body &body = *structure->bodies()[b];
+          scene.bodies[b].pieces.empty() && body.theory().rfind("SV-", 0) == 0)
+        {
+          any = true;
+          field_rules.unsolved.push_back(body.name());
+          out << "Body " << body.name() << ": " << body.theory()
+              << ", is beyond double precision; once more with all fields of "
+                 "its section"
+              << std::endl;
+        }
+    if (!any)
+      return false;
+    solver.reset();
+    sampler.reset();
+    strength.reset();
+    contacts.clear();
+    search_checks.clear();
+    cured.reset();
+    state = State();
+    found = Results();
+    build();
+    return true;
+  }
+
+
+
   const Results &
   Simulation::solve(const Observer &observer)
+  {
+    try
+      {
+        return solve_as_built(observer);
+      }
+    catch (const LostDigits &)
+      {
+        // Steps that are done stay with the fields that they have.
+        if (!found.steps.empty() || !take_all_fields())
+          throw;
+      }
+    return solve_as_built(observer);
+  }
+
+
+
+  const Results &
+  Simulation::solve_as_built(const Observer &observer)
   {
     prepare();
     if (strength != nullptr && structure->is_heated())

@@ -3,6 +3,7 @@
 #include <lamella/base/exceptions.h>
 #include <lamella/base/text.h>
 #include <lamella/solve/checks.h>
+#include <lamella/solve/lost_digits.h>
 
 #include <algorithm>
 #include <cmath>
@@ -554,7 +555,7 @@ namespace lamella
     const double left =
       std::max(last(state.free_corrections), last(state.contact_corrections));
     if (!(left < sound))
-      throw NumericsError(
+      throw LostDigits(
         "The linear solution does not settle: the last correction is " +
         to_text(left, 3) +
         " of the displacements. The scene is beyond what double precision "
@@ -568,13 +569,13 @@ namespace lamella
           std::make_pair("strain energy is not the work done",
                          checks.energy_balance)})
       if (!(error < tolerable))
-        throw NumericsError("The " + std::string(what) +
-                            ": the relative error "
-                            "is " +
-                            to_text(error, 3) +
-                            ". The scene is beyond what double precision "
-                            "holds: make bodies less slender, or stiffnesses "
-                            "and penalties less different.");
+        throw LostDigits("The " + std::string(what) +
+                         ": the relative error "
+                         "is " +
+                         to_text(error, 3) +
+                         ". The scene is beyond what double precision "
+                         "holds: make bodies less slender, or stiffnesses "
+                         "and penalties less different.");
     for (const KuhnTucker &contact : checks.contacts)
       if (!(contact.imbalance < tolerable))
         throw NumericsError(

@@ -2,6 +2,8 @@
 
 #include <lamella/base/exceptions.h>
 #include <lamella/base/text.h>
+#include <lamella/linear/factorisation.h>
+#include <lamella/solve/lost_digits.h>
 #include <lamella/solve/structure.h>
 
 #include <algorithm>
@@ -129,8 +131,15 @@ namespace lamella
           of_body.sized = [&](const FactorSize &size) {
             monitor.sized(body, size);
           };
-        solvers.push_back(body.make_solver(
-          reductions[b]->constraints(), spring_terms(b), asked, of_body));
+        try
+          {
+            solvers.push_back(body.make_solver(
+              reductions[b]->constraints(), spring_terms(b), asked, of_body));
+          }
+        catch (const NotPositiveDefinite &error)
+          {
+            throw LostDigits(error.what());
+          }
         if (monitor.ends)
           monitor.ends(body);
       }

@@ -222,6 +222,28 @@ BOOST_AUTO_TEST_CASE(touches_are_load_vectors_of_the_section)
 
 
 
+BOOST_AUTO_TEST_CASE(what_could_not_be_solved_keeps_all_fields)
+{
+  // Of a name that is not the body's nothing is meant.
+  const unsigned int all =
+    fields_at(beam_of(make_bodies({description("LE-2")}, meshes())), 5.);
+  for (const std::string name : {"other", "beam"})
+    {
+      const BodyDescription body   = description("SV-6");
+      Bodies                bodies = make_bodies({body}, meshes());
+      FieldRules            rules;
+      rules.unsolved = {name};
+      const auto notes =
+        choose_fields(bodies, {body}, {clamp()}, {patch()}, {}, {}, rules);
+      BOOST_TEST((fields_at(beam_of(bodies), 5.) == all) == (name == "beam"));
+      BOOST_REQUIRE(notes.size() == (name == "beam" ? 1 : 0));
+      if (name == "beam")
+        BOOST_TEST(notes[0].find("could not be solved") != std::string::npos);
+    }
+}
+
+
+
 BOOST_AUTO_TEST_CASE(elements_with_probes_are_rich_as_a_whole)
 {
   // The patch reaches 2 H beyond the elements it is on, from 10 to 11.67: up to

@@ -63,6 +63,9 @@ namespace lamella
     /// lists with little but what is held to be eliminated from, which is slow
     /// and costs digits.
     double most_held = 0.05;
+    /// The names of bodies that keep all fields whatever they would win: with
+    /// fewer their scene was not to be solved in double precision.
+    std::vector<std::string> unsolved = {};
   };
 
   /// Where stresses of a body are asked for: a probe or its box, a line, a cut.
@@ -96,11 +99,12 @@ namespace lamella
    *   touches it, also to what is constant along the axis.
    * All nodes of a body that is heated, or under @p gravity (scene axes,
    * length / s^2), carry how the section answers that where it is constant
-   * along the axis. Beside what holds the section as a whole nodes carry end
-   * fields (end_fields()). Fields are cut to what is independent. In `Theories`
-   * pieces of SV have none of these, and nodes of LE-q carry the section's
-   * fields of degree q and less (Section::field_degree()): at the end of such a
-   * piece those of the higher degree, and where it ends at SV all of them.
+   * along the axis; heat that varies along it is a load where it does. Beside
+   * what holds the section as a whole nodes carry end fields (end_fields()).
+   * Fields are cut to what is independent. In `Theories` pieces of SV have none
+   * of these, and nodes of LE-q carry the section's fields of degree q and less
+   * (Section::field_degree()): at the end of such a piece those of the higher
+   * degree, and where it ends at SV all of them.
    *
    * The stress in an element is as poor as the poorest of its nodes, so where
    * one of @p asked lies in an element some of whose nodes are near something,

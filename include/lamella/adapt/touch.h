@@ -40,13 +40,15 @@ namespace lamella
     bool holds_section = false;
     /// Its rows then, r(u) = 0 each, their DoFs the fields of the section.
     std::vector<Row> held;
-    /// Whether it is a side of a contact, and whether a support.
-    bool presses = false, holds = false;
+    /// Whether it is a side of a contact, whether a support, and whether heat.
+    bool presses = false, holds = false, heats = false;
   };
 
   /// What touches the body number @p body, @p beam, which carries all fields at
   /// all nodes. In the order of supports, loads, contacts. What presses normal
   /// to the axis is taken without its part along it (where surfaces slope).
+  /// Heat that varies along the axis is a load where it does, in the name
+  /// "heat", after the loads.
   std::vector<Touch>
   find_touches(const Beam                          &beam,
                const unsigned int                   body,

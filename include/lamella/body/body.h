@@ -426,9 +426,8 @@ namespace lamella
      * ascending, and none for a point outside of the body. @p points are of the
      * undeformed scene.
      *
-     * Tolerances are far above the rounding of positions that come out of
-     * decimal texts and rotations, and far below any element (of a beam 1e-6 of
-     * the section's smaller extent). Beyond a curved
+     * Tolerances (of beams 1e-6 of the section's smaller extent) are far above
+     * the rounding of positions, and far below any element. Beyond a curved
      * edge, which the mesh interpolates, a point counts as on the body within
      * 2 % of the size of the cell.
      */

@@ -86,6 +86,10 @@ namespace lamella
     /// Makes the bars of the last pass with both refinements, and writes them.
     void
     end_with_bars(const std::string &directory);
+    /// Of the first goal that is not met and has no richer model to compare
+    /// with: why; empty if all have one.
+    std::string
+    why_no_richer_model() const;
     /// Why no further pass is made; empty if one is.
     std::string
     reason_to_stop() const;

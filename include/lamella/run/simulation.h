@@ -168,6 +168,13 @@ namespace lamella
   private:
     // Building.
 
+    /// All of what follows.
+    void
+    build();
+    /// Builds all anew with all fields of the section for bodies that had fewer
+    /// of its own. False, and nothing is done, where there are none.
+    bool
+    take_all_fields();
     /// Section meshes, bodies, supports, loads and stabilising springs.
     void
     build_structure();
@@ -193,6 +200,9 @@ namespace lamella
 
     // Solving.
 
+    /// All load steps that are left.
+    const Results &
+    solve_as_built(const Observer &observer);
     /// Looks whether the matrices fit, assembles and factorises, and makes the
     /// strategy that finds which rows are active.
     void
