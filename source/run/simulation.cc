@@ -761,7 +761,7 @@ namespace lamella
   Simulation::warnings_of_holds(const Checks &checks) const
   {
     // Of the largest force, a moment over the scene's size.
-    constexpr double         worth_saying = 1e-5;
+    constexpr double         worth_saying = 1e-3;
     double                   largest      = 0.;
     std::vector<std::string> warnings;
     for (const Resultant &reaction : checks.reactions)
