@@ -740,6 +740,8 @@ namespace lamella
   Simulation::warnings_of_step(const double factor, const Checks &checks) const
   {
     std::vector<std::string> warnings = warnings_of(state, checks, contacts);
+    for (const std::string &warning : warnings_of(checks.beyond, *structure))
+      warnings.push_back(warning);
     for (const std::string &doubt : plausibility->doubts(state.u))
       warnings.push_back(doubt);
     for (unsigned int k = 0; k < contacts.size(); ++k)
