@@ -447,14 +447,17 @@ namespace lamella
             add_springs(structure, b, rigid[b], state, on_body[b]);
           const Deformation deformation = body.deformation(u);
           checks.energy += deformation.energy;
-          checks.energies.push_back(deformation.energy +
-                                    structure.heat_energy(b) -
-                                    structure.heat_load().block(b) * u);
           checks.max_rotation =
             std::max(checks.max_rotation, deformation.max_rotation);
           const double noise =
             rounding_energy(structure.largest_stiffness(b), u);
           rounding += noise;
+          const double energy = deformation.energy + structure.heat_energy(b) -
+                                structure.heat_load().block(b) * u;
+          checks.energies.push_back(
+            energy > std::max(noise, of_heat * structure.heat_energy(b)) ?
+              energy :
+              0.);
           if (deformation.energy <= noise)
             continue;
           const auto [forces, moments] = on_body[b].unbalanced();

@@ -465,7 +465,7 @@ BOOST_AUTO_TEST_CASE(entries_of_a_contact)
   BOOST_TEST(plain.name == "c");
   BOOST_TEST(plain.first.body == 0);
   BOOST_TEST(plain.second.surface == "top");
-  BOOST_TEST((plain.discretisation == Discretisation::node_to_node));
+  BOOST_TEST((plain.discretisation == Discretisation::automatic));
   BOOST_TEST((plain.penalty.kind == PenaltyKind::automatic));
   BOOST_TEST(plain.penalty.value == 1e6);
   BOOST_TEST(!plain.search_distance);
@@ -517,7 +517,8 @@ BOOST_AUTO_TEST_CASE(entries_of_a_contact)
   const auto of = [](const std::string &path) {
     return [path](const InputError &error) { return error.path() == path; };
   };
-  BOOST_CHECK_EXCEPTION(read({{"Second", "floor"}}),
+  BOOST_CHECK_EXCEPTION(read({{"Second", "floor"},
+                              {"Discretisation", "node to node"}}),
                         InputError,
                         of("Contact c/Discretisation"));
   BOOST_CHECK_EXCEPTION(read({{"Second", "upper: top"}}),

@@ -106,7 +106,8 @@ namespace lamella
     /// displacements (the work done on the scene if all forces grow in
     /// proportion).
     double energy = 0., external_work = 0.;
-    /// What each body has of the strain energy, heat included.
+    /// What each body has of the strain energy, heat included; zero where that
+    /// is rounding, as in a body that is moved as a whole or expands freely.
     std::vector<double> energies;
     /// In stabilising springs, over all bodies, and its share of all energy.
     /// Zero, but for rounding, once the state is released from them.
