@@ -200,7 +200,8 @@ class Writer:
 
     def text(self):
         lines = [f"set Theory = {self.theory}", "set Units = none", "set Write VTU = false",
-                 f"set Load factors = {self.t.factors}", "set Rotation limit = 100", *self.top]
+                 f"set Load factors = {self.t.factors}", "set Rotation limit = 100",
+                 "set Beyond linear range = accept", *self.top]
         lines += [f"set {kind} = {self.t.names(*names)}" for kind, names in self.lists.items()]
         parts = reversed(self.parts) if self.t.reverse else self.parts
         return "\n".join([*lines, *parts]) + "\n"

@@ -181,9 +181,9 @@ namespace lamella
     Vector
     section_weight(const dealii::Tensor<1, 3> &acceleration) const;
 
-    /// Within 1e-10 of the length along the axis and 1e-8 of the section's
-    /// reference length across. The axis is searched element by element, the
-    /// section by a tree of boxes.
+    /// Within 1e-6 of the section's smaller extent (nearness()), along the axis
+    /// and across. The axis is searched element by element, the section by a
+    /// tree of boxes.
     std::vector<std::vector<Location>>
     locate(const std::vector<dealii::Point<3>> &points) const override;
     std::vector<std::vector<Row>>
