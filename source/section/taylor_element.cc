@@ -213,10 +213,14 @@ namespace lamella
     // Two sides share the point between them; others have no vertex.
     std::vector<EdgePoint>               points;
     std::map<unsigned int, unsigned int> at_vertex;
+    // By number: to walk to each of many cells takes as many steps.
+    std::vector<Triangulation<2>::active_cell_iterator> cells;
+    for (const auto &cell : mesh->mesh.active_cell_iterators())
+      cells.push_back(cell);
     for (const auto &[c, f] : boundary_faces(boundary))
       for (unsigned int i = 0; i < basis.size(); ++i)
         {
-          const auto   cell   = std::next(mesh->mesh.begin_active(), c);
+          const auto  &cell   = cells[c];
           unsigned int number = points.size();
           if (i == 0 || i + 1 == basis.size())
             number = at_vertex
