@@ -149,7 +149,7 @@ namespace lamella
       const auto [values, vectors] = eigenvalues_of(gram);
       std::vector<Vector> result;
       for (unsigned int k = 0; k < n_rigid; ++k)
-        if (values[k] < nothing * values[n_rigid - 1])
+        if (values[k] <= nothing * values[n_rigid - 1])
           {
             Vector motion(piece.n_dofs());
             for (unsigned int j = 0; j < n_rigid; ++j)
@@ -234,12 +234,35 @@ namespace lamella
 
 
 
-    /// The displacements of @p piece under the six loads.
+    /// Section vectors at the node number @p node of @p piece, or at all nodes.
+    Vector
+    at_node(const Beam &piece, const Vector &v, const unsigned int node)
+    {
+      Vector u(piece.n_dofs());
+      for (unsigned int a = 0; a < v.size(); ++a)
+        u[piece.dofs().first(node) + a] = v[a];
+      return u;
+    }
+
+    Vector
+    all_along(const Beam &piece, const Vector &v)
+    {
+      Vector u(piece.n_dofs());
+      for (unsigned int node = 0; node < piece.axis().n_nodes(); ++node)
+        u += at_node(piece, v, node);
+      return u;
+    }
+
+
+
+    /// The displacements of @p piece under the six loads, and those that its
+    /// end makes of what heat does to it.
     std::vector<Vector>
     solutions(const Beam                       &piece,
               const SaintVenant                &states,
               const HeldSection                &held,
-              const std::vector<PrescribedRow> &rows)
+              const std::vector<PrescribedRow> &rows,
+              const std::vector<HeatedSection> &heat)
     {
       const RowReduction        reduction(piece, 0, rows, {"end"});
       const std::vector<Vector> motions = free_motions(piece, rows);
@@ -253,18 +276,32 @@ namespace lamella
       const double arm = (held.goes_forward ? 1. : -1.) * piece.axis().length();
       std::vector<Vector> u;
       for (const Vector &load : end_loads(states, piece, far, arm, motions))
-        {
-          Vector f(piece.n_dofs());
-          for (unsigned int a = 0; a < load.size(); ++a)
-            f[piece.dofs().first(far) + a] = load[a];
-          reduction.constraints().condense(f);
-          u.push_back(f);
-        }
+        u.push_back(at_node(piece, load, far));
+      const std::size_t n_states = u.size();
+      for (const HeatedSection &one : heat)
+        if (!rows.empty())
+          {
+            u.emplace_back(piece.n_dofs());
+            piece.add_internal_forces(all_along(piece, one.answer), u.back());
+          }
+        else if (one.traction.linfty_norm() > 0.)
+          u.push_back(at_node(piece, one.traction, last - far));
       if (u.empty())
         return u;
+      for (Vector &one : u)
+        reduction.constraints().condense(one);
       piece.make_solver(reduction.constraints(), springs)->solve_all(u);
       for (Vector &one : u)
         reduction.constraints().distribute(one);
+      const double H = piece.section().extents().first;
+      for (std::size_t k = n_states; k < u.size(); ++k)
+        {
+          if (!rows.empty())
+            u[k] -= all_along(piece, heat[k - n_states].answer);
+          Vector forces(piece.n_dofs());
+          piece.add_internal_forces(u[k], forces);
+          u[k] *= std::sqrt(H / (u[k] * forces));
+        }
       return u;
     }
 
@@ -307,6 +344,38 @@ namespace lamella
 
 
 
+  HeatedSection::HeatedSection(const SaintVenant       &states,
+                               const Beam::SectionHeat &heat)
+    : answer(states.response_to_constant(heat.on_values))
+    , traction(answer.size())
+  {
+    // Of what it is the difference of.
+    constexpr double nothing = 1e-6;
+    const Section   &section = states.of_section();
+    section.S(1, 0).vmult(traction, answer);
+    const double size =
+      traction.linfty_norm() + heat.on_derivatives.linfty_norm();
+    traction -= heat.on_derivatives;
+    const std::vector<Vector> of_states = tractions(states);
+    FullMatrix<double>        forces(n_rigid);
+    for (unsigned int j = 0; j < n_rigid; ++j)
+      for (unsigned int i = 0; i < n_rigid; ++i)
+        forces(i, j) = forces_at_end(section, of_states[j], 0.)[i];
+    forces.gauss_jordan();
+    const Tensor<1, 6> left = forces_at_end(section, traction, 0.);
+    for (unsigned int j = 0; j < n_rigid; ++j)
+      {
+        double part = 0.;
+        for (unsigned int i = 0; i < n_rigid; ++i)
+          part += forces(j, i) * left[i];
+        traction.add(-part, of_states[j]);
+      }
+    if (traction.linfty_norm() < nothing * size)
+      traction = 0.;
+  }
+
+
+
   std::vector<HeldSection>
   held_sections(const std::vector<Touch> &touches,
                 const unsigned int        t,
@@ -316,7 +385,8 @@ namespace lamella
     HeldSection  held;
     held.element = touches[t].element;
     for (const Touch &touch : touches)
-      if (touch.holds_section && std::abs(touch.begin - y) < tolerance)
+      if ((touch.holds_section || touch.is_free) &&
+          std::abs(touch.begin - y) < tolerance)
         {
           held.rows.insert(held.rows.end(),
                            touch.held.begin(),
@@ -444,6 +514,7 @@ namespace lamella
              const Warping                        &warping,
              const FieldColumns                   &warpings,
              const HeldSection                    &held,
+             const std::vector<HeatedSection>     &heat,
              const EndFieldRules                  &rules)
   {
     const double larger = section->extents().second;
@@ -451,7 +522,7 @@ namespace lamella
     if (piece->n_dofs() > rules.most_dofs)
       return {};
     const std::vector<Vector> u =
-      solutions(*piece, states, held, rows_of(held, *piece));
+      solutions(*piece, states, held, rows_of(held, *piece), heat);
     if (u.empty())
       return {};
     return zones_of(

@@ -31,7 +31,8 @@ namespace lamella
   FieldsOfSection::FieldsOfSection(std::shared_ptr<const Section> section_,
                                    const Theory                  &theory,
                                    const FieldRules              &rules,
-                                   const std::vector<Vector>     &everywhere)
+                                   const std::vector<Beam::SectionHeat> &heat,
+                                   const std::vector<Vector> &weights)
     : section(std::move(section_))
     , theory(theory)
     , rules(rules)
@@ -43,7 +44,12 @@ namespace lamella
     // Responses that differ by less are those of one load.
     constexpr double    alike = 1e-6;
     std::vector<Vector> answers;
-    for (const Vector &load : everywhere)
+    for (const Beam::SectionHeat &one : heat)
+      {
+        heated.emplace_back(states, one);
+        answers.push_back(heated.back().answer);
+      }
+    for (const Vector &load : weights)
       if (load.l2_norm() > 0.)
         answers.push_back(states.response_to_constant(load));
     if (answers.empty())
@@ -121,7 +127,8 @@ namespace lamella
           end.zones = mirrored(known.zones, *section, held);
       }
     if (end.zones.empty())
-      end.zones = rules.ends->zones(section, states, warping, warpings, held);
+      end.zones =
+        rules.ends->zones(section, states, warping, warpings, held, heated);
     for (const EndZone &zone : end.zones)
       {
         Group group;
@@ -150,7 +157,8 @@ namespace lamella
           const auto &zones = zones_of(one);
           result.insert(result.end(), zones.begin(), zones.end());
         }
-    if (result.empty() || rules.clamps == FieldRules::Clamps::both)
+    if (!touch.is_free &&
+        (result.empty() || rules.clamps == FieldRules::Clamps::both))
       result.push_back(group_of(touch));
     return result;
   }

@@ -100,7 +100,8 @@ namespace lamella
                    const SaintVenant                    &states,
                    const Warping                        &warping,
                    const FieldColumns                   &warpings,
-                   const HeldSection                    &held)
+                   const HeldSection                    &held,
+                   const std::vector<HeatedSection>     &heat)
   {
     HeldSection of_piece = held;
     of_piece.element     = first_element(*section, held, rules);
@@ -130,7 +131,8 @@ namespace lamella
                        rules);
     else
       {
-        zones = end_fields(section, states, warping, warpings, held, rules);
+        zones =
+          end_fields(section, states, warping, warpings, held, heat, rules);
         ++n_pieces;
       }
     known.push_back({section, warpings, of_piece, zones});

@@ -387,9 +387,11 @@ namespace lamella
       std::vector<std::vector<unsigned int>> groups;
       for (unsigned int t = 0; t < body.touches.size(); ++t)
         if (const Touch &touch = body.touches[t];
-            touch.holds_section && wants_responses)
+            (touch.holds_section || touch.is_free) && wants_responses)
           groups.push_back(fields.groups_of(
             touch, looked_at_sections(beam, body, t, rules.ends->limits())));
+        else if (touch.is_free)
+          groups.emplace_back();
         else
           groups.push_back({fields.group_of(touch)});
       return groups;
@@ -430,38 +432,25 @@ namespace lamella
 
 
 
-    /// Of the section load vectors @p loads as many as span the others.
-    std::vector<Vector>
-    spanning(const std::vector<Vector> &loads)
+    /// The heat of @p beam at as many nodes of its axis as span that at the
+    /// others.
+    std::vector<Beam::SectionHeat>
+    spanning_heat(const Beam &beam)
     {
-      constexpr double         nothing = 1e-3;
-      LAPACKFullMatrix<double> rows(loads.size(), loads[0].size());
-      for (unsigned int k = 0; k < loads.size(); ++k)
-        for (unsigned int a = 0; a < loads[k].size(); ++a)
-          rows(k, a) = loads[k][a];
-      std::vector<Vector> result;
+      constexpr double nothing = 1e-3;
+      if (!beam.is_heated())
+        return {};
+      std::vector<Beam::SectionHeat> heat, result;
+      for (const double y : beam.axis().nodes())
+        heat.push_back(beam.section_heat(y));
+      const unsigned int       n = beam.section().n_fields();
+      LAPACKFullMatrix<double> rows(heat.size(), n);
+      for (unsigned int k = 0; k < heat.size(); ++k)
+        for (unsigned int a = 0; a < n; ++a)
+          rows(k, a) = heat[k].on_values[a];
       for (const unsigned int k : most_independent(rows, nothing))
-        result.push_back(loads[k]);
+        result.push_back(heat[k]);
       return result;
-    }
-
-
-
-    /// The section load vectors of @p beam's heat, as it is at the nodes of its
-    /// axis, and of its weight.
-    std::vector<Vector>
-    loads_everywhere(const Beam &beam, const Tensor<1, 3> &gravity)
-    {
-      std::vector<Vector> loads;
-      if (beam.is_heated())
-        {
-          for (const double y : beam.axis().nodes())
-            loads.push_back(beam.section_heat(y));
-          loads = spanning(loads);
-        }
-      if (gravity.norm() > 0.)
-        loads.push_back(beam.section_weight(gravity));
-      return loads;
     }
 
 
@@ -502,12 +491,17 @@ namespace lamella
       };
       const Theory &theory = descriptions[touched[0].number].theory;
       const auto section = beam_of(touched[0].number).fields().shared_section();
-      std::vector<Vector> everywhere;
+      std::vector<Beam::SectionHeat> heat;
+      std::vector<Vector>            weights;
       for (const TouchedBody &body : touched)
-        for (const Vector &load :
-             loads_everywhere(beam_of(body.number), gravity))
-          everywhere.push_back(load);
-      FieldsOfSection fields(section, theory, rules, everywhere);
+        {
+          const Beam &beam = beam_of(body.number);
+          for (const Beam::SectionHeat &one : spanning_heat(beam))
+            heat.push_back(one);
+          if (gravity.norm() > 0.)
+            weights.push_back(beam.section_weight(gravity));
+        }
+      FieldsOfSection fields(section, theory, rules, heat, weights);
       for (TouchedBody &body : touched)
         {
           const Beam &beam = beam_of(body.number);
@@ -612,16 +606,14 @@ namespace lamella
     for (unsigned int b = 0; b < descriptions.size(); ++b)
       if (is_chosen(descriptions[b]) &&
           descriptions[b].theory.kind == Theory::Kind::SV)
-        touched[{descriptions[b].section, descriptions[b].theory}].push_back(
-          {b,
-           find_touches(dynamic_cast<const Beam &>(*bodies[b]),
-                        b,
-                        bodies,
-                        supports,
-                        loads,
-                        contacts),
-           asked_of(b),
-           {}});
+        {
+          const auto &beam = dynamic_cast<const Beam &>(*bodies[b]);
+          auto all = find_touches(beam, b, bodies, supports, loads, contacts);
+          for (const Touch &end : heated_free_ends(beam, all))
+            all.push_back(end);
+          touched[{descriptions[b].section, descriptions[b].theory}].push_back(
+            {b, std::move(all), asked_of(b), {}});
+        }
     std::vector<std::string> notes;
     for (unsigned int b = 0; b < descriptions.size(); ++b)
       if (descriptions[b].theory.hierarchical)

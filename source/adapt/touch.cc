@@ -323,7 +323,7 @@ namespace lamella
       double              largest = 0.;
       for (const double y : axis.nodes())
         {
-          heat.push_back(beam.section_heat(y));
+          heat.push_back(beam.section_heat(y).on_values);
           largest = std::max(largest, heat.back().l2_norm());
         }
       const double      H = beam.section().extents().first;
@@ -363,6 +363,36 @@ namespace lamella
         touches[k].heats = true;
     }
   } // namespace
+
+
+
+  std::vector<Touch>
+  heated_free_ends(const Beam &beam, const std::vector<Touch> &touches)
+  {
+    // Of the length.
+    constexpr double   same_place = 1e-9;
+    const Axis        &axis       = beam.axis();
+    std::vector<Touch> ends;
+    if (!beam.is_heated())
+      return ends;
+    for (const bool at_start : {true, false})
+      {
+        const unsigned int cell = at_start ? 0 : axis.n_cells() - 1;
+        Touch              end;
+        end.name            = "heated end";
+        end.begin           = at_start ? 0. : axis.length();
+        end.end             = end.begin;
+        end.element         = axis.cell_end(cell) - axis.cell_begin(cell);
+        end.is_free         = true;
+        const auto holds_it = [&](const Touch &touch) {
+          return touch.holds_section &&
+                 std::abs(touch.begin - end.begin) < same_place * axis.length();
+        };
+        if (std::none_of(touches.begin(), touches.end(), holds_it))
+          ends.push_back(end);
+      }
+    return ends;
+  }
 
 
 

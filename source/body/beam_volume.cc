@@ -144,12 +144,13 @@ namespace lamella
 
 
 
-  Vector
+  Beam::SectionHeat
   Beam::section_heat(const double y) const
   {
-    Vector load(beam_section->n_fields());
+    SectionHeat heat{Vector(beam_section->n_fields()),
+                     Vector(beam_section->n_fields())};
     if (!is_heated())
-      return load;
+      return heat;
     beam_section->for_each_point([&](const SectionPoint &point,
                                      const double        weight) {
       const double T = temperature(
@@ -164,9 +165,12 @@ namespace lamella
                    active),
                 point);
       for (unsigned int a = 0; a < work.size(); ++a)
-        load[(*point.fields)[a]] += work[a][0] + work[a][1];
+        {
+          heat.on_values[(*point.fields)[a]] += work[a][0] + work[a][1];
+          heat.on_derivatives[(*point.fields)[a]] += work[a][2];
+        }
     });
-    return load;
+    return heat;
   }
 
 

@@ -28,13 +28,15 @@ namespace
   SectionMeshes
   meshes(const unsigned int across = 4)
   {
-    return {
-      {"strip",
-       make_section_mesh(rectangle(width, height, {0., 90., 0.}, across),
-                         {{"material", orthotropic}})},
-      {"coupled",
-       make_section_mesh(rectangle(width, height, {45., -45., 0.}, across),
-                         {{"material", orthotropic}})}};
+    Material material  = orthotropic;
+    material.expansion = dealii::Tensor<1, 3>({0., 3e-5, 3e-5});
+    const auto made    = [&](const std::vector<double> &layup) {
+      return make_section_mesh(rectangle(width, height, layup, across),
+                               {{"material", material}});
+    };
+    return {{"strip", made({0., 90., 0.})},
+            {"coupled", made({45., -45., 0.})},
+            {"plain", made({0.})}};
   }
 
 
@@ -186,6 +188,44 @@ namespace
 } // namespace
 
 BOOST_AUTO_TEST_SUITE(adapt)
+
+BOOST_AUTO_TEST_CASE(heated_ends)
+{
+  const auto heat_of = [](const End &end, const double across) {
+    end.bodies[0]->heat(
+      [=](const Point<3> &x) { return 1. + across * x[0] * x[0]; });
+    return HeatedSection(end.states, end.beam.section_heat(0.5 * length));
+  };
+  // What is left of a section that would expand freely is nothing.
+  const End strip("strip", "LE-2"), coupled("coupled", "LE-2");
+  for (const End *end : {&strip, &coupled})
+    {
+      const HeatedSection heat = heat_of(*end, 0.3);
+      BOOST_TEST(heat.traction.linfty_norm() > 0.);
+      // No section force: none on rigid fields.
+      for (unsigned int a = 0; a < 6; ++a)
+        BOOST_TEST(std::abs(heat.traction[a]) <
+                   1e-10 * heat.traction.linfty_norm());
+    }
+  const End plain("plain", "LE-2");
+  BOOST_TEST(heat_of(plain, 0.).traction.linfty_norm() == 0.);
+  BOOST_TEST(heat_of(plain, 0.3).traction.linfty_norm() > 0.);
+
+  // Two ends that nothing holds, one that a support does.
+  const auto touches = find_touches(
+    strip.beam,
+    0,
+    strip.bodies,
+    {{"clamp", {{0, Region::Kind::surface, "start", {}}}, {{0., 0., 0.}}}},
+    {},
+    {});
+  const auto free = heated_free_ends(strip.beam, touches);
+  BOOST_REQUIRE(free.size() == 1);
+  BOOST_TEST(free[0].begin == length);
+  BOOST_TEST(heated_free_ends(strip.beam, {}).size() == 2);
+}
+
+
 
 BOOST_AUTO_TEST_CASE(touches_are_load_vectors_of_the_section)
 {

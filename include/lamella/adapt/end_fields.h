@@ -40,7 +40,8 @@ namespace lamella
     double looked_at = 1.;
   };
 
-  /// How a section is held as a whole, and on which side of it the body is.
+  /// How a section is held as a whole, and on which side of it the body is. A
+  /// free end is held by no rows.
   struct HeldSection
   {
     /// r(u) = 0 each, the DoFs of a row being the fields of the section.
@@ -71,6 +72,20 @@ namespace lamella
   held_sections(const std::vector<Touch> &touches,
                 const unsigned int        t,
                 const Axis               &axis);
+
+  /**
+   * What heat that is constant along the axis does to a section, apart from
+   * what the six states say: the answer v (SaintVenant::response_to_constant())
+   * to its load h_s on values, which a clamp does not let be, and the traction
+   *   r = S_10 v - h_y - sum_j c_j (S_10 a_j + S_11 b_j)
+   * that it leaves at an end, h_y its load on derivatives, with as much of the
+   * states (a_j, b_j) as frees it of section forces: none acts on a free end.
+   */
+  struct HeatedSection
+  {
+    Vector answer, traction;
+    HeatedSection(const SaintVenant &states, const Beam::SectionHeat &heat);
+  };
 
   /// Whether both hold alike, to within rounding.
   bool
@@ -113,9 +128,14 @@ namespace lamella
    * are zones: the outermost has the fields of the nodes there, each further
    * in what the nodes from its beginning on add to those of the ones outside.
    *
+   * Of @p heat comes another load each: on what is held that of the answer all
+   * along, so that what is left of it is the disturbance; on a section that
+   * nothing holds the traction. They are scaled to disturbances of the energy
+   * that a state has along one H.
+   *
    * The zones, the outermost first, free of rigid fields and warpings; those
-   * that add nothing are left out. None at all where none of the six states can
-   * load the piece, or where it would be too large. The axis is B4. Throws
+   * that add nothing are left out. None at all where nothing can load the
+   * piece, or where it would be too large. The axis is B4. Throws
    * NumericsError if the piece's stiffness is not positive definite.
    * Collective.
    */
@@ -125,6 +145,7 @@ namespace lamella
              const Warping                        &warping,
              const FieldColumns                   &warpings,
              const HeldSection                    &held,
+             const std::vector<HeatedSection>     &heat  = {},
              const EndFieldRules                  &rules = {});
 
   /// The nodes of the pieces that end_fields() would solve for @p beam, which

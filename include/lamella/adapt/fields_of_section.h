@@ -27,21 +27,22 @@ namespace lamella
   {
   public:
     /// Makes the states and warpings of @p section, and beside these its
-    /// responses to the section load vectors @p everywhere, which act all along
-    /// the axis (heat, weight) and little changed. Throws NumericsError if its
+    /// responses to what acts all along the axis and little changed: @p heat
+    /// and the section load vectors @p weights. Throws NumericsError if its
     /// matrices cannot be factorised.
-    FieldsOfSection(std::shared_ptr<const Section> section,
-                    const Theory                  &theory,
-                    const FieldRules              &rules,
-                    const std::vector<Vector>     &everywhere = {});
+    FieldsOfSection(std::shared_ptr<const Section>        section,
+                    const Theory                         &theory,
+                    const FieldRules                     &rules,
+                    const std::vector<Beam::SectionHeat> &heat    = {},
+                    const std::vector<Vector>            &weights = {});
 
     /// The group of @p touch.
     unsigned int
     group_of(const Touch &touch);
 
-    /// Those of what holds a section as a whole as @p held say: the zones of
-    /// its end fields; the tractions of its touch @p touch where there are
-    /// none, or where the rules want these.
+    /// Those of what holds a section as a whole, or of a free end, as @p held
+    /// say: the zones of its end fields; the tractions of its touch @p touch
+    /// where something holds and there are none, or the rules want these.
     std::vector<unsigned int>
     groups_of(const Touch &touch, const std::vector<HeldSection> &held);
 
@@ -142,6 +143,7 @@ namespace lamella
     Warping                        warping;
     FieldColumns                   warpings;
     FieldColumns                   modes;
+    std::vector<HeatedSection>     heated;
     std::vector<Group>             groups;
     bool                           responses_are_known = false;
     std::map<std::set<unsigned int>, std::vector<unsigned int>> lists;

@@ -41,13 +41,15 @@ namespace lamella
     explicit EndFields(const EndFieldRules &rules = {});
 
     /// end_fields(), or what it said of a section with the same matrices and
-    /// fields, held alike; or those of a poorer one, embedded. Collective.
+    /// fields, held alike; or those of a poorer one, embedded. Models of one
+    /// scene have the same heat. Collective.
     std::vector<EndZone>
     zones(const std::shared_ptr<const Section> &section,
           const SaintVenant                    &states,
           const Warping                        &warping,
           const FieldColumns                   &warpings,
-          const HeldSection                    &held);
+          const HeldSection                    &held,
+          const std::vector<HeatedSection>     &heat = {});
 
     const EndFieldRules &
     limits() const

@@ -100,7 +100,8 @@ namespace lamella
    * All nodes of a body that is heated, or under @p gravity (scene axes,
    * length / s^2), carry how the section answers that where it is constant
    * along the axis; heat that varies along it is a load where it does. Beside
-   * what holds the section as a whole nodes carry end fields (end_fields()).
+   * what holds the section as a whole, and beside free ends of heated bodies,
+   * nodes carry end fields (end_fields()).
    * Fields are cut to what is independent. In `Theories` pieces of SV have none
    * of these, and nodes of LE-q carry the section's fields of degree q and less
    * (Section::field_degree()): at the end of such a piece those of the higher

@@ -38,6 +38,8 @@ namespace lamella
     double element = 0.;
     /// Whether it takes hold of the section as a whole: a clamp.
     bool holds_section = false;
+    /// Whether it is nothing but an end that is free to deform.
+    bool is_free = false;
     /// Its rows then, r(u) = 0 each, their DoFs the fields of the section.
     std::vector<Row> held;
     /// Whether it is a side of a contact, whether a support, and whether heat.
@@ -56,6 +58,11 @@ namespace lamella
                const std::vector<Support>          &supports,
                const std::vector<Load>             &loads,
                const std::vector<ContactInterface> &contacts);
+
+  /// The ends of @p beam, if it is heated, that none of @p touches holds as a
+  /// whole: stress that heat makes along the axis ends there.
+  std::vector<Touch>
+  heated_free_ends(const Beam &beam, const std::vector<Touch> &touches);
 } // namespace lamella
 
 #endif

@@ -173,11 +173,16 @@ namespace lamella
       return beam_section->plies();
     }
 
-    /// integral D_s^T C epsilon_0 dA over the section at @p y of the axis, and
-    /// integral of rho g . Phi dA, in the fields of the section: what heat and
-    /// weight load a section with.
-    Vector
+    /// What heat loads the section at @p y of the axis with, in the fields of
+    /// the section: integral D_s^T C epsilon_0 dA on their values and integral
+    /// D_y^T C epsilon_0 dA on their derivatives along the axis.
+    struct SectionHeat
+    {
+      Vector on_values, on_derivatives;
+    };
+    SectionHeat
     section_heat(const double y) const;
+    /// What weight does: integral of rho g . Phi dA.
     Vector
     section_weight(const dealii::Tensor<1, 3> &acceleration) const;
 
