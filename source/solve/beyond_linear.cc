@@ -48,7 +48,8 @@ namespace lamella
 
       /// Iterates until the largest mu that is no mode of stabilising springs
       /// is known to a part in a million or certainly below @p least. Returns
-      /// it with its mode, or none that is at least that.
+      /// it with its mode, or none that is at least that. What springs hold of
+      /// the mode is taken off its energy, as Rayleigh's quotient has it.
       std::optional<std::pair<double, BlockVector>>
       largest(const double least);
 
@@ -207,11 +208,11 @@ namespace lamella
               BlockVector mode = structure.zero();
               for (unsigned int i = 0; i < n; ++i)
                 mode.add(s(i, k), q[i]);
-              if (share_of_springs(mode) < of_springs)
+              if (const double held = share_of_springs(mode); held < of_springs)
                 {
                   if (mu[k] < least)
                     return {};
-                  return std::make_pair(mu[k], mode);
+                  return std::make_pair(mu[k] / (1. - held), mode);
                 }
             }
           if (is_exhausted || n == most_steps)
