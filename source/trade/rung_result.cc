@@ -10,6 +10,8 @@ namespace lamella
     , dofs(results.n_dofs())
     , memory(results.peak_memory / megabyte)
     , seconds(results.seconds)
+    , stiffening(results.worst_beyond().stiffening)
+    , buckling_factor(results.worst_beyond().buckling_factor)
   {
     for (const GoalResult &goal : results.goals)
       bars[goal.name] = {goal.estimate, goal.bar, goal.trusted};
@@ -23,6 +25,9 @@ namespace lamella
     json.at("dofs").get_to(dofs);
     json.at("peak_memory_mb").get_to(memory);
     json.at("seconds").get_to(seconds);
+    json.at("stiffening").get_to(stiffening);
+    if (const auto &factor = json.at("buckling_factor"); !factor.is_null())
+      buckling_factor = factor.get<double>();
     for (const auto &[label, bar] : json.at("bars").items())
       bars[label] = {bar.at("estimate"), bar.at("bar"), bar.at("trusted")};
   }
@@ -36,7 +41,10 @@ namespace lamella
     json["dofs"]           = dofs;
     json["peak_memory_mb"] = memory;
     json["seconds"]        = seconds;
-    json["bars"]           = nlohmann::json::object();
+    json["stiffening"]     = stiffening;
+    json["buckling_factor"] =
+      buckling_factor ? nlohmann::json(*buckling_factor) : nlohmann::json();
+    json["bars"] = nlohmann::json::object();
     for (const auto &[label, bar] : bars)
       json["bars"][label] = {{"estimate", bar.estimate},
                              {"bar", bar.bar},
@@ -47,11 +55,13 @@ namespace lamella
 
 
   void
-  RungValues::tell_cost(RungResult &result) const
+  RungValues::tell(RungResult &result) const
   {
-    result.dofs   = dofs;
-    result.memory = memory;
-    result.phases = seconds;
+    result.dofs            = dofs;
+    result.memory          = memory;
+    result.phases          = seconds;
+    result.stiffening      = stiffening;
+    result.buckling_factor = buckling_factor;
   }
 
 

@@ -407,7 +407,7 @@ namespace lamella
     if (result.failure.empty())
       {
         values = RungValues(record.at("values"));
-        values.tell_cost(result);
+        values.tell(result);
       }
     out << (result.failure.empty() ? std::to_string(result.dofs) + " DoFs, " +
                                        to_text(result.seconds, 3) + " s" :

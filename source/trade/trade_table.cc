@@ -353,6 +353,33 @@ namespace lamella
 
 
 
+  std::string
+  TradeTable::beyond_linear() const
+  {
+    // As BeyondLinear's notes: below that nothing is said.
+    constexpr double worth_saying = 1e-2, near = 10.;
+    int              k = against;
+    for (unsigned int other = 0; against < 0 && other < all.size(); ++other)
+      if (all[other].failure.empty() &&
+          (k < 0 || all[other].dofs > all[k].dofs))
+        k = other;
+    if (k < 0)
+      return "";
+    const RungResult        &rung = all[k];
+    std::vector<std::string> parts;
+    if (rung.stiffening > worth_saying)
+      parts.push_back("stiffening " + per_cent(rung.stiffening));
+    if (rung.buckling_factor && *rung.buckling_factor < near)
+      parts.push_back("buckling factor " + to_text(*rung.buckling_factor, 4));
+    if (parts.empty())
+      return "";
+    return "All rungs are linear, and none of these errors says what large "
+           "deflections do. By " +
+           rung.name + ": " + joined(parts) + " (doc/beyond-linear.md).";
+  }
+
+
+
   std::pair<int, double>
   TradeTable::nearest_to_reference() const
   {
@@ -478,6 +505,8 @@ namespace lamella
     out << "\nHow far it is off\n\n";
     print_table(out, table_of_errors(table));
     out << "\n" << table.basis() << "\n";
+    const std::string beyond = table.beyond_linear();
+    out << beyond << (beyond.empty() ? "" : "\n");
     const std::string bars = table.count_of_bars();
     out << bars << (bars.empty() ? "\n" : "\n\n");
     for (const double tolerance : table.tolerances())
@@ -524,7 +553,7 @@ namespace lamella
     std::ofstream file(path);
     file << "rung,theory,dofs,seconds," << joined(phase_names(), ",")
          << ",memory_mb,quantity,value,reference,error,front_seconds,"
-            "front_dofs,bar,failure\n";
+            "front_dofs,bar,stiffening,buckling_factor,failure\n";
     using Cost          = TradeTable::Cost;
     const auto contains = [](const std::vector<unsigned int> &front,
                              const unsigned int               k) {
@@ -537,7 +566,7 @@ namespace lamella
         const std::string cost = cost_cells(rung);
         if (!rung.failure.empty())
           {
-            file << cost << ",,,,,,,," << quoted(rung.failure) << "\n";
+            file << cost << ",,,,,,,,,," << quoted(rung.failure) << "\n";
             continue;
           }
         for (unsigned int q = 0; q < table.quantities().size(); ++q)
@@ -546,7 +575,10 @@ namespace lamella
                << (table.has_error(k, q) ? csv(table.error(k, q)) : "") << ","
                << contains(table.front(q, Cost::seconds), k) << ","
                << contains(table.front(q, Cost::dofs), k) << ","
-               << (table.bar(k, q) ? csv(*table.bar(k, q)) : "") << ",\n";
+               << (table.bar(k, q) ? csv(*table.bar(k, q)) : "") << ","
+               << csv(rung.stiffening) << ","
+               << (rung.buckling_factor ? csv(*rung.buckling_factor) : "")
+               << ",\n";
       }
     file.close();
     if (!file)

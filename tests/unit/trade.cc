@@ -262,6 +262,33 @@ BOOST_AUTO_TEST_CASE(accidents)
 
 
 
+BOOST_AUTO_TEST_CASE(beyond_linear)
+{
+  std::vector<RungResult> rungs = ladder();
+  const auto              said  = [&](std::vector<NamedQuantity> quantities,
+                        const std::string         &reference) {
+    std::ostringstream text;
+    print_trade(text, TradeTable(rungs, std::move(quantities), reference, {}));
+    return text.str();
+  };
+  // The reference counts, and of that what is worth a word.
+  rungs[0].stiffening      = 3.;
+  rungs[6].stiffening      = 0.005;
+  rungs[6].buckling_factor = 12.;
+  BOOST_TEST(said({quantity("uz")}, "finest").find("linear") ==
+             std::string::npos);
+  rungs[6].stiffening        = 0.12;
+  rungs[6].buckling_factor   = 3.4;
+  const std::string sentence = "By LE-3: stiffening 12 %, buckling factor 3.4";
+  BOOST_TEST(said({quantity("uz")}, "finest").find(sentence) !=
+             std::string::npos);
+  // Without a reference the rung of most DoFs.
+  BOOST_TEST(said({quantity("uz", 1.)}, "given").find(sentence) !=
+             std::string::npos);
+}
+
+
+
 BOOST_AUTO_TEST_CASE(own_bars)
 {
   // Against the reference -2: errors 9 % and 6 %, and bars of 0.2 and 0.1 in

@@ -100,7 +100,7 @@ BendingTest::climb(const LadderEntry &entry)
       result.seconds         = wall.wall_time();
 
       const RungValues values(results);
-      values.tell_cost(result);
+      values.tell(result);
       for (const NamedQuantity &quantity : scene.trade.quantities)
         result.values.push_back(values.value(quantity));
 

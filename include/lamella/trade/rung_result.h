@@ -55,6 +55,9 @@ namespace lamella
     /// Of each quantity of the trade, none where the rung makes none of it;
     /// empty if it makes none at all.
     std::vector<std::optional<OwnBar>> bars = {};
+    /// As in BeyondLinear, the worst of all load steps.
+    double                stiffening      = 0.;
+    std::optional<double> buckling_factor = {};
   };
 
   /**
@@ -80,9 +83,10 @@ namespace lamella
     nlohmann::json
     to_json() const;
 
-    /// DoFs, seconds by phase and memory into @p result.
+    /// DoFs, seconds by phase and memory, and how far it is from what large
+    /// deflections do, into @p result.
     void
-    tell_cost(RungResult &result) const;
+    tell(RungResult &result) const;
 
     /// The rung's own bar of @p quantity; none if that was no goal of the run.
     std::optional<OwnBar>
@@ -102,6 +106,9 @@ namespace lamella
     /// Peak [MB], and wall seconds by phase.
     double                        memory = 0.;
     std::map<std::string, double> seconds;
+    /// As in RungResult.
+    double                stiffening = 0.;
+    std::optional<double> buckling_factor;
   };
 } // namespace lamella
 

@@ -145,6 +145,13 @@ namespace lamella
     std::string
     basis() const;
 
+    /// What errors against a linear reference do not say, by the reference, or
+    /// the rung of most DoFs if values are given: its stiffening above 1 % and
+    /// its buckling factor below 10 (BeyondLinear). Empty where there is
+    /// neither.
+    std::string
+    beyond_linear() const;
+
   private:
     /// The last rung that @p name means and that did not fail.
     int
