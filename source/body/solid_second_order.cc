@@ -34,6 +34,11 @@ namespace lamella
     /// The sample points of a hexahedron with weight times det(jacobian).
     std::vector<HexahedronPoint>
     sample_points(const Solid::Kind &kind) const;
+    /// @p use (cell, point, B, law) for each own hexahedron at each of its
+    /// quadrature points: strains there are B times relative displacements.
+    template <typename Use>
+    void
+    for_each_point(const Use &use) const;
     /// e_2 of @p cell at @p unit, between its samples.
     Voigt
     stretch_at(const unsigned int cell, const Point<3> &unit) const;
@@ -156,10 +161,10 @@ namespace lamella
 
 
 
+  template <typename Use>
   void
-  SolidSecondOrder::add_load(Vector &f) const
+  SolidSecondOrder::for_each_point(const Use &use) const
   {
-    Vector share(f.size());
     for (const Solid::Kind &kind : solid.kinds)
       if (!kind.own_cells.empty())
         for (const HexahedronPoint &point :
@@ -169,14 +174,25 @@ namespace lamella
               solid.element.strains(point, kind.modes);
             const ElasticLaw law = solid.law(kind.cell, point.position);
             for (const unsigned int cell : kind.own_cells)
-              {
-                const Voigt stress =
-                  law.stiffness() * stretch_at(cell, point.unit);
-                const std::vector<DofIndex> dofs = solid.dofs_of(cell);
-                for (unsigned int d = 0; d < dofs.size(); ++d)
-                  share[dofs[d]] -= point.JxW * (B[d] * stress);
-              }
+              use(cell, point, B, law);
           }
+  }
+
+
+
+  void
+  SolidSecondOrder::add_load(Vector &f) const
+  {
+    Vector share(f.size());
+    for_each_point([&](const unsigned int        cell,
+                       const HexahedronPoint    &point,
+                       const std::vector<Voigt> &B,
+                       const ElasticLaw         &law) {
+      const Voigt stress = law.stiffness() * stretch_at(cell, point.unit);
+      const std::vector<DofIndex> dofs = solid.dofs_of(cell);
+      for (unsigned int d = 0; d < dofs.size(); ++d)
+        share[dofs[d]] -= point.JxW * (B[d] * stress);
+    });
     sum_over_processes(share);
     f += share;
   }
@@ -187,22 +203,19 @@ namespace lamella
   SolidSecondOrder::settle(const Vector &v)
   {
     double energy = 0.;
+    for_each_point([&](const unsigned int        cell,
+                       const HexahedronPoint    &point,
+                       const std::vector<Voigt> &B,
+                       const ElasticLaw         &law) {
+      energy +=
+        point.JxW *
+        law.energy_density(stretch_at(cell, point.unit) +
+                           strain_of(B, solid.relative_displacements(cell, v)));
+    });
     for (const Solid::Kind &kind : solid.kinds)
       {
         if (kind.own_cells.empty())
           continue;
-        for (const HexahedronPoint &point :
-             solid.element.quadrature_points(solid.nodes_of(kind.cell)))
-          {
-            const std::vector<Voigt> B =
-              solid.element.strains(point, kind.modes);
-            const ElasticLaw law = solid.law(kind.cell, point.position);
-            for (const unsigned int cell : kind.own_cells)
-              energy += point.JxW *
-                        law.energy_density(
-                          stretch_at(cell, point.unit) +
-                          strain_of(B, solid.relative_displacements(cell, v)));
-          }
         const std::vector<HexahedronPoint> points = sample_points(kind);
         for (const unsigned int cell : kind.own_cells)
           stress[cell].clear();

@@ -144,8 +144,8 @@ namespace lamella
     std::ostream nowhere(nullptr);
     out << "  " << what << ": " << std::flush;
     // Whether the linear model will do is a question to the run itself.
-    Scene compared               = scene;
-    compared.solve.beyond_linear = OutOfRange::accept;
+    Scene compared           = scene;
+    compared.solve.is_judged = false;
     Simulation     simulation(compared, nowhere, run.rules());
     const Results &results = simulation.solve();
     const Model    model{simulation.solved_scene(),

@@ -38,10 +38,14 @@ namespace lamella
   Plausibility::Plausibility(const Bodies &bodies, const Units &units)
     : bodies(bodies)
     , units(units)
-    , places(bodies.size())
+  {}
+
+
+
+  void
+  Plausibility::find_places()
   {
-    if (units.length.empty())
-      return;
+    places.resize(bodies.size());
     for (unsigned int b = 0; b < bodies.size(); ++b)
       {
         const auto        points = bodies[b]->surface_points("all");
@@ -54,8 +58,12 @@ namespace lamella
 
 
   std::vector<std::string>
-  Plausibility::doubts(const BlockVector &u) const
+  Plausibility::doubts(const BlockVector &u)
   {
+    if (units.length.empty())
+      return {};
+    if (places.empty())
+      find_places();
     const std::string remedy =
       ". Check loads and displacements, and that all numbers are in Units = " +
       units.length + ", " + units.force + " (stresses in " + units.stress + ")";

@@ -402,7 +402,8 @@ namespace lamella
     bool any = false;
     for (unsigned int b = 0; b < scene.bodies.size(); ++b)
       if (const Body &body = *structure->bodies()[b];
-          scene.bodies[b].pieces.empty() && body.theory().rfind("SV-", 0) == 0)
+          scene.bodies[b].pieces.empty() &&
+          scene.bodies[b].theory.kind == Theory::Kind::SV)
         {
           any = true;
           field_rules.unsolved.push_back(body.name());
@@ -587,6 +588,8 @@ namespace lamella
                                factor,
                                gap_rows.of_contact(k, state.active));
     }
+    if (!scene.solve.is_judged)
+      return checks;
     {
       TimerOutput::Scope scope(timer, name_of(Phase::beyond));
       checks.beyond =
@@ -742,8 +745,9 @@ namespace lamella
     std::vector<std::string> warnings = warnings_of(state, checks, contacts);
     for (const std::string &warning : warnings_of(checks.beyond, *structure))
       warnings.push_back(warning);
-    for (const std::string &doubt : plausibility->doubts(state.u))
-      warnings.push_back(doubt);
+    if (scene.solve.is_judged)
+      for (const std::string &doubt : plausibility->doubts(state.u))
+        warnings.push_back(doubt);
     for (unsigned int k = 0; k < contacts.size(); ++k)
       for (const std::string &warning :
            broken_assumptions(contacts[k],

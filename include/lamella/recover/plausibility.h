@@ -27,12 +27,16 @@ namespace lamella
     /// A sentence a body and fault, without a full stop, of the displacements
     /// @p u, which have a block for each body.
     std::vector<std::string>
-    doubts(const BlockVector &u) const;
+    doubts(const BlockVector &u);
 
   private:
+    void
+    find_places();
+
     const Bodies &bodies;
     Units         units;
-    /// Of each body.
+    /// Of each body, once somebody has asked: on large sections to list them
+    /// takes a while.
     std::vector<std::vector<Location>> places;
   };
 } // namespace lamella

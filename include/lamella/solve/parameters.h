@@ -64,6 +64,10 @@ namespace lamella
     /// rad; beyond it a run fails.
     double     rotation_limit = 0.;
     OutOfRange beyond_linear  = OutOfRange::refuse;
+    /// Whether somebody reads how far results are from what large deflections
+    /// do, and whether they look like a slip of units. No entry: models that
+    /// are made to be compared with say no.
+    bool is_judged = true;
 
     /// Declares the entries with their defaults and documentation.
     static void
