@@ -311,6 +311,10 @@ namespace lamella
   ToleranceRun::run(const std::string &directory)
   {
     std::string reason;
+    if (is_speaker())
+      say_if_interrupted("interrupted in the first pass: nothing of this run "
+                         "is in " +
+                         directory + ".");
     while (reason.empty())
       {
         try

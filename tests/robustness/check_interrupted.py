@@ -2,11 +2,12 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Ends a run as Ctrl-C does and reads what it says of its folder; then goes on with it.
 
-Usage: check_interrupted.py LAMELLA SCENE.prm WORKDIR
+Usage: check_interrupted.py LAMELLA SCENE.prm TOLERANCE.prm TRADE.prm WORKDIR
 
 Ended before its first load step it says that nothing is there; later how many load steps
 are, which are those of summary.json, and that --resume goes on, which it does. It ends by
-the signal, 130 to a shell. A run that is done says nothing of the kind.
+the signal, 130 to a shell. A run that is done says nothing of the kind. A run to a
+tolerance names the pass whose results are there, a trade the rungs.
 """
 
 import json
@@ -37,8 +38,29 @@ def interrupted(words, line, signal_number):
     return run.returncode, errors
 
 
+def check_tolerance_run(program, scene, output):
+    """Ended in the bars of its second pass it has the first, in those of that nothing."""
+    words = [program, scene, "--output", str(output), "--set", "Goals/Tolerance=0.0001"]
+    _, errors = interrupted(words, "Pass 1", signal.SIGINT)
+    expect("interrupted in the first pass: nothing of this run is in " in errors,
+           errors.strip())
+    status, errors = interrupted(words, "Pass 2", signal.SIGINT)
+    expect(status == -signal.SIGINT, f"a run to a tolerance ends by the signal ({status})")
+    told = f"{output} has the results of pass 1. A run to a Tolerance begins anew."
+    expect(told in errors and (output / "summary.json").exists(), errors.strip())
+
+
+def check_trade(program, scene, output):
+    words = [program, "trade", scene, "--output", str(output)]
+    status, errors = interrupted(words, "Rung 2 ", signal.SIGINT)
+    expect(status == -signal.SIGINT, f"a trade ends by the signal ({status})")
+    told = f"{output}/rungs has the rungs before this one. The same command goes on with it."
+    expect(told in errors and list(output.glob("rungs/01_*/rung.json")), errors.strip())
+
+
 def main():
-    program, scene, folder = sys.argv[1], sys.argv[2], Path(sys.argv[3])
+    program, scene, to_tolerance, trade = sys.argv[1:5]
+    folder = Path(sys.argv[5])
     shutil.rmtree(folder, ignore_errors=True)
     output = folder / "run"
     words = [program, scene, "--output", str(output), "--set", "Load factors=" +
@@ -61,6 +83,8 @@ def main():
     expect(done.returncode == 0 and "interrupted" not in done.stderr and
            json.loads((output / "summary.json").read_text())["load_steps"] == STEPS,
            f"--resume goes on {done.stderr}")
+    check_tolerance_run(program, to_tolerance, folder / "tolerance")
+    check_trade(program, trade, folder / "trade")
     sys.exit(1 if faults else 0)
 
 
