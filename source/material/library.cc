@@ -94,8 +94,8 @@ namespace lamella
 
 
     /// AS4-3501-6 and E-glass-epoxy (MY750/HY917/DY063): P. D. Soden, M. J.
-    /// Hinton and A. S. Kaddour, Compos. Sci. Technol. 58 (1998) 1011-1022,
-    /// Tables 1 and 2. T300-5208: S. W. Tsai and H. T. Hahn, Introduction to
+    /// Hinton and A. S. Kaddour, Compos. Sci. Technol. 58 (1998) 1011-1022.
+    /// T300-5208: S. W. Tsai and H. T. Hahn, Introduction to
     /// Composite Materials (1980), which has no nu23; 0.4 is that of the carbon
     /// plies of the former.
     void
@@ -122,7 +122,8 @@ namespace lamella
 
     /// A fabric of AS4 (five-harness satin AGP370-5H/3501-6S), 1 along its
     /// warp: I. M. Daniel and O. Ishai, Engineering Mechanics of Composite
-    /// Materials, 2nd ed. (2006), Table A.5.
+    /// Materials, 2nd ed. (2006), Table A.5, in its plane; out of it what is
+    /// typical of such a fabric.
     void
     add_fabric(std::vector<LibraryMaterial> &all)
     {
@@ -162,9 +163,9 @@ namespace lamella
 
     /// Rohacell-71-WF: Evonik's data sheet of ROHACELL WF (E 105 MPa and G 42
     /// MPa make nu 0.25). Nomex-48: Hexcel, Honeycomb Sandwich Design
-    /// Technology, HRH-10, 48 kg/m^3, 3 mm cells, hexagonal; 1 along the
-    /// ribbon. What the sheet does not have, since a honeycomb has next to
-    /// nothing of it, is a hundredth of E3 here, and zero.
+    /// Technology, HRH-10, 48 kg/m^3, 3 mm cells, hexagonal, typical values; 1
+    /// along the ribbon. What the sheet does not have, since a honeycomb has
+    /// next to nothing of it, is a hundredth of E3 here, and zero.
     void
     add_cores(std::vector<LibraryMaterial> &all)
     {
