@@ -134,6 +134,14 @@ namespace lamella
 
 
   std::string
+  to_text(const dealii::Point<2> &point)
+  {
+    return "(" + to_text(point[0]) + ", " + to_text(point[1]) + ")";
+  }
+
+
+
+  std::string
   to_text(const dealii::Tensor<1, 3> &v)
   {
     dealii::Point<3> rounded;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <lamella/base/exceptions.h>
+#include <lamella/base/lagrange.h>
 #include <lamella/recover/interlaminar.h>
 
 #include <deal.II/base/polynomial.h>
@@ -233,21 +234,6 @@ namespace lamella
       for (const Point<1> &point : rule.get_points())
         result.push_back(point[0]);
       return result;
-    }
-
-
-
-    /// The Lagrange polynomial of @p points that is one at point @p i, at @p t.
-    double
-    lagrange(const std::vector<double> &points,
-             const unsigned int         i,
-             const double               t)
-    {
-      double value = 1.;
-      for (unsigned int j = 0; j < points.size(); ++j)
-        if (j != i)
-          value *= (t - points[j]) / (points[i] - points[j]);
-      return value;
     }
 
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <lamella/base/lagrange.h>
 #include <lamella/recover/recovery.h>
 
 #include <deal.II/base/quadrature_lib.h>
@@ -17,21 +18,6 @@ namespace lamella
     // out of an inverted map. Nodes on the edge of a larger element are further
     // off its own.
     constexpr double same_unit = 1e-4;
-
-
-
-    /// The Lagrange polynomial of @p nodes that is one at node @p i, at @p t.
-    double
-    lagrange(const std::vector<double> &nodes,
-             const unsigned int         i,
-             const double               t)
-    {
-      double value = 1.;
-      for (unsigned int j = 0; j < nodes.size(); ++j)
-        if (j != i)
-          value *= (t - nodes[j]) / (nodes[i] - nodes[j]);
-      return value;
-    }
 
 
 

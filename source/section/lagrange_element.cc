@@ -495,7 +495,7 @@ namespace lamella
       for (unsigned int q = 0; q < quadrature.size(); ++q)
         shares(i, q) =
           fe.shape_value(i, quadrature.point(q)) * quadrature.weight(q);
-    Vector<double> areas(quadrature.size()), weights(n);
+    Vector areas(quadrature.size()), weights(n);
     for (unsigned int c = 0; c < cells.size(); ++c)
       {
         for (unsigned int q = 0; q < quadrature.size(); ++q)

@@ -31,14 +31,6 @@ namespace lamella
 
 
 
-    std::string
-    place(const Point<2> &p)
-    {
-      return "(" + to_text(p[0]) + ", " + to_text(p[1]) + ")";
-    }
-
-
-
     /// The text of the file that @p entry names. Throws InputError if it cannot
     /// be had, or not within sensible memory (a device never ends).
     std::string
@@ -277,7 +269,7 @@ namespace lamella
               refuse_line(
                 entry,
                 element.line,
-                "the cell at " + place(Point<2>(centre)) +
+                "the cell at " + to_text(Point<2>(centre)) +
                   " is in no named physical surface, so nothing says of what "
                   "it is made");
             cell.material_id = ply->second;
@@ -356,7 +348,7 @@ namespace lamella
                 entry,
                 mesh.elements[c]->line,
                 "a cell is folded or has no area, at " +
-                  place(Point<2>(centre)) +
+                  to_text(Point<2>(centre)) +
                   " (an inner angle of 180 degrees or more)",
                 "Mesh it anew; in Gmsh, 'Mesh.RecombinationAlgorithm = 3' or "
                 "transfinite surfaces make better cells.");
@@ -382,7 +374,7 @@ namespace lamella
                 entry,
                 mesh.elements[c]->line,
                 "this cell lies over others at " +
-                  place(mesh.vertices[corner.vertex]),
+                  to_text(mesh.vertices[corner.vertex]),
                 "Let each surface be drawn once, and mesh the section anew.");
           }
     }
@@ -401,8 +393,8 @@ namespace lamella
     std::string
     ends(const Mesh &mesh, const Side &side)
     {
-      return "from " + place(mesh.vertices[side.first]) + " to " +
-             place(mesh.vertices[side.second]);
+      return "from " + to_text(mesh.vertices[side.first]) + " to " +
+             to_text(mesh.vertices[side.second]);
     }
 
 

@@ -181,10 +181,10 @@ namespace lamella
 
 
 
-    class Reader
+    class MeshReader
     {
     public:
-      Reader(const std::string &text, const Entry &entry)
+      MeshReader(const std::string &text, const Entry &entry)
         : all(text, entry)
       {}
 
@@ -269,7 +269,7 @@ namespace lamella
 
 
     GmshFile
-    Reader::read()
+    MeshReader::read()
     {
       read_format();
       find_parts();
@@ -284,7 +284,7 @@ namespace lamella
 
 
     void
-    Reader::read_format()
+    MeshReader::read_format()
     {
       if (all.rest.substr(0, 3) == "\xEF\xBB\xBF")
         refuse_line(
@@ -323,7 +323,7 @@ namespace lamella
 
 
     void
-    Reader::find_parts()
+    MeshReader::find_parts()
     {
       while (all.next())
         {
@@ -339,7 +339,7 @@ namespace lamella
 
 
     void
-    Reader::add_part()
+    MeshReader::add_part()
     {
       static const std::set<std::string> once{
         "MeshFormat", "PhysicalNames", "Entities", "Nodes", "Elements"};
@@ -384,7 +384,7 @@ namespace lamella
 
 
     Part &
-    Reader::part(const std::string &name)
+    MeshReader::part(const std::string &name)
     {
       const auto found = parts.find(name);
       if (found == parts.end())
@@ -396,10 +396,10 @@ namespace lamella
 
 
     std::int64_t
-    Reader::announced(const Part        &part,
-                      const std::size_t  i,
-                      const std::string &things,
-                      const unsigned int lines_each)
+    MeshReader::announced(const Part        &part,
+                          const std::size_t  i,
+                          const std::string &things,
+                          const unsigned int lines_each)
     {
       const std::int64_t n = part.lines.integer(i, "a count of " + things, 0);
       if (n > part.n_lines / lines_each)
@@ -412,7 +412,7 @@ namespace lamella
 
 
     void
-    Reader::go_on(Part &part, const std::string &due)
+    MeshReader::go_on(Part &part, const std::string &due)
     {
       if (!part.lines.next())
         part.lines.fault("the section ends after this line, where " + due +
@@ -422,7 +422,7 @@ namespace lamella
 
 
     void
-    Reader::expect_end(Part &part)
+    MeshReader::expect_end(Part &part)
     {
       if (part.lines.next())
         part.lines.fault(shown(part.lines.current) +
@@ -432,7 +432,7 @@ namespace lamella
 
 
     void
-    Reader::read_names()
+    MeshReader::read_names()
     {
       if (parts.count("PhysicalNames") == 0)
         return;
@@ -475,7 +475,7 @@ namespace lamella
 
 
     void
-    Reader::read_entities()
+    MeshReader::read_entities()
     {
       if (version < 4. || parts.count("Entities") == 0)
         return;
@@ -500,7 +500,7 @@ namespace lamella
     /// physical groups, their tags, and but for points a count of what bounds
     /// it, and the tags of these.
     void
-    Reader::read_entity(const Lines &at, const int dimension)
+    MeshReader::read_entity(const Lines &at, const int dimension)
     {
       const std::string  name = entity_name(dimension);
       const std::size_t  head = dimension == 0 && version > 4. ? 4 : 7;
@@ -534,9 +534,9 @@ namespace lamella
 
 
     void
-    Reader::add_node(const Lines       &at,
-                     const std::int64_t number,
-                     const std::size_t  first_word)
+    MeshReader::add_node(const Lines       &at,
+                         const std::int64_t number,
+                         const std::size_t  first_word)
     {
       const auto [it, is_new] =
         place_of_node.insert({number, file.nodes.size()});
@@ -554,7 +554,7 @@ namespace lamella
 
 
     void
-    Reader::read_nodes()
+    MeshReader::read_nodes()
     {
       Part &part = this->part("Nodes");
       go_on(part, "the count of nodes");
@@ -577,7 +577,7 @@ namespace lamella
 
 
     void
-    Reader::read_nodes_in_blocks(Part &part)
+    MeshReader::read_nodes_in_blocks(Part &part)
     {
       const bool  v41   = version > 4.;
       Lines      &lines = part.lines;
@@ -629,10 +629,10 @@ namespace lamella
 
 
     void
-    Reader::add_element(const Lines      &at,
-                        const int         type,
-                        const int         group,
-                        const std::size_t first_word)
+    MeshReader::add_element(const Lines      &at,
+                            const int         type,
+                            const int         group,
+                            const std::size_t first_word)
     {
       static const std::map<int, std::size_t> sizes{{GmshFile::line_type, 2},
                                                     {GmshFile::triangle, 3},
@@ -674,7 +674,7 @@ namespace lamella
 
 
     void
-    Reader::read_elements()
+    MeshReader::read_elements()
     {
       Part  &part  = this->part("Elements");
       Lines &lines = part.lines;
@@ -707,7 +707,7 @@ namespace lamella
 
 
     void
-    Reader::read_elements_in_blocks(Part &part)
+    MeshReader::read_elements_in_blocks(Part &part)
     {
       static const std::map<int, int> dimensions{{GmshFile::line_type, 1},
                                                  {GmshFile::triangle, 2},
@@ -760,6 +760,6 @@ namespace lamella
   GmshFile
   read_gmsh_file(const std::string &text, const Entry &entry)
   {
-    return Reader(text, entry).read();
+    return MeshReader(text, entry).read();
   }
 } // namespace lamella

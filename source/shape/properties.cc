@@ -81,14 +81,6 @@ namespace lamella
   {
     using CellIterator = Triangulation<2>::active_cell_iterator;
 
-    std::string
-    place(const Point<2> &p)
-    {
-      return "(" + to_text(p[0]) + ", " + to_text(p[1]) + ")";
-    }
-
-
-
     /// The smallest sine of the inner angles of @p cell; negative where it is
     /// not convex, zero where it is degenerate.
     double
@@ -132,7 +124,7 @@ namespace lamella
                               boost::geometry::index::intersects(here)),
                             tree.qend()) > 1)
             entry.refuse(
-              "two nodes stand at " + place(point) +
+              "two nodes stand at " + to_text(point) +
                 ", so that the cells on both sides are not joined",
               "In Gmsh, share points and lines between surfaces, or write "
               "'Coherence;' ('Coherence Mesh;' after meshing).");
@@ -169,7 +161,7 @@ namespace lamella
       if (parts.size() > 1)
         entry.refuse("the section is in " + std::to_string(parts.size()) +
                        " pieces that share no side of a cell; one is at " +
-                       place(parts[0]) + ", another at " + place(parts[1]),
+                       to_text(parts[0]) + ", another at " + to_text(parts[1]),
                      "A section must hang together.");
     }
   } // namespace
@@ -191,7 +183,7 @@ namespace lamella
       entry.refuse(
         (bad == 1 ? "a cell is" : std::to_string(bad) + " cells are") +
           " folded or has no area, " + (bad == 1 ? "at " : "the first at ") +
-          place(where) + " (an inner angle of 180 degrees or more)",
+          to_text(where) + " (an inner angle of 180 degrees or more)",
         "Mesh it anew; in Gmsh, 'Mesh.RecombinationAlgorithm = 3' or "
         "transfinite surfaces make better cells.");
     check_vertices(section, entry);
@@ -215,7 +207,8 @@ namespace lamella
           throw InputError(
             path,
             "",
-            "a cell at " + place(cell->center()) + " is " + to_text(ratio, 2) +
+            "a cell at " + to_text(cell->center()) + " is " +
+              to_text(ratio, 2) +
               " times as long as thick; doubles hold cells of up to " +
               to_text(sensible) + " times",
             "Are the units right? If they are, use more cells along the longer "

@@ -20,7 +20,8 @@ namespace lamella
   {
     // Effects below that are not worth a word; loads over those that buckle:
     // not worth looking for, and worth a word even if nothing excites the mode.
-    constexpr double worth_saying = 1e-2, worth_solving = 1e-2, near = 0.1;
+    constexpr double effect_worth_saying = 1e-2, worth_solving = 1e-2,
+                     near = 0.1;
     // Beyond these the linear result is no approximation of anything.
     constexpr double most_stiffening = 1., least_buckling_factor = 1.;
     // Of the energy of all bodies; what holds less is moved as a whole, and its
@@ -352,7 +353,7 @@ namespace lamella
       std::string text = of_body + " buckles at " + to_text(lambda, 4) +
                          " times these loads (buckling factor " +
                          to_text(lambda, 4) + ")";
-      if (found.amplification > worth_saying)
+      if (found.amplification > effect_worth_saying)
         text += ", and what the loads make of that shape grows by " +
                 to_text(100. / (lambda - 1.), 2) +
                 " %, displacements by some " +
@@ -367,11 +368,11 @@ namespace lamella
   warnings_of(const BeyondLinear &found, const Structure &structure)
   {
     std::vector<std::string> warnings;
-    if (found.stiffening > worth_saying)
+    if (found.stiffening > effect_worth_saying)
       warnings.push_back("large deflections, which the linear model leaves "
                          "out: " +
                          stiffening_in_words(found, structure));
-    if (found.buckling_factor && (found.amplification > worth_saying ||
+    if (found.buckling_factor && (found.amplification > effect_worth_saying ||
                                   *found.buckling_factor * near < 1.))
       warnings.push_back("compression, whose effect on stiffness the linear "
                          "model leaves out: " +

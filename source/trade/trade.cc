@@ -36,10 +36,10 @@ namespace lamella
     /// The record of a rung that has ended, in its folder.
     constexpr const char *record_name = "rung.json";
 
-    /// Runs that take less than `brief` seconds are made `tries` times, and the
-    /// fastest counts.
-    constexpr double       brief = 1.;
-    constexpr unsigned int tries = 3;
+    /// Runs that take less than `short_run` seconds are made `tries` times, and
+    /// the fastest counts.
+    constexpr double       short_run = 1.;
+    constexpr unsigned int tries     = 3;
 
     std::vector<std::string>
     operator+(std::vector<std::string> a, const std::vector<std::string> &b)
@@ -357,7 +357,8 @@ namespace lamella
     // What else the machine does weighs most where a run is short.
     Job again  = job;
     again.bars = false;
-    for (unsigned int k = 1; failure.empty() && k < tries && seconds < brief;
+    for (unsigned int k = 1;
+         failure.empty() && k < tries && seconds < short_run;
          ++k)
       {
         const ProcessEnd end = run_scene(again, other);

@@ -16,6 +16,8 @@
 #include <map>
 #include <numeric>
 
+BOOST_AUTO_TEST_SUITE(adapt)
+
 using namespace lamella;
 using dealii::Point;
 
@@ -186,8 +188,6 @@ namespace
     return 0;
   }
 } // namespace
-
-BOOST_AUTO_TEST_SUITE(adapt)
 
 BOOST_AUTO_TEST_CASE(heated_ends)
 {

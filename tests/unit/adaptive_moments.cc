@@ -8,6 +8,8 @@
 
 #include <cmath>
 
+BOOST_AUTO_TEST_SUITE(adaptive_moments)
+
 using namespace lamella;
 using dealii::Point;
 using dealii::Tensor;
@@ -39,8 +41,6 @@ namespace
 } // namespace
 
 
-
-BOOST_AUTO_TEST_SUITE(adaptive_moments)
 
 BOOST_AUTO_TEST_CASE(polynomials_at_once)
 {

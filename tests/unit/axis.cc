@@ -13,6 +13,8 @@
 
 #include <cmath>
 
+BOOST_AUTO_TEST_SUITE(axis)
+
 using namespace lamella;
 
 namespace
@@ -66,8 +68,6 @@ namespace
     return f * product;
   }
 } // namespace
-
-BOOST_AUTO_TEST_SUITE(axis)
 
 BOOST_AUTO_TEST_CASE(one_linear_element)
 {

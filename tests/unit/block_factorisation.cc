@@ -14,6 +14,8 @@
 #include <numeric>
 #include <random>
 
+BOOST_AUTO_TEST_SUITE(block_factorisation)
+
 using namespace lamella;
 
 namespace
@@ -105,8 +107,6 @@ namespace
     BOOST_TEST(difference.linfty_norm() < 1e-12 * wanted.linfty_norm());
   }
 } // namespace
-
-BOOST_AUTO_TEST_SUITE(block_factorisation)
 
 BOOST_AUTO_TEST_CASE(known_inverse)
 {

@@ -10,9 +10,9 @@
 
 #include <cmath>
 
-using namespace lamella;
-
 BOOST_AUTO_TEST_SUITE(columns)
+
+using namespace lamella;
 
 BOOST_AUTO_TEST_CASE(one_by_one)
 {

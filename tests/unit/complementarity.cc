@@ -10,6 +10,8 @@
 #include <cmath>
 #include <random>
 
+BOOST_AUTO_TEST_SUITE(complementarity)
+
 using namespace lamella;
 
 namespace
@@ -167,8 +169,6 @@ namespace
     return {};
   }
 } // namespace
-
-BOOST_AUTO_TEST_SUITE(complementarity)
 
 BOOST_AUTO_TEST_CASE(all_active_sets_tried)
 {

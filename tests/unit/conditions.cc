@@ -16,6 +16,8 @@
 #include <numeric>
 #include <set>
 
+BOOST_AUTO_TEST_SUITE(conditions)
+
 using namespace lamella;
 using dealii::Point;
 using dealii::Tensor;
@@ -238,8 +240,6 @@ namespace
                "moment " << found.moment << ", not " << moment);
   }
 } // namespace
-
-BOOST_AUTO_TEST_SUITE(conditions)
 
 BOOST_AUTO_TEST_CASE(nothing_held)
 {

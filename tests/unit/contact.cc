@@ -16,6 +16,8 @@
 #include <cmath>
 #include <limits>
 
+BOOST_AUTO_TEST_SUITE(contact)
+
 using namespace lamella;
 using dealii::Point;
 using dealii::Tensor;
@@ -118,8 +120,6 @@ namespace
       }
   }
 } // namespace
-
-BOOST_AUTO_TEST_SUITE(contact)
 
 BOOST_AUTO_TEST_CASE(facing_plates_pair)
 {

@@ -18,6 +18,8 @@
 
 #include <cmath>
 
+BOOST_AUTO_TEST_SUITE(contact_patch)
+
 using namespace lamella;
 using dealii::Point;
 using dealii::Tensor;
@@ -117,8 +119,6 @@ namespace
     return worst;
   }
 } // namespace
-
-BOOST_AUTO_TEST_SUITE(contact_patch)
 
 BOOST_AUTO_TEST_CASE(uniform_pressure_through_meshes_that_do_not_match)
 {

@@ -16,12 +16,12 @@
 #include <cmath>
 #include <functional>
 
+BOOST_AUTO_TEST_SUITE(contact_segments)
+
 using namespace lamella;
 using dealii::Point;
 using dealii::Tensor;
 using dealii::numbers::PI;
-
-BOOST_AUTO_TEST_SUITE(contact_segments)
 
 BOOST_AUTO_TEST_CASE(polygons)
 {

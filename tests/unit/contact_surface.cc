@@ -11,6 +11,8 @@
 #include <filesystem>
 #include <fstream>
 
+BOOST_AUTO_TEST_SUITE(contact_surface)
+
 using namespace lamella;
 using dealii::Point;
 using dealii::Tensor;
@@ -84,8 +86,6 @@ namespace
     return values;
   }
 } // namespace
-
-BOOST_AUTO_TEST_SUITE(contact_surface)
 
 BOOST_AUTO_TEST_CASE(a_grid_of_nodes)
 {

@@ -14,12 +14,12 @@
 #include <map>
 #include <random>
 
+BOOST_AUTO_TEST_SUITE(contact_surfaces)
+
 using namespace lamella;
 using dealii::Point;
 using dealii::Tensor;
 using dealii::numbers::PI;
-
-BOOST_AUTO_TEST_SUITE(contact_surfaces)
 
 BOOST_AUTO_TEST_CASE(facets_make_up_the_surface)
 {

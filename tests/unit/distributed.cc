@@ -14,6 +14,8 @@
 #include <cmath>
 #include <map>
 
+BOOST_AUTO_TEST_SUITE(distributed)
+
 using namespace lamella;
 
 namespace
@@ -122,8 +124,6 @@ namespace
     return largest;
   }
 } // namespace
-
-BOOST_AUTO_TEST_SUITE(distributed)
 
 BOOST_AUTO_TEST_CASE(condensed_as_the_serial_one)
 {

@@ -10,6 +10,8 @@
 
 #include <boost/test/unit_test.hpp>
 
+BOOST_AUTO_TEST_SUITE(enforcement)
+
 using namespace lamella;
 using dealii::Point;
 
@@ -103,8 +105,6 @@ namespace
     return scene;
   }
 } // namespace
-
-BOOST_AUTO_TEST_SUITE(enforcement)
 
 BOOST_AUTO_TEST_CASE(a_cantilever_on_a_stop)
 {

@@ -11,6 +11,8 @@
 
 #include <boost/test/unit_test.hpp>
 
+BOOST_AUTO_TEST_SUITE(entry)
+
 using namespace lamella;
 
 namespace
@@ -49,8 +51,6 @@ namespace
     BOOST_TEST(!named<E>("nobody").has_value());
   }
 } // namespace
-
-BOOST_AUTO_TEST_SUITE(entry)
 
 BOOST_AUTO_TEST_CASE(fields_of_an_error)
 {

@@ -9,6 +9,8 @@
 
 #include <cmath>
 
+BOOST_AUTO_TEST_SUITE(estimate)
+
 using namespace lamella;
 
 namespace
@@ -26,8 +28,6 @@ namespace
     return values;
   }
 } // namespace
-
-BOOST_AUTO_TEST_SUITE(estimate)
 
 BOOST_AUTO_TEST_CASE(bars_hold_of_what_converges)
 {

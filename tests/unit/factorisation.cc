@@ -13,6 +13,8 @@
 #include <cmath>
 #include <functional>
 
+BOOST_AUTO_TEST_SUITE(factorisation)
+
 using namespace lamella;
 
 namespace
@@ -105,8 +107,6 @@ namespace
     return false;
   }
 } // namespace
-
-BOOST_AUTO_TEST_SUITE(factorisation)
 
 BOOST_AUTO_TEST_CASE(solve)
 {

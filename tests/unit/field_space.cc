@@ -20,6 +20,8 @@
 #include <random>
 #include <set>
 
+BOOST_AUTO_TEST_SUITE(field_space)
+
 using namespace lamella;
 using dealii::FullMatrix;
 using dealii::Point;
@@ -161,8 +163,6 @@ namespace
     return lists;
   }
 } // namespace
-
-BOOST_AUTO_TEST_SUITE(field_space)
 
 BOOST_AUTO_TEST_CASE(lists_of_modes_are_a_projection)
 {

@@ -8,6 +8,8 @@
 
 #include <boost/test/unit_test.hpp>
 
+BOOST_AUTO_TEST_SUITE(gap_rows)
+
 using namespace lamella;
 
 namespace
@@ -37,8 +39,6 @@ namespace
     return bodies;
   }
 } // namespace
-
-BOOST_AUTO_TEST_SUITE(gap_rows)
 
 BOOST_AUTO_TEST_CASE(numbered_through)
 {

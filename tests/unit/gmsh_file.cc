@@ -14,6 +14,8 @@
 #include <random>
 #include <sstream>
 
+BOOST_AUTO_TEST_SUITE(gmsh_file)
+
 using namespace lamella;
 
 namespace
@@ -258,8 +260,6 @@ $EndElements
     return result;
   }
 } // namespace
-
-BOOST_AUTO_TEST_SUITE(gmsh_file)
 
 BOOST_AUTO_TEST_CASE(formats)
 {

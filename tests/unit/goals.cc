@@ -20,6 +20,8 @@
 
 #include <ostream>
 
+BOOST_AUTO_TEST_SUITE(goals)
+
 using namespace lamella;
 using dealii::Point;
 using dealii::Tensor;
@@ -118,8 +120,6 @@ namespace
       (row.sample.strain - strain(middle)).norm());
   }
 } // namespace
-
-BOOST_AUTO_TEST_SUITE(goals)
 
 BOOST_AUTO_TEST_CASE(means_over_boxes)
 {

@@ -14,6 +14,8 @@
 #include <cmath>
 #include <iomanip>
 
+BOOST_AUTO_TEST_SUITE(hair)
+
 using namespace lamella;
 using dealii::Point;
 
@@ -137,8 +139,6 @@ namespace
       }
   }
 } // namespace
-
-BOOST_AUTO_TEST_SUITE(hair)
 
 BOOST_AUTO_TEST_CASE(from_a_block_to_a_hair)
 {

@@ -14,6 +14,8 @@
 #include <fstream>
 #include <limits>
 
+BOOST_AUTO_TEST_SUITE(handout)
+
 using namespace lamella;
 
 namespace
@@ -44,8 +46,6 @@ namespace
 } // namespace
 
 
-
-BOOST_AUTO_TEST_SUITE(handout)
 
 BOOST_AUTO_TEST_CASE(text_is_escaped)
 {

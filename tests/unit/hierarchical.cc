@@ -16,6 +16,8 @@
 
 #include <random>
 
+BOOST_AUTO_TEST_SUITE(hierarchical)
+
 using namespace lamella;
 using dealii::Point;
 using dealii::Tensor;
@@ -199,8 +201,6 @@ namespace
     return values;
   }
 } // namespace
-
-BOOST_AUTO_TEST_SUITE(hierarchical)
 
 BOOST_AUTO_TEST_CASE(leading_functions_span_lower_degrees)
 {

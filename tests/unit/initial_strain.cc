@@ -8,6 +8,8 @@
 
 #include <boost/test/unit_test.hpp>
 
+BOOST_AUTO_TEST_SUITE(initial_strain)
+
 using namespace lamella;
 
 namespace
@@ -24,8 +26,6 @@ namespace
     return strain;
   }
 } // namespace
-
-BOOST_AUTO_TEST_SUITE(initial_strain)
 
 BOOST_AUTO_TEST_CASE(law)
 {

@@ -13,6 +13,8 @@
 
 #include <boost/test/unit_test.hpp>
 
+BOOST_AUTO_TEST_SUITE(interlaminar)
+
 using namespace lamella;
 using dealii::Point;
 using dealii::Tensor;
@@ -138,8 +140,6 @@ namespace
       {traction("end", digits(force[0]), digits(force[1]), digits(force[2]))});
   }
 } // namespace
-
-BOOST_AUTO_TEST_SUITE(interlaminar)
 
 BOOST_AUTO_TEST_CASE(cylindrical_bending)
 {

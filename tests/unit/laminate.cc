@@ -13,6 +13,8 @@
 
 #include <cmath>
 
+BOOST_AUTO_TEST_SUITE(laminate)
+
 using namespace lamella;
 using dealii::Tensor;
 
@@ -70,8 +72,6 @@ namespace
     return std::abs(value / expected - 1.);
   }
 } // namespace
-
-BOOST_AUTO_TEST_SUITE(laminate)
 
 BOOST_AUTO_TEST_CASE(symmetric_cross_ply)
 {

@@ -13,6 +13,8 @@
 #include <numeric>
 #include <ostream>
 
+BOOST_AUTO_TEST_SUITE(local_errors)
+
 using namespace lamella;
 
 namespace
@@ -83,8 +85,6 @@ namespace
                       reaction =
                         quantity_of(NamedQuantity::Of::support, "clamps", "fz");
 } // namespace
-
-BOOST_AUTO_TEST_SUITE(local_errors)
 
 BOOST_AUTO_TEST_CASE(elements_sum_to_the_change_where_spaces_are_nested)
 {

@@ -12,6 +12,8 @@
 #include <cmath>
 #include <ostream>
 
+BOOST_AUTO_TEST_SUITE(manufactured_contact)
+
 using namespace lamella;
 
 namespace
@@ -121,8 +123,6 @@ namespace
     return {std::sqrt(sum / norm), largest};
   }
 } // namespace
-
-BOOST_AUTO_TEST_SUITE(manufactured_contact)
 
 BOOST_AUTO_TEST_CASE(rates)
 {

@@ -18,6 +18,8 @@
 
 #include <cmath>
 
+BOOST_AUTO_TEST_SUITE(material)
+
 using namespace lamella;
 using dealii::Tensor;
 
@@ -124,8 +126,6 @@ namespace
       }
   }
 } // namespace
-
-BOOST_AUTO_TEST_SUITE(material)
 
 BOOST_AUTO_TEST_CASE(stiffness_is_the_inverse_of_the_compliance)
 {

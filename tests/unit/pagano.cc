@@ -14,6 +14,8 @@
 #include <sstream>
 #include <stdexcept>
 
+BOOST_AUTO_TEST_SUITE(pagano)
+
 using namespace lamella;
 using dealii::Point;
 using dealii::Tensor;
@@ -265,8 +267,6 @@ namespace
     return table;
   }
 } // namespace
-
-BOOST_AUTO_TEST_SUITE(pagano)
 
 BOOST_AUTO_TEST_CASE(exact_satisfies_the_equations)
 {

@@ -14,6 +14,8 @@
 
 #include <boost/test/unit_test.hpp>
 
+BOOST_AUTO_TEST_SUITE(patch)
+
 using namespace lamella;
 using dealii::Point;
 using dealii::Tensor;
@@ -37,8 +39,6 @@ namespace
     return mesh;
   }
 } // namespace
-
-BOOST_AUTO_TEST_SUITE(patch)
 
 BOOST_AUTO_TEST_CASE(all_orders_one_and_three_plies)
 {

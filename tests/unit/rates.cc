@@ -8,6 +8,8 @@
 
 #include <boost/test/unit_test.hpp>
 
+BOOST_AUTO_TEST_SUITE(rates)
+
 using namespace lamella;
 using dealii::Point;
 
@@ -52,8 +54,6 @@ namespace
     BOOST_TEST(strain < degree + 0.6);
   }
 } // namespace
-
-BOOST_AUTO_TEST_SUITE(rates)
 
 BOOST_AUTO_TEST_CASE(section)
 {

@@ -21,6 +21,8 @@
 
 #include <set>
 
+BOOST_AUTO_TEST_SUITE(recovery)
+
 using namespace lamella;
 using dealii::Point;
 using dealii::Tensor;
@@ -194,8 +196,6 @@ namespace
 
   const EngineeringConstants steel = EngineeringConstants::isotropic(1., 0.3);
 } // namespace
-
-BOOST_AUTO_TEST_SUITE(recovery)
 
 BOOST_AUTO_TEST_CASE(polynomials_of_the_degree_come_back)
 {

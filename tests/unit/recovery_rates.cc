@@ -10,6 +10,8 @@
 
 #include <boost/test/unit_test.hpp>
 
+BOOST_AUTO_TEST_SUITE(recovery_rates)
+
 using namespace lamella;
 using dealii::Point;
 
@@ -56,8 +58,6 @@ namespace
     return errors;
   }
 } // namespace
-
-BOOST_AUTO_TEST_SUITE(recovery_rates)
 
 BOOST_AUTO_TEST_CASE(recovered_strains)
 {

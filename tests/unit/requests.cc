@@ -11,6 +11,8 @@
 
 #include <functional>
 
+BOOST_AUTO_TEST_SUITE(requests)
+
 using namespace lamella;
 
 namespace
@@ -26,8 +28,6 @@ namespace
     return [path](const InputError &error) { return error.path() == path; };
   }
 } // namespace
-
-BOOST_AUTO_TEST_SUITE(requests)
 
 BOOST_AUTO_TEST_CASE(entries_of_a_probe)
 {

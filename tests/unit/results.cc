@@ -12,16 +12,14 @@
 #include <ostream>
 #include <sstream>
 
+BOOST_AUTO_TEST_SUITE(results)
+
 using namespace lamella;
 
 namespace
 {
   const std::string file = LAMELLA_SOURCE_DIR "/prm/cantilever.prm";
 }
-
-
-
-BOOST_AUTO_TEST_SUITE(results)
 
 
 

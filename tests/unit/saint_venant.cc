@@ -12,6 +12,8 @@
 
 #include <boost/test/unit_test.hpp>
 
+BOOST_AUTO_TEST_SUITE(saint_venant)
+
 using namespace lamella;
 using dealii::Point;
 using dealii::numbers::PI;
@@ -52,8 +54,6 @@ namespace
                found << " and not " << wanted);
   }
 } // namespace
-
-BOOST_AUTO_TEST_SUITE(saint_venant)
 
 BOOST_AUTO_TEST_CASE(square)
 {

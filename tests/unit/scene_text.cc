@@ -10,6 +10,8 @@
 
 #include <boost/test/unit_test.hpp>
 
+BOOST_AUTO_TEST_SUITE(scene_text)
+
 using namespace lamella;
 using dealii::ParameterHandler;
 using dealii::Point;
@@ -95,8 +97,6 @@ namespace
     return message.substr(0, message.size() - std::string(error.what()).size());
   }
 } // namespace
-
-BOOST_AUTO_TEST_SUITE(scene_text)
 
 BOOST_AUTO_TEST_CASE(a_valid_text)
 {

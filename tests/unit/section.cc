@@ -16,6 +16,8 @@
 
 #include <cmath>
 
+BOOST_AUTO_TEST_SUITE(section)
+
 using namespace lamella;
 using dealii::Point;
 using dealii::Tensor;
@@ -112,8 +114,6 @@ namespace
                                      {0., 0.6},
                                      {0.3, 1.}};
 } // namespace
-
-BOOST_AUTO_TEST_SUITE(section)
 
 BOOST_AUTO_TEST_CASE(number_and_names_of_functions)
 {

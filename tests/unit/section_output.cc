@@ -15,6 +15,8 @@
 #include <cmath>
 #include <sstream>
 
+BOOST_AUTO_TEST_SUITE(section_output)
+
 using namespace lamella;
 using Force = SaintVenant::Force;
 using Json  = nlohmann::ordered_json;
@@ -63,8 +65,6 @@ namespace
     return material;
   }
 } // namespace
-
-BOOST_AUTO_TEST_SUITE(section_output)
 
 BOOST_AUTO_TEST_CASE(degree)
 {

@@ -16,6 +16,8 @@
 
 #include <cmath>
 
+BOOST_AUTO_TEST_SUITE(section_shapes)
+
 using namespace lamella;
 using dealii::Point;
 using dealii::Tensor;
@@ -146,8 +148,6 @@ namespace
     return result;
   }
 } // namespace
-
-BOOST_AUTO_TEST_SUITE(section_shapes)
 
 BOOST_AUTO_TEST_CASE(half_disc_against_closed_forms)
 {

@@ -17,6 +17,8 @@
 
 #include <iomanip>
 
+BOOST_AUTO_TEST_SUITE(slender)
+
 using namespace lamella;
 using dealii::Point;
 
@@ -85,8 +87,6 @@ namespace
     return result;
   }
 } // namespace
-
-BOOST_AUTO_TEST_SUITE(slender)
 
 BOOST_AUTO_TEST_CASE(refined_to_a_hair)
 {

@@ -14,6 +14,8 @@
 
 #include <boost/test/unit_test.hpp>
 
+BOOST_AUTO_TEST_SUITE(solid)
+
 using namespace lamella;
 using dealii::Point;
 using dealii::Tensor;
@@ -29,8 +31,6 @@ namespace
                         {traction("end", "0.3", "0.2", "1")});
   }
 } // namespace
-
-BOOST_AUTO_TEST_SUITE(solid)
 
 BOOST_AUTO_TEST_CASE(rigid_motions)
 {

@@ -11,6 +11,8 @@
 
 #include <boost/test/unit_test.hpp>
 
+BOOST_AUTO_TEST_SUITE(solid_contact)
+
 using namespace lamella;
 using dealii::Point;
 using dealii::Tensor;
@@ -79,8 +81,6 @@ namespace
     return worst;
   }
 } // namespace
-
-BOOST_AUTO_TEST_SUITE(solid_contact)
 
 BOOST_AUTO_TEST_CASE(patch)
 {

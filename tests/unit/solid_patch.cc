@@ -7,9 +7,9 @@
 
 #include <lamella/shape/shapes.h>
 
-using namespace lamella;
-
 BOOST_AUTO_TEST_SUITE(solid_patch)
+
+using namespace lamella;
 
 BOOST_AUTO_TEST_CASE(straight_cells)
 {

@@ -11,6 +11,8 @@
 
 #include <boost/test/unit_test.hpp>
 
+BOOST_AUTO_TEST_SUITE(solve)
+
 using namespace lamella;
 using dealii::Point;
 
@@ -70,8 +72,6 @@ namespace
     std::unique_ptr<Structure>    structure;
   };
 } // namespace
-
-BOOST_AUTO_TEST_SUITE(solve)
 
 BOOST_AUTO_TEST_CASE(two_cubes_pressure_and_penetration)
 {

@@ -10,6 +10,8 @@
 
 #include <boost/test/unit_test.hpp>
 
+BOOST_AUTO_TEST_SUITE(stabilisation)
+
 using namespace lamella;
 using dealii::Point;
 using dealii::Tensor;
@@ -35,8 +37,6 @@ namespace
       placement);
   }
 } // namespace
-
-BOOST_AUTO_TEST_SUITE(stabilisation)
 
 BOOST_AUTO_TEST_CASE(a_spring_for_each_free_motion)
 {

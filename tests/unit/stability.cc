@@ -16,10 +16,10 @@
 #include <cmath>
 #include <iomanip>
 
+BOOST_AUTO_TEST_SUITE(stability)
+
 using namespace lamella;
 using dealii::Point;
-
-BOOST_AUTO_TEST_SUITE(stability)
 
 BOOST_AUTO_TEST_CASE(from_a_square_to_a_sheet)
 {

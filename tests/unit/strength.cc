@@ -16,6 +16,8 @@
 #include <cmath>
 #include <random>
 
+BOOST_AUTO_TEST_SUITE(strength)
+
 using namespace lamella;
 
 namespace
@@ -101,8 +103,6 @@ namespace
     return result;
   }
 } // namespace
-
-BOOST_AUTO_TEST_SUITE(strength)
 
 
 

@@ -11,6 +11,8 @@
 
 #include <boost/test/unit_test.hpp>
 
+BOOST_AUTO_TEST_SUITE(surface_topology)
+
 using namespace lamella;
 using dealii::Point;
 
@@ -80,8 +82,6 @@ namespace
     check_one_to_one(trace, topology.n_trace);
   }
 } // namespace
-
-BOOST_AUTO_TEST_SUITE(surface_topology)
 
 BOOST_AUTO_TEST_CASE(nodes_of_beams)
 {

@@ -16,6 +16,8 @@
 
 #include <functional>
 
+BOOST_AUTO_TEST_SUITE(taylor)
+
 using namespace lamella;
 using dealii::Point;
 using dealii::Tensor;
@@ -109,8 +111,6 @@ namespace
     return worst;
   }
 } // namespace
-
-BOOST_AUTO_TEST_SUITE(taylor)
 
 BOOST_AUTO_TEST_CASE(orthonormal)
 {

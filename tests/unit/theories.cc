@@ -20,6 +20,8 @@
 #include <iomanip>
 #include <numeric>
 
+BOOST_AUTO_TEST_SUITE(theories)
+
 using namespace lamella;
 using dealii::Point;
 using dealii::Tensor;
@@ -152,8 +154,6 @@ namespace
             2. * halves * solved.strain_energy() / F};
   }
 } // namespace
-
-BOOST_AUTO_TEST_SUITE(theories)
 
 BOOST_AUTO_TEST_CASE(classical_deflections_of_a_square_cantilever)
 {

@@ -17,6 +17,8 @@
 
 #include <boost/test/unit_test.hpp>
 
+BOOST_AUTO_TEST_SUITE(theory_limits)
+
 using namespace lamella;
 
 namespace
@@ -37,8 +39,6 @@ namespace
 } // namespace
 
 
-
-BOOST_AUTO_TEST_SUITE(theory_limits)
 
 BOOST_AUTO_TEST_CASE(shear_of_one_ply)
 {

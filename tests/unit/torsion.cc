@@ -27,6 +27,8 @@
 
 #include <iomanip>
 
+BOOST_AUTO_TEST_SUITE(torsion)
+
 using namespace lamella;
 using dealii::Point;
 using dealii::numbers::PI;
@@ -143,8 +145,6 @@ namespace
     return value;
   }
 } // namespace
-
-BOOST_AUTO_TEST_SUITE(torsion)
 
 BOOST_AUTO_TEST_CASE(square)
 {

@@ -17,6 +17,8 @@
 
 #include <boost/test/unit_test.hpp>
 
+BOOST_AUTO_TEST_SUITE(touch_down)
+
 
 using namespace lamella;
 using dealii::Point;
@@ -78,8 +80,6 @@ namespace
   }
 
 } // namespace
-
-BOOST_AUTO_TEST_SUITE(touch_down)
 
 BOOST_AUTO_TEST_CASE(a_beam_pressed_on_a_floor)
 {

@@ -16,6 +16,8 @@
 #include <fstream>
 #include <sstream>
 
+BOOST_AUTO_TEST_SUITE(trade)
+
 using namespace lamella;
 
 namespace
@@ -77,8 +79,6 @@ namespace
 } // namespace
 
 
-
-BOOST_AUTO_TEST_SUITE(trade)
 
 BOOST_AUTO_TEST_CASE(errors_and_fronts)
 {

@@ -14,10 +14,10 @@
 #include <cmath>
 #include <iomanip>
 
+BOOST_AUTO_TEST_SUITE(units)
+
 using namespace lamella;
 using dealii::Point;
-
-BOOST_AUTO_TEST_SUITE(units)
 
 namespace
 {

@@ -20,6 +20,8 @@
 
 #include <cmath>
 
+BOOST_AUTO_TEST_SUITE(walls)
+
 using namespace lamella;
 using dealii::Point;
 using dealii::Tensor;
@@ -93,8 +95,6 @@ namespace
                              section.element().centre());
   }
 } // namespace
-
-BOOST_AUTO_TEST_SUITE(walls)
 
 BOOST_AUTO_TEST_CASE(axes_of_a_ply)
 {

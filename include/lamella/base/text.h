@@ -78,6 +78,9 @@ namespace lamella
   /// length.
   std::string
   to_text(const dealii::Point<3> &point);
+  /// `(x, z)` of a place in a section likewise.
+  std::string
+  to_text(const dealii::Point<2> &point);
 
   /// @p v as `(x, y, z)`; a component below 1e-9 of its length is rounding and
   /// reads 0. A zero vector reads (0, 0, 0).
