@@ -198,6 +198,35 @@ namespace lamella
 
 
 
+  StiffnessTerms
+  Body::tangent_terms(const Vector &,
+                      const std::vector<SpringTerm> &springs) const
+  {
+    return stiffness_terms(springs);
+  }
+
+
+
+  void
+  Body::add_tangent_forces(const Vector &, const Vector &w, Vector &f) const
+  {
+    add_internal_forces(w, f);
+  }
+
+
+
+  std::unique_ptr<LinearSolver>
+  Body::make_tangent_solver(const Vector &,
+                            const Constraints             &constraints,
+                            const std::vector<SpringTerm> &springs,
+                            const SolverKind               asked,
+                            const SolverMonitor           &monitor) const
+  {
+    return make_solver(constraints, springs, asked, monitor);
+  }
+
+
+
   void
   Body::throw_with_place(const NotPositiveDefinite &error) const
   {

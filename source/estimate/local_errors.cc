@@ -233,7 +233,7 @@ namespace lamella
     w                 = on_fine(w);
     Derivative result = zero();
     // K w, with the springs.
-    result.u.add(1., fine.solved_structure().internal_forces(w));
+    result.u.add(1., fine.contact_solver().tangent().apply(w));
     for (unsigned int k = 0; k < active.size(); ++k)
       result.force[k] = -fine.rows()[active[k]].opening(w);
     return result;
@@ -295,7 +295,7 @@ namespace lamella
         for (unsigned int k = 0; k < active.size(); ++k)
           result.force[k] += correction.force[k];
         left = derivative.u;
-        left -= fine.solved_structure().internal_forces(result.u);
+        left -= fine.contact_solver().tangent().apply(result.u);
         for (unsigned int k = 0; k < active.size(); ++k)
           {
             const GapRow &row = fine.rows()[active[k]];

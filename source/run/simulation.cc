@@ -502,12 +502,9 @@ namespace lamella
                                                  scene.solve.loop);
       }
     else
-      {
-        make_solvers(budget);
-        solver = std::make_unique<MultiplierLoop>(*structure,
-                                                  gap_rows,
-                                                  scene.solve.loop);
-      }
+      solver = std::make_unique<MultiplierLoop>(linearise(budget),
+                                                gap_rows,
+                                                scene.solve.loop);
     if (!found.steps.empty())
       solver->recall(found.last().memory);
     solver->progress = [this](const std::string &line) {
@@ -520,12 +517,12 @@ namespace lamella
 
 
 
-  void
-  Simulation::make_solvers(const MemoryBudget &budget)
+  std::shared_ptr<const Linearisation>
+  Simulation::linearise(const MemoryBudget &budget)
   {
     // Phases that alternate from body to body, and end with whatever is thrown.
     std::optional<TimerOutput::Scope> phase;
-    Structure::BodyMonitor            monitor;
+    Linearisation::BodyMonitor        monitor;
     monitor.begins = [&](const Body &) {
       phase.emplace(timer, name_of(Phase::assembly));
     };
@@ -537,7 +534,7 @@ namespace lamella
       out << "Memory: " << budget.require_factor(body, size) << std::endl;
     };
     monitor.ends = [&](const Body &) { phase.reset(); };
-    structure->make_solvers(scene.solve.solver, monitor);
+    return linearised(*structure, scene.solve.solver, monitor);
   }
 
 
@@ -579,8 +576,8 @@ namespace lamella
     Checks checks;
     {
       TimerOutput::Scope scope(timer, name_of(Phase::solve));
-      checks =
-        check_state(*structure, contacts, scene.supports.size(), state, factor);
+      checks = check_state(
+        solver->tangent(), contacts, scene.supports.size(), state, factor);
       require_sound(state, checks, scene.solve.rotation_limit);
       for (unsigned int k = 0; k < contacts.size(); ++k)
         search_checks[k].check(contacts[k],
@@ -809,14 +806,14 @@ namespace lamella
     found.seconds["total"] = wall.wall_time();
     // A run that is resumed may fail before there is one.
     if (solver != nullptr)
-      found.condition_estimate = solver->condition_estimate();
+      found.condition_estimate = solver->tangent().condition_estimate();
     found.processes   = n_processes();
     found.peak_memory = Utilities::MPI::max(peak_memory(), communicator());
     found.peak_memory_of_all =
       Utilities::MPI::sum(peak_memory(), communicator());
     if (solver != nullptr && scene.solve.strategy == Strategy::condensed)
       for (unsigned int b = 0; b < found.bodies.size(); ++b)
-        found.bodies[b].solver = structure->solver(b).statistics();
+        found.bodies[b].solver = solver->tangent().solver(b).statistics();
   }
 
 

@@ -420,7 +420,7 @@ namespace lamella
     /// @p on_body, of supports and contacts so far, balance. Returns the energy
     /// that is rounding.
     double
-    check_bodies(const Structure                        &structure,
+    check_bodies(const Linearisation                    &tangent,
                  const std::vector<std::vector<Vector>> &rigid,
                  const State                            &state,
                  const double                            factor,
@@ -429,8 +429,9 @@ namespace lamella
     {
       // Reactions below that share of what heat would do to a body that is
       // held, or of loads that balance each other, are rounding.
-      constexpr double of_heat  = 1e-6;
-      double           rounding = 0.;
+      constexpr double of_heat   = 1e-6;
+      const Structure &structure = tangent.of();
+      double           rounding  = 0.;
       for (unsigned int b = 0; b < structure.bodies().size(); ++b)
         {
           const Body   &body = *structure.bodies()[b];
@@ -449,8 +450,7 @@ namespace lamella
           checks.energy += deformation.energy;
           checks.max_rotation =
             std::max(checks.max_rotation, deformation.max_rotation);
-          const double noise =
-            rounding_energy(structure.largest_stiffness(b), u);
+          const double noise = rounding_energy(tangent.largest_stiffness(b), u);
           rounding += noise;
           const double energy = deformation.energy + structure.heat_energy(b) -
                                 structure.heat_load().block(b) * u;
@@ -471,13 +471,14 @@ namespace lamella
 
 
   Checks
-  check_state(const Structure                     &structure,
+  check_state(const Linearisation                 &tangent,
               const std::vector<ContactInterface> &contacts,
               const unsigned int                   n_supports,
               const State                         &state,
               const double                         factor)
   {
-    Checks checks;
+    const Structure &structure = tangent.of();
+    Checks           checks;
     for (const Point<3> &middle :
          middles_of_supports(structure.prescribed(), n_supports))
       checks.reactions.push_back({{}, {}, middle});
@@ -524,7 +525,7 @@ namespace lamella
     find_centres(checks.reactions, structure.size());
 
     const double rounding =
-      check_bodies(structure, rigid, state, factor, on_body, checks);
+      check_bodies(tangent, rigid, state, factor, on_body, checks);
     structure.condense(r);
     if (checks.energy > rounding && r.l2_norm() != 0.)
       checks.residual = r.linfty_norm() / internal.linfty_norm();

@@ -4,13 +4,14 @@
 
 namespace lamella
 {
-  Compliance::Compliance(const Structure &structure, const GapRows &rows)
-    : structure(structure)
+  Compliance::Compliance(const Linearisation &linearisation,
+                         const GapRows       &rows)
+    : structure(linearisation.of())
     , rows(rows)
     , place(rows.size(), dealii::numbers::invalid_unsigned_int)
   {
     for (unsigned int b = 0; b < structure.bodies().size(); ++b)
-      bodies.push_back({structure.solver(b).solved_rows(), {}});
+      bodies.push_back({linearisation.solver(b).solved_rows(), {}});
   }
 
 

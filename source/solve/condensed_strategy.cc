@@ -30,11 +30,11 @@ namespace lamella
 
 
 
-  CondensedStrategy::CondensedStrategy(const Structure &structure,
-                                       const GapRows   &rows)
-    : structure(structure)
+  CondensedStrategy::CondensedStrategy(const Linearisation &linearisation,
+                                       const GapRows       &rows)
+    : linearisation(linearisation)
     , rows(rows)
-    , compliance(structure, rows)
+    , compliance(linearisation, rows)
   {}
 
 
@@ -51,20 +51,6 @@ namespace lamella
 
 
 
-  BlockVector
-  CondensedStrategy::apply_inverse(BlockVector r) const
-  {
-    structure.condense(r);
-    for (unsigned int b = 0; b < structure.bodies().size(); ++b)
-      {
-        structure.solver(b).solve(r.block(b));
-        structure.reduction(b).constraints().distribute(r.block(b));
-      }
-    return r;
-  }
-
-
-
   void
   CondensedStrategy::solve(const std::vector<unsigned int> &active,
                            const BlockVector               &r_u,
@@ -72,7 +58,7 @@ namespace lamella
                            BlockVector                     &du,
                            Vector                          &dlambda)
   {
-    du = apply_inverse(r_u);
+    du = linearisation.solve(r_u);
     dlambda.reinit(active.size());
     if (active.empty())
       return;
@@ -220,7 +206,7 @@ namespace lamella
                             const Monitor        &monitor)
   {
     ContactSolution solution;
-    solution.du     = structure.zero();
+    solution.du     = linearisation.of().zero();
     solution.force  = problem.force;
     solution.active = problem.start;
 
@@ -288,14 +274,4 @@ namespace lamella
       compliance.include(batch);
   }
 
-
-
-  double
-  CondensedStrategy::condition_estimate() const
-  {
-    double largest = 0.;
-    for (unsigned int b = 0; b < structure.bodies().size(); ++b)
-      largest = std::max(largest, structure.solver(b).condition_estimate());
-    return largest;
-  }
 } // namespace lamella

@@ -12,13 +12,15 @@ namespace lamella
 {
   using namespace dealii;
 
-  ContactSolver::ContactSolver(const Structure        &structure,
-                               const GapRows          &rows,
-                               const SolverParameters &parameters)
+  ContactSolver::ContactSolver(
+    std::shared_ptr<const Linearisation> linearisation_,
+    const GapRows                       &rows,
+    const SolverParameters              &parameters)
     : progress([](const std::string &) {})
     , describe(
         [](const unsigned int row) { return "row " + std::to_string(row); })
-    , structure(structure)
+    , linearisation(std::move(linearisation_))
+    , structure(linearisation->of())
     , rows(rows)
     , parameters(parameters)
   {}

@@ -25,11 +25,11 @@ namespace lamella
 
 
 
-  MultiplierLoop::MultiplierLoop(const Structure        &structure,
-                                 const GapRows          &rows,
+  MultiplierLoop::MultiplierLoop(std::shared_ptr<const Linearisation> about,
+                                 const GapRows                       &rows,
                                  const SolverParameters &parameters)
-    : ContactSolver(structure, rows, parameters)
-    , strategy(structure, rows)
+    : ContactSolver(std::move(about), rows, parameters)
+    , strategy(*linearisation, rows)
   {}
 
 

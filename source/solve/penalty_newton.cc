@@ -17,13 +17,24 @@ namespace lamella
 {
   using namespace dealii;
 
-  PenaltyNewton::PenaltyNewton(const Structure        &structure,
-                               const GapRows          &rows,
-                               const SolverParameters &parameters)
-    : ContactSolver(structure, rows, parameters)
+  PenaltyNewton::PenaltyNewton(std::shared_ptr<const Linearisation> about,
+                               const GapRows                       &rows,
+                               const SolverParameters              &parameters)
+    : ContactSolver(std::move(about), rows, parameters)
   {
     assemble_stiffness();
   }
+
+
+
+  PenaltyNewton::PenaltyNewton(const Structure        &structure,
+                               const GapRows          &rows,
+                               const SolverParameters &parameters)
+    : PenaltyNewton(std::make_shared<const Linearisation>(structure,
+                                                          structure.zero()),
+                    rows,
+                    parameters)
+  {}
 
 
 
@@ -276,11 +287,12 @@ namespace lamella
     /// numbering of the scene.
     template <typename Use>
     void
-    for_each_block(const Structure &structure,
-                   const bool       with_values,
-                   const Use       &use)
+    for_each_block(const Linearisation &linearisation,
+                   const bool           with_values,
+                   const Use           &use)
     {
-      const auto &blocks = structure.load().get_block_indices();
+      const Structure &structure = linearisation.of();
+      const auto      &blocks    = structure.load().get_block_indices();
       for (unsigned int b = 0; b < structure.bodies().size(); ++b)
         {
           const auto global = [&](Dofs dofs) {
@@ -288,13 +300,13 @@ namespace lamella
               dof = blocks.local_to_global(b, dof);
             return dofs;
           };
-          const StiffnessTerms terms = structure.bodies()[b]->stiffness_terms();
+          const StiffnessTerms terms = linearisation.terms(b);
           terms.for_each_block(with_values, [&](const StiffnessBlock &block) {
             use(global(block.rows), global(block.columns), block.values);
           });
           // All processes know all springs.
           if (is_speaker())
-            for (const auto &[row, stiffness] : structure.spring_terms(b))
+            for (const auto &[row, stiffness] : terms.springs)
               {
                 Dofs                dofs;
                 std::vector<double> values;
@@ -385,20 +397,26 @@ namespace lamella
                     all * (this_process() + 1) / n_processes());
 
     std::vector<bool> written(n, false);
-    for_each_block(structure, false, [&](const Dofs &rows, auto &&, auto &&) {
-      add_free(constraints, rows, written);
-    });
+    for_each_block(*linearisation,
+                   false,
+                   [&](const Dofs &rows, auto &&, auto &&) {
+                     add_free(constraints, rows, written);
+                   });
     DynamicSparsityPattern pattern(n, n, united(owned, written));
-    for_each_block(
-      structure, false, [&](const Dofs &rows, const Dofs &columns, auto &&) {
-        constraints.add_entries_local_to_global(rows, columns, pattern, false);
-      });
+    for_each_block(*linearisation,
+                   false,
+                   [&](const Dofs &rows, const Dofs &columns, auto &&) {
+                     constraints.add_entries_local_to_global(rows,
+                                                             columns,
+                                                             pattern,
+                                                             false);
+                   });
     for (const DofIndex i : owned)
       pattern.add(i, i);
     stiffness.reinit(owned, owned, pattern, communicator(), true);
 
     for_each_block(
-      structure,
+      *linearisation,
       true,
       [&](const Dofs &rows, const Dofs &columns, const auto &values) {
         constraints.distribute_local_to_global(

@@ -115,65 +115,6 @@ namespace lamella
 
 
 
-  void
-  Structure::make_solvers(const SolverKind asked, const BodyMonitor &monitor)
-  {
-    solvers.clear();
-    for (unsigned int b = 0; b < all_bodies.size(); ++b)
-      {
-        const Body   &body = *all_bodies[b];
-        SolverMonitor of_body;
-        if (monitor.begins)
-          monitor.begins(body);
-        if (monitor.assembled)
-          of_body.assembled = [&] { monitor.assembled(body); };
-        if (monitor.sized)
-          of_body.sized = [&](const FactorSize &size) {
-            monitor.sized(body, size);
-          };
-        try
-          {
-            solvers.push_back(body.make_solver(
-              reductions[b]->constraints(), spring_terms(b), asked, of_body));
-          }
-        catch (const NotPositiveDefinite &error)
-          {
-            throw LostDigits(error.what());
-          }
-        if (monitor.ends)
-          monitor.ends(body);
-      }
-  }
-
-
-
-  const LinearSolver &
-  Structure::solver(const unsigned int body) const
-  {
-    Assert(body < solvers.size(), dealii::ExcMessage("Call make_solvers()."));
-    return *solvers[body];
-  }
-
-
-
-  double
-  Structure::largest_stiffness(const unsigned int body) const
-  {
-    if (body < solvers.size())
-      return solvers[body]->largest_diagonal();
-    // Nobody solves body by body.
-    stiffest.resize(all_bodies.size(), 0.);
-    if (stiffest[body] == 0.)
-      stiffest[body] = all_bodies[body]
-                         ->assembled_stiffness(reductions[body]->constraints(),
-                                               spring_terms(body))
-                         ->diagonal()
-                         .linfty_norm();
-    return stiffest[body];
-  }
-
-
-
   std::vector<SpringTerm>
   Structure::spring_terms(const unsigned int body) const
   {

@@ -810,8 +810,9 @@ namespace
     Vector start(d.size());
     for (unsigned int i = 0; i < d.size(); ++i)
       start[i] = d[i] == 0. ? 0. : 1. + 0.3 * std::sin(1. + 7. * i);
-    Vector x       = start, y(d.size());
-    double largest = 0., smallest = 0.;
+    const auto tangent = linearised(structure);
+    Vector     x       = start, y(d.size());
+    double     largest = 0., smallest = 0.;
     for (unsigned int k = 0; k < 8; ++k)
       {
         x /= x.l2_norm();
@@ -827,7 +828,7 @@ namespace
         x /= x.l2_norm();
         for (unsigned int i = 0; i < d.size(); ++i)
           y[i] = d[i] == 0. ? 0. : x[i] / d[i];
-        structure.solver(0).solve(y);
+        tangent->solver(0).solve(y);
         for (unsigned int i = 0; i < d.size(); ++i)
           y[i] = d[i] == 0. ? 0. : y[i] / d[i];
         smallest = 1. / (x * y);

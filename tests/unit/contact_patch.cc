@@ -55,12 +55,11 @@ namespace
     result.contacts = {make_interface(contact, bodies)};
     result.structure =
       std::make_unique<Structure>(std::move(bodies), supports, loads);
-    result.structure->make_solvers();
     const auto    &rows = result.contacts[0].rows;
-    MultiplierLoop newton(*result.structure, rows);
+    MultiplierLoop newton(linearised(*result.structure), rows);
     result.state  = newton.solve_contact(newton.solve_free(1.), 1.);
     result.checks = check_state(
-      *result.structure, result.contacts, supports.size(), result.state, 1.);
+      newton.tangent(), result.contacts, supports.size(), result.state, 1.);
     return result;
   }
 

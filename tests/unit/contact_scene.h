@@ -42,8 +42,9 @@ namespace lamella
   {
     if (which == Strategy::full)
       return std::make_unique<PenaltyNewton>(structure, rows, parameters);
-    structure.make_solvers();
-    return std::make_unique<MultiplierLoop>(structure, rows, parameters);
+    return std::make_unique<MultiplierLoop>(linearised(structure),
+                                            rows,
+                                            parameters);
   }
 
   /// A structure with gap rows and what solves for them.

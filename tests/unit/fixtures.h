@@ -192,13 +192,12 @@ namespace lamella
     Solved solved;
     solved.structure =
       std::make_unique<Structure>(std::move(bodies), supports, loads);
-    solved.structure->make_solvers();
     const std::vector<GapRow> none;
     SolverParameters          parameters;
     parameters.max_refinements = refinements;
-    MultiplierLoop solver(*solved.structure, none, parameters);
+    MultiplierLoop solver(linearised(*solved.structure), none, parameters);
     solved.state     = solver.solve_free(1.);
-    solved.condition = solver.condition_estimate();
+    solved.condition = solver.tangent().condition_estimate();
     return solved;
   }
 

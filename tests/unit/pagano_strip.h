@@ -79,10 +79,10 @@ namespace lamella
   inline Vector
   solution(Structure &structure)
   {
-    structure.make_solvers();
     const std::vector<GapRow> no_rows;
-    const State state = MultiplierLoop(structure, no_rows).solve_free(1.);
-    require_sound(state, check_state(structure, {}, 3, state, 1.), 1e9);
+    MultiplierLoop            newton(linearised(structure), no_rows);
+    const State               state = newton.solve_free(1.);
+    require_sound(state, check_state(newton.tangent(), {}, 3, state, 1.), 1e9);
     return state.u.block(0);
   }
 } // namespace lamella

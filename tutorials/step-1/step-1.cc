@@ -169,9 +169,8 @@ FiveTheories::compute(const std::string                 &name,
 void
 FiveTheories::solve()
 {
-  structure->make_solvers();
   const std::vector<GapRow> no_rows;
-  u = MultiplierLoop(*structure, no_rows).solve_free(1.).u.block(0);
+  u = MultiplierLoop(linearised(*structure), no_rows).solve_free(1.).u.block(0);
 }
 
 

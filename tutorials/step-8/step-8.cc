@@ -441,10 +441,10 @@ FieldsOfASection::bend(const std::string &name, std::unique_ptr<Beam> beam)
     {{0, Region::Kind::line, "", {{0., nose, top}, {width, nose, top}}}},
     {{0., 0., -force}},
     ""};
-  Structure structure(std::move(bodies), {clamp}, {line});
-  structure.make_solvers();
+  Structure                 structure(std::move(bodies), {clamp}, {line});
   const std::vector<GapRow> no_rows;
-  const Vector u = MultiplierLoop(structure, no_rows).solve_free(1.).u.block(0);
+  const Vector              u =
+    MultiplierLoop(linearised(structure), no_rows).solve_free(1.).u.block(0);
 
   const Body &body   = *structure.bodies()[0];
   const auto  sample = [&](const double y, const double z) {

@@ -620,6 +620,22 @@ namespace lamella
                 const SolverKind               asked   = SolverKind::automatic,
                 const SolverMonitor           &monitor = {}) const;
 
+    /// The tangent of the internal forces at the displacement @p u, in the
+    /// three ways that are asked for: as terms of a matrix with the springs
+    /// @p springs, as f += K(u) w, and as what solves with it. Here, where
+    /// bodies are linear, it is the stiffness at all u.
+    virtual StiffnessTerms
+    tangent_terms(const Vector                  &u,
+                  const std::vector<SpringTerm> &springs = {}) const;
+    virtual void
+    add_tangent_forces(const Vector &u, const Vector &w, Vector &f) const;
+    virtual std::unique_ptr<LinearSolver>
+    make_tangent_solver(const Vector                  &u,
+                        const Constraints             &constraints,
+                        const std::vector<SpringTerm> &springs = {},
+                        const SolverKind     asked   = SolverKind::automatic,
+                        const SolverMonitor &monitor = {}) const;
+
   protected:
     /**
      * Calls @p use with block after block of the unconstrained stiffness, this

@@ -268,9 +268,10 @@ namespace lamella
     void
     count_costs();
 
-    /// What solves with each body; tells how large a factor becomes.
-    void
-    make_solvers(const MemoryBudget &budget);
+    /// The stiffness with what solves with each body; tells how large a factor
+    /// becomes.
+    std::shared_ptr<const Linearisation>
+    linearise(const MemoryBudget &budget);
     /// Contact, body and position of the gap row @p row, for messages.
     std::string
     describe_row(const unsigned int row) const;

@@ -129,14 +129,15 @@ namespace lamella
   };
 
   /**
-   * The checks of @p state at load factor @p factor. @p contacts are those
+   * The checks of @p state at load factor @p factor. What is rounding in an
+   * energy is told by the stiffness of @p tangent. @p contacts are those
    * whose rows, one contact after the other, the forces of the state belong
    * to; supports are numbered from 0 to @p n_supports - 1, as in
    * Structure::prescribed(). Costs two loops over all elements, no solution;
    * collective. Throws nothing of what it finds: see require_sound().
    */
   Checks
-  check_state(const Structure                     &structure,
+  check_state(const Linearisation                 &tangent,
               const std::vector<ContactInterface> &contacts,
               const unsigned int                   n_supports,
               const State                         &state,

@@ -4,7 +4,7 @@
 #define lamella_solve_compliance_h
 
 #include <lamella/contact/gap_rows.h>
-#include <lamella/solve/structure.h>
+#include <lamella/solve/linearisation.h>
 
 #include <vector>
 
@@ -23,15 +23,15 @@ namespace lamella
    * not zero: C = Y^T Y, Y = L^-1 P B^T, K = P^T L L^T P.
    *
    * Memory: n (n + 1) / 2 numbers for n known rows, and what the solvers keep
-   * of each row. Refers to the structure with its solvers and views the rows.
-   * Where processes share a matrix, all of them call all functions that are
-   * not a look-up, with the same arguments.
+   * of each row. Refers to the linearisation and its structure, and views the
+   * rows. Where processes share a matrix, all of them call all functions that
+   * are not a look-up, with the same arguments.
    */
   class Compliance
   {
   public:
-    /// Both are referred to; @p structure must be factorised.
-    Compliance(const Structure &structure, const GapRows &rows);
+    /// Both are referred to; @p linearisation must have solvers.
+    Compliance(const Linearisation &linearisation, const GapRows &rows);
 
     /// Makes the compliance of @p wanted rows known; costs nothing for those
     /// that are. The others are solved for all at once, in each body that they

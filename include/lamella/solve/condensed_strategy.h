@@ -41,8 +41,8 @@ namespace lamella
   class CondensedStrategy
   {
   public:
-    /// @p structure, which has its solvers, and the rows are referred to.
-    CondensedStrategy(const Structure &structure, const GapRows &rows);
+    /// @p linearisation, which has solvers, and the rows are referred to.
+    CondensedStrategy(const Linearisation &linearisation, const GapRows &rows);
 
     /**
      * The linear system of one iteration. With B_A the rows @p active and d in
@@ -83,11 +83,6 @@ namespace lamella
     /// Includes these batches again, which solves for them: collective.
     void
     recall(const StrategyMemory &memory);
-
-    /// The largest estimate of a condition number of the bodies' stiffnesses,
-    /// 0 if unknown.
-    double
-    condition_estimate() const;
 
     /// Open to the loop around it, which stiffens it where estimates converge
     /// too slowly.
@@ -130,12 +125,8 @@ namespace lamella
               std::vector<unsigned int> &part,
               std::set<unsigned int>    &left);
 
-    /// G K^-1 G^T r with the condensed K: one solution a body.
-    BlockVector
-    apply_inverse(BlockVector r) const;
-
-    const Structure &structure;
-    const GapRows    rows;
+    const Linearisation &linearisation;
+    const GapRows        rows;
     /// Of the rows that ever took part.
     Compliance compliance;
     /// The factor of C + d of the rows that were active in the last linear

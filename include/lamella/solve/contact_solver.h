@@ -4,6 +4,7 @@
 #define lamella_solve_contact_solver_h
 
 #include <lamella/solve/contact_problem.h>
+#include <lamella/solve/linearisation.h>
 
 #include <functional>
 #include <string>
@@ -79,10 +80,11 @@ namespace lamella
     /// Turns the number of a gap row into words.
     using Describe = std::function<std::string(const unsigned int)>;
 
-    /// @p structure and the rows are referred to. Nothing is solved yet.
-    ContactSolver(const Structure        &structure,
-                  const GapRows          &rows,
-                  const SolverParameters &parameters);
+    /// About the state of @p linearisation; its structure and the rows are
+    /// referred to. Nothing is solved yet.
+    ContactSolver(std::shared_ptr<const Linearisation> linearisation,
+                  const GapRows                       &rows,
+                  const SolverParameters              &parameters);
     virtual ~ContactSolver();
 
     /// Called with a line of text per iteration; does nothing by default.
@@ -161,12 +163,11 @@ namespace lamella
     virtual void
     recall(const StrategyMemory &memory) = 0;
 
-    /// The largest estimate of a condition number met so far, 0 if unknown. It
-    /// is a lower bound that tells decades.
-    virtual double
-    condition_estimate() const
+    /// What it solves with.
+    const Linearisation &
+    tangent() const
     {
-      return 0.;
+      return *linearisation;
     }
 
     /// What the user should know of penalties and arithmetic, a sentence each.
@@ -219,9 +220,10 @@ namespace lamella
     check_iterations(const unsigned int               iterations,
                      const std::vector<unsigned int> &changing) const;
 
-    const Structure       &structure;
-    const GapRows          rows;
-    const SolverParameters parameters;
+    const std::shared_ptr<const Linearisation> linearisation;
+    const Structure                           &structure;
+    const GapRows                              rows;
+    const SolverParameters                     parameters;
 
   private:
     /// Throws the NumericsError of release_springs() for the spring under the

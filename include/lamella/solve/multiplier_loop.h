@@ -30,9 +30,10 @@ namespace lamella
   class MultiplierLoop : public ContactSolver
   {
   public:
-    /// @p structure must have its solvers and, as the rows, outlive this.
-    MultiplierLoop(const Structure        &structure,
-                   const GapRows          &rows,
+    /// @p linearisation must have solvers; its structure and the rows must
+    /// outlive this.
+    MultiplierLoop(std::shared_ptr<const Linearisation> linearisation,
+                   const GapRows                       &rows,
                    const SolverParameters &parameters = SolverParameters());
 
     State
@@ -50,12 +51,6 @@ namespace lamella
     recall(const StrategyMemory &memory) override
     {
       strategy.recall(memory);
-    }
-
-    double
-    condition_estimate() const override
-    {
-      return strategy.condition_estimate();
     }
 
     void

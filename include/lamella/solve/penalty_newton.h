@@ -48,8 +48,12 @@ namespace lamella
   class PenaltyNewton : public ContactSolver
   {
   public:
-    /// Assembles K. @p structure needs no solvers and, as the rows, must
-    /// outlive this.
+    /// Assembles K of @p linearisation, which needs no solvers; its structure
+    /// and the rows must outlive this.
+    PenaltyNewton(std::shared_ptr<const Linearisation> linearisation,
+                  const GapRows                       &rows,
+                  const SolverParameters &parameters = SolverParameters());
+    /// About u = 0.
     PenaltyNewton(const Structure        &structure,
                   const GapRows          &rows,
                   const SolverParameters &parameters = SolverParameters());

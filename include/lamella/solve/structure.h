@@ -42,7 +42,8 @@ namespace lamella
    * with the stabilising springs of stiffness s_k and row r_k.
    *
    * Owns the bodies jointly with whoever else holds the pointers, and alone
-   * the reductions, springs and solvers. Strategies, checks and reports refer
+   * the reductions and springs. Its tangent at a state, and what solves with
+   * it, is a Linearisation. Strategies, checks and reports refer
    * to it, so it has to outlive them. Every process knows all of it and holds
    * whole vectors; what costs most, the elements, they share.
    */
@@ -170,36 +171,6 @@ namespace lamella
     BlockVector
     particular(const double factor) const;
 
-    /// Is told, of each body, when work on it begins and ends, when its
-    /// stiffness is assembled, and how large its factor becomes before memory
-    /// is spent on it. Functions that are empty are not called; what `sized`
-    /// throws prevents the factorisation.
-    struct BodyMonitor
-    {
-      std::function<void(const Body &)>                     begins, assembled;
-      std::function<void(const Body &)>                     ends;
-      std::function<void(const Body &, const FactorSize &)> sized;
-    };
-
-    /// Assembles the condensed stiffness of each body and makes what solves
-    /// with it, as @p asked; solvers of an earlier call go. Collective: all
-    /// processes call it. The `condensed` strategy needs it, `full` never asks
-    /// for a body's own solver.
-    void
-    make_solvers(const SolverKind   asked   = SolverKind::automatic,
-                 const BodyMonitor &monitor = {});
-
-    /// That of make_solvers(), which must have been called before.
-    const LinearSolver &
-    solver(const unsigned int body) const;
-
-    /// The largest diagonal entry of the condensed stiffness of @p body, force
-    /// over length where the DoF is a displacement. Where no solver knows it
-    /// (`full`) the first call assembles the body's matrix to see, on all
-    /// processes.
-    double
-    largest_stiffness(const unsigned int body) const;
-
     /// The stabilising springs of @p body as terms s_k r_k^T r_k of its
     /// stiffness: pairs of row and stiffness (force / length).
     std::vector<SpringTerm>
@@ -242,15 +213,12 @@ namespace lamella
     Bodies all_bodies;
     /// prescribed().
     std::vector<PrescribedRow> rows;
-    /// One a body, as are springs and, after make_solvers(), solvers.
+    /// One a body, as are springs.
     std::vector<std::unique_ptr<RowReduction>> reductions;
     std::vector<std::vector<Spring>>           all_springs;
-    std::vector<std::unique_ptr<LinearSolver>> solvers;
-    /// largest_stiffness() where no solver knows it, once asked for.
-    mutable std::vector<double> stiffest;
-    BlockVector                 unit_load, initial_load;
-    std::vector<double>         initial_energies;
-    std::vector<LoadResultant>  resultants;
+    BlockVector                                unit_load, initial_load;
+    std::vector<double>                        initial_energies;
+    std::vector<LoadResultant>                 resultants;
   };
 } // namespace lamella
 

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef lamella_solve_linearisation_h
+#define lamella_solve_linearisation_h
+
+#include <lamella/solve/structure.h>
+
+#include <functional>
+#include <memory>
+#include <vector>
+
+namespace lamella
+{
+  /**
+   * What belongs to one state u of a structure: its tangent stiffness there,
+   *   K(u) = d f_int / du,
+   * the springs' with it, as terms that a matrix is assembled from, as a
+   * product, and, where they are made, as solvers of each body. Whoever solves,
+   * takes compliances or duals refers to one of these and never to a structure,
+   * so that no stiffness is there without the state that it is of. It does not
+   * change: another state has another one. As long as all bodies are linear
+   * that of u = 0 is that of every state, and a run has one for good.
+   *
+   * Refers to the structure, which must outlive it. Collective.
+   */
+  class Linearisation
+  {
+  public:
+    /// Is told, of each body, when work on it begins and ends, when its
+    /// stiffness is assembled, and how large its factor becomes before memory
+    /// is spent on it. Functions that are empty are not called; what `sized`
+    /// throws prevents the factorisation.
+    struct BodyMonitor
+    {
+      std::function<void(const Body &)>                     begins, assembled;
+      std::function<void(const Body &)>                     ends;
+      std::function<void(const Body &, const FactorSize &)> sized;
+    };
+
+    /// About @p u, without solvers: what the `full` strategy assembles.
+    Linearisation(const Structure &structure, const BlockVector &u);
+
+    /// About @p u, with what solves with the condensed stiffness of each body,
+    /// as @p asked. Throws LostDigits where one is not positive definite in
+    /// doubles, InputError as Body::solver_kind() does, and what @p monitor
+    /// throws.
+    Linearisation(const Structure   &structure,
+                  const BlockVector &u,
+                  const SolverKind   asked,
+                  const BodyMonitor &monitor = {});
+
+    const Structure &
+    of() const
+    {
+      return structure;
+    }
+
+    /// What K(u) of @p body is assembled from, its springs among it.
+    StiffnessTerms
+    terms(const unsigned int body) const;
+
+    /// K(u) @p w of all bodies and springs, not condensed; strain first, as
+    /// Structure::internal_forces() is.
+    BlockVector
+    apply(const BlockVector &w) const;
+
+    /// What solves with the condensed stiffness of @p body, if this has solvers
+    /// (an assertion fails otherwise).
+    const LinearSolver &
+    solver(const unsigned int body) const;
+
+    /// K(u)^-1 @p r, which need not be condensed; zero in what supports
+    /// prescribe. With solvers.
+    BlockVector
+    solve(BlockVector r) const;
+
+    /// The largest diagonal entry of the condensed stiffness of @p body, force
+    /// over length where the DoF is a displacement. Where there are no solvers
+    /// (`full`) the first call assembles the body's matrix to see.
+    double
+    largest_stiffness(const unsigned int body) const;
+
+    /// The largest estimate of a condition number of the bodies' stiffnesses, a
+    /// lower bound; 0 if unknown.
+    double
+    condition_estimate() const;
+
+  private:
+    const Structure                           &structure;
+    const BlockVector                          state;
+    std::vector<std::unique_ptr<LinearSolver>> solvers;
+    /// largest_stiffness() where no solver knows it, once asked for.
+    mutable std::vector<double> stiffest;
+  };
+
+  /// That of u = 0 with solvers: of linear bodies the one there is.
+  std::shared_ptr<const Linearisation>
+  linearised(const Structure                  &structure,
+             const SolverKind                  asked   = SolverKind::automatic,
+             const Linearisation::BodyMonitor &monitor = {});
+} // namespace lamella
+
+#endif
