@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace lamella
 {
@@ -255,6 +256,30 @@ namespace lamella
 
 
 
+    /// What @p u is beside the answer of @p heat all along @p piece, scaled to
+    /// the energy that a state has along one H; nothing where that is rounding.
+    std::optional<Vector>
+    disturbance(const Beam &piece, const Vector &u, const HeatedSection &heat)
+    {
+      // Of energies.
+      constexpr double nothing   = 1e-10;
+      const Vector     answer    = all_along(piece, heat.answer);
+      const auto       energy_of = [&piece](const Vector &v) {
+        Vector forces(v.size());
+        piece.add_internal_forces(v, forces);
+        return v * forces;
+      };
+      Vector left = u;
+      left -= answer;
+      const double energy = energy_of(left);
+      if (energy <= nothing * energy_of(answer))
+        return {};
+      left *= std::sqrt(piece.section().extents().first / energy);
+      return left;
+    }
+
+
+
     /// The displacements of @p piece under the six loads, and those that its
     /// end makes of what heat does to it.
     std::vector<Vector>
@@ -278,14 +303,16 @@ namespace lamella
       for (const Vector &load : end_loads(states, piece, far, arm, motions))
         u.push_back(at_node(piece, load, far));
       const std::size_t n_states = u.size();
-      for (const HeatedSection &one : heat)
-        if (!rows.empty())
-          {
-            u.emplace_back(piece.n_dofs());
-            piece.add_internal_forces(all_along(piece, one.answer), u.back());
-          }
-        else if (one.traction.linfty_norm() > 0.)
+      // What is held in part has none (choose_fields() says so).
+      const bool is_clamped_or_free = motions.empty() || rows.empty();
+      for (const HeatedSection &one :
+           is_clamped_or_free ? heat : std::vector<HeatedSection>())
+        {
+          // What makes the answer all along, but for its traction at the end.
           u.push_back(at_node(piece, one.traction, last - far));
+          u.back() *= held.goes_forward ? 1. : -1.;
+          piece.add_internal_forces(all_along(piece, one.answer), u.back());
+        }
       if (u.empty())
         return u;
       for (Vector &one : u)
@@ -293,16 +320,11 @@ namespace lamella
       piece.make_solver(reduction.constraints(), springs)->solve_all(u);
       for (Vector &one : u)
         reduction.constraints().distribute(one);
-      const double H = piece.section().extents().first;
+      std::vector<Vector> result(u.begin(), u.begin() + n_states);
       for (std::size_t k = n_states; k < u.size(); ++k)
-        {
-          if (!rows.empty())
-            u[k] -= all_along(piece, heat[k - n_states].answer);
-          Vector forces(piece.n_dofs());
-          piece.add_internal_forces(u[k], forces);
-          u[k] *= std::sqrt(H / (u[k] * forces));
-        }
-      return u;
+        if (const auto left = disturbance(piece, u[k], heat[k - n_states]))
+          result.push_back(*left);
+      return result;
     }
 
 
@@ -369,6 +391,7 @@ namespace lamella
         for (unsigned int i = 0; i < n_rigid; ++i)
           part += forces(j, i) * left[i];
         traction.add(-part, of_states[j]);
+        answer.add(-part, states.values()[j]);
       }
     if (traction.linfty_norm() < nothing * size)
       traction = 0.;

@@ -477,6 +477,32 @@ namespace lamella
 
 
 
+    /// Notes what holds sections of @p body, which is @p beam and heated, in
+    /// part: end fields do not know what heat does there.
+    void
+    note_heat_of_guides(const Beam               &beam,
+                        const TouchedBody        &body,
+                        std::vector<std::string> &notes)
+    {
+      if (!beam.is_heated())
+        return;
+      for (unsigned int t = 0; t < body.touches.size(); ++t)
+        if (body.touches[t].holds_section)
+          {
+            const auto held = held_sections(body.touches, t, beam.axis());
+            if (held[0].rows.size() < beam.section().n_fields() &&
+                held[0].by[0] == body.touches[t].name)
+              notes.push_back(
+                "body " + beam.name() + " is heated, and " +
+                body.touches[t].name +
+                " holds its section in part: SV-N has no fields for what heat "
+                "does there, and stresses within a height or two of it are not "
+                "to be used. Use LE-N, or Theories with LE-N there");
+          }
+    }
+
+
+
     /// Replaces the bodies @p touched of one section and theory.
     void
     replace(Bodies                             &bodies,
@@ -531,6 +557,8 @@ namespace lamella
                             section->theory().name() + ")");
           if (theory.order == 0 && description.pieces.empty())
             note_missing_fields(beam, body, notes);
+          else if (!lists.back().empty())
+            note_heat_of_guides(beam, body, notes);
         }
       const auto space = fields.space();
       for (unsigned int k = 0; k < touched.size(); ++k)

@@ -74,12 +74,14 @@ namespace lamella
                 const Axis               &axis);
 
   /**
-   * What heat that is constant along the axis does to a section, apart from
-   * what the six states say: the answer v (SaintVenant::response_to_constant())
-   * to its load h_s on values, which a clamp does not let be, and the traction
-   *   r = S_10 v - h_y - sum_j c_j (S_10 a_j + S_11 b_j)
-   * that it leaves at an end, h_y its load on derivatives, with as much of the
-   * states (a_j, b_j) as frees it of section forces: none acts on a free end.
+   * What heat that is constant along the axis does to a body that is free: the
+   * section takes the shape
+   *   v + sum_j c_j a_j,
+   * v its answer (SaintVenant::response_to_constant()) to the load h_s of heat
+   * on values, which what holds it does not let be, and at an end the traction
+   *   r = S_10 v - h_y + sum_j c_j (S_10 a_j + S_11 b_j)
+   * is left, h_y the load on derivatives; with as much of the six states
+   * (a_j, b_j) as frees r of section forces, since none act on a free end.
    */
   struct HeatedSection
   {
@@ -128,10 +130,11 @@ namespace lamella
    * are zones: the outermost has the fields of the nodes there, each further
    * in what the nodes from its beginning on add to those of the ones outside.
    *
-   * Of @p heat comes another load each: on what is held that of the answer all
-   * along, so that what is left of it is the disturbance; on a section that
-   * nothing holds the traction. They are scaled to disturbances of the energy
-   * that a state has along one H.
+   * Of @p heat comes another load each: that of the answer all along, with the
+   * traction taken off the end, so that what is left beside the answer is the
+   * disturbance, of a section that is held or free; none of one that is held
+   * in part and can still move. It is scaled to the energy that a state has
+   * along one H.
    *
    * The zones, the outermost first, free of rigid fields and warpings; those
    * that add nothing are left out. None at all where nothing can load the
