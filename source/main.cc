@@ -10,7 +10,7 @@
 #include <lamella/handout/handout.h>
 #include <lamella/run/command_line.h>
 #include <lamella/run/new_scene.h>
-#include <lamella/run/simulation.h>
+#include <lamella/run/run_scene.h>
 #include <lamella/scene/scene.h>
 #include <lamella/trade/trade.h>
 
@@ -79,14 +79,14 @@ namespace
       }
     const auto simulation = make_simulation(scene, text, output());
     if (command.validate)
-      simulation->print_validation(command.output_is_given ? command.output :
-                                                             "");
+      print_validation(*simulation,
+                       command.output_is_given ? command.output : "");
     else
-      simulation->run(command.output, command.resume, [&](Results &results) {
-        ModelCache cache;
-        Estimation estimation(*simulation, output(), cache);
-        results.goals        = estimation.goals();
-        results.why_no_goals = estimation.reason_for_none();
+      run_scene(*simulation, command.output, command.resume, [&] {
+        ModelCache                    cache;
+        Estimation                    estimation(*simulation, output(), cache);
+        const std::vector<GoalResult> goals = estimation.goals();
+        simulation->set_goals(goals, estimation.reason_for_none());
       });
   }
 

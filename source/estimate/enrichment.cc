@@ -160,7 +160,7 @@ namespace lamella
 
     /// The share of the length of the beam @p body that gap rows see.
     double
-    touched_share(const Simulation  &model,
+    touched_share(const BuiltScene  &model,
                   const Beam        &whole,
                   const unsigned int body)
     {
@@ -182,14 +182,14 @@ namespace lamella
 
 
   std::vector<BodySize>
-  sizes_of(const Simulation &model)
+  sizes_of(const BuiltScene &model)
   {
     std::vector<BodySize> sizes;
-    for (const auto &body : model.solved_structure().bodies())
+    for (const auto &body : model.structure().bodies())
       {
         BodySize &size = sizes.emplace_back();
         size.dofs      = body->n_dofs();
-        for (const Support &support : model.solved_scene().supports)
+        for (const Support &support : model.scene().supports)
           for (const Region &region : support.on)
             size.held_all_along =
               size.held_all_along || (region.kind == Region::Kind::body &&

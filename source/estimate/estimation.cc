@@ -96,7 +96,7 @@ namespace lamella
   std::string
   Estimation::reason_for_none() const
   {
-    const GoalParameters &goals = run.solved_scene().goals;
+    const GoalParameters &goals = run.model().scene().goals;
     if (goals.quantities.empty() && goals.whole_probes.empty())
       return "the scene has neither Quantities in Goals nor probes";
     if (goals.bars == ErrorBars::never)
@@ -113,7 +113,7 @@ namespace lamella
   std::vector<NamedQuantity>
   Estimation::quantities() const
   {
-    const GoalParameters      &goals = run.solved_scene().goals;
+    const GoalParameters      &goals = run.model().scene().goals;
     std::vector<NamedQuantity> all   = goals.quantities;
     for (const std::string &probe : goals.whole_probes)
       for (const NamedQuantity &quantity :
@@ -127,9 +127,9 @@ namespace lamella
   Model
   Estimation::first_model() const
   {
-    return {for_estimates(run.solved_scene()),
+    return {for_estimates(run.model().scene()),
             ResultNumbers(run.results()),
-            sizes_of(run)};
+            sizes_of(run.model())};
   }
 
 
@@ -146,11 +146,11 @@ namespace lamella
     // Whether the linear model will do is a question to the run itself.
     Scene compared           = scene;
     compared.solve.is_judged = false;
-    Simulation     simulation(compared, nowhere, run.rules());
+    Simulation     simulation(compared, nowhere, run.model().rules());
     const Results &results = simulation.solve();
-    const Model    model{simulation.solved_scene(),
+    const Model    model{simulation.model().scene(),
                       ResultNumbers(results),
-                      sizes_of(simulation)};
+                      sizes_of(simulation.model())};
     out << results.n_dofs() << " DoFs, "
         << to_text(results.seconds.at("total"), 2) << " s" << std::endl;
     cache.keep(model);
@@ -290,7 +290,7 @@ namespace lamella
     const Step step{source, base, static_cast<unsigned int>(models.size() - 1)};
     steps.push_back(step);
     const bool matters =
-      run.solved_scene().goals.tolerances.empty() || weight_of(step) >= 1.;
+      run.model().scene().goals.tolerances.empty() || weight_of(step) >= 1.;
     if (is_first && is_known && matters)
       solved(scene, what + " (again, for where)", look);
     if (matters)
@@ -361,7 +361,7 @@ namespace lamella
   Estimation::goal_without_bar(const NamedQuantity &quantity,
                                const unsigned int   number) const
   {
-    const GoalParameters &goals = run.solved_scene().goals;
+    const GoalParameters &goals = run.model().scene().goals;
     GoalResult            result;
     result.name  = quantity.label();
     result.value = models[0].numbers.value(quantity);

@@ -17,7 +17,7 @@ namespace lamella
     beam(const Simulation &simulation, const unsigned int body)
     {
       return dynamic_cast<const Beam *>(
-        simulation.solved_structure().bodies()[body].get());
+        simulation.model().structure().bodies()[body].get());
     }
 
 
@@ -25,7 +25,7 @@ namespace lamella
     unsigned int
     n_bodies(const Simulation &simulation)
     {
-      return simulation.solved_structure().bodies().size();
+      return simulation.model().structure().bodies().size();
     }
 
 
@@ -35,7 +35,7 @@ namespace lamella
     BlockVector
     moved(const Simulation &from, const BlockVector &u, const Simulation &to)
     {
-      BlockVector result = to.solved_structure().zero();
+      BlockVector result = to.model().structure().zero();
       for (unsigned int b = 0; b < n_bodies(from); ++b)
         if (const Beam *const source = beam(from, b))
           result.block(b) = transferred(*source, u.block(b), *beam(to, b));
@@ -49,7 +49,7 @@ namespace lamella
     /// The size of the resultant on the second side of the contact number
     /// @p contact, from the forces of all rows.
     double
-    resultant(const Simulation          &model,
+    resultant(const BuiltScene          &model,
               const unsigned int         contact,
               const std::vector<double> &forces)
     {
@@ -100,8 +100,8 @@ namespace lamella
         const Beam *const one = beam(coarse, b), *const other = beam(fine, b);
         if (one != nullptr && other != nullptr ?
               one->section().n_fields() != other->section().n_fields() :
-              coarse.solved_structure().bodies()[b]->n_dofs() !=
-                fine.solved_structure().bodies()[b]->n_dofs())
+              coarse.model().structure().bodies()[b]->n_dofs() !=
+                fine.model().structure().bodies()[b]->n_dofs())
           return false;
       }
     return true;
@@ -118,16 +118,17 @@ namespace lamella
     const State        &state = fine.results().last().state;
     const State        &rough = coarse.results().last().state;
     const BlockVector   u     = on_fine(rough.u);
-    const GapRows      &rows  = fine.rows();
+    const GapRows      &rows  = fine.model().rows();
     std::vector<double> forces(rows.size(), 0.);
     if (!state.force.empty() && !rough.force.empty())
       for (const unsigned int r : active)
         {
           const unsigned int c = rows.in_contact(r).first;
-          forces[r] = state.force[r] * resultant(coarse, c, rough.force) /
-                      resultant(fine, c, state.force);
+          forces[r]            = state.force[r] *
+                      resultant(coarse.model(), c, rough.force) /
+                      resultant(fine.model(), c, state.force);
         }
-    residual = fine.solved_structure().residual(u, factor, state.rest);
+    residual = fine.model().structure().residual(u, factor, state.rest);
     mismatch.reinit(active.size());
     for (unsigned int k = 0; k < active.size(); ++k)
       {
@@ -159,7 +160,7 @@ namespace lamella
   Localisation::Derivative
   Localisation::zero() const
   {
-    return {fine.solved_structure().zero(), Vector(active.size())};
+    return {fine.model().structure().zero(), Vector(active.size())};
   }
 
 
@@ -188,7 +189,7 @@ namespace lamella
   Localisation::at_probe(const NamedQuantity &goal) const
   {
     const auto   component = component_of(goal.column);
-    const auto  &probes    = fine.solved_scene().probes;
+    const auto  &probes    = fine.model().scene().probes;
     const Probe &probe     = *std::find_if(probes.begin(),
                                        probes.end(),
                                        [&goal](const Probe &candidate) {
@@ -196,7 +197,7 @@ namespace lamella
                                        });
     if (!component)
       return std::nullopt;
-    const Body &body   = *fine.solved_structure().bodies()[probe.body];
+    const Body &body   = *fine.model().structure().bodies()[probe.body];
     Derivative  result = zero();
     for (const BoxPoints &points :
          box_points(body, probe.position, probe.box, "Probe " + probe.name))
@@ -219,7 +220,7 @@ namespace lamella
     // Moments refer to points: left to those who can do without a derivative.
     if (goal.column[0] != 'f')
       return std::nullopt;
-    const Structure   &structure = coarse.solved_structure();
+    const Structure   &structure = coarse.model().structure();
     const auto        &supports  = fine.results().supports;
     const unsigned int support =
       std::find(supports.begin(), supports.end(), goal.name) - supports.begin();
@@ -235,7 +236,7 @@ namespace lamella
     // K w, with the springs.
     result.u.add(1., fine.contact_solver().tangent().apply(w));
     for (unsigned int k = 0; k < active.size(); ++k)
-      result.force[k] = -fine.rows()[active[k]].opening(w);
+      result.force[k] = -fine.model().rows()[active[k]].opening(w);
     return result;
   }
 
@@ -267,8 +268,8 @@ namespace lamella
     Derivative result = zero();
     for (unsigned int k = 0; k < active.size(); ++k)
       {
-        const auto [c, row]             = fine.rows().in_contact(active[k]);
-        const ContactInterface &contact = fine.interfaces()[c];
+        const auto [c, row] = fine.model().rows().in_contact(active[k]);
+        const ContactInterface &contact = fine.model().interfaces()[c];
         if (contact.name == goal.name)
           result.force[k] = contact.points[row].normal[goal.column[1] - 'x'];
       }
@@ -298,7 +299,7 @@ namespace lamella
         left -= fine.contact_solver().tangent().apply(result.u);
         for (unsigned int k = 0; k < active.size(); ++k)
           {
-            const GapRow &row = fine.rows()[active[k]];
+            const GapRow &row = fine.model().rows()[active[k]];
             row.add_to(left, result.force[k]);
             right[k] = -derivative.force[k] - row.opening(result.u) -
                        law_softness(row) * result.force[k];

@@ -53,9 +53,9 @@ namespace lamella
                      of_eigenvectors   = 10.;
     const double                m      = fields_of_responses;
     double                      sum    = 0.;
-    const std::vector<BodySize> sizes  = sizes_of(run);
-    const Bodies               &bodies = run.solved_structure().bodies();
-    const Scene                &scene  = run.solved_scene();
+    const std::vector<BodySize> sizes  = sizes_of(run.model());
+    const Bodies               &bodies = run.model().structure().bodies();
+    const Scene                &scene  = run.model().scene();
     for (unsigned int b = 0; b < sizes.size(); ++b)
       {
         if (!may_have_responses(scene.bodies[b], sizes[b]) ||
@@ -63,9 +63,13 @@ namespace lamella
           return std::numeric_limits<double>::infinity();
         sum += axes * sizes[b].nodes * of_block * m * m * m;
         // It is of LE-N: responses say so.
-        const auto &beam    = dynamic_cast<const Beam &>(*bodies[b]);
-        const auto  touches = find_touches(
-          beam, b, bodies, scene.supports, scene.loads, run.interfaces());
+        const auto  &beam    = dynamic_cast<const Beam &>(*bodies[b]);
+        const auto   touches = find_touches(beam,
+                                          b,
+                                          bodies,
+                                          scene.supports,
+                                          scene.loads,
+                                          run.model().interfaces());
         const double answers = 2. * waves * n_load_vectors(touches);
         sum += sizes[b].fields * answers * answers +
                of_eigenvectors * answers * answers * answers;

@@ -79,7 +79,7 @@ namespace lamella
         }
     std::ostream                nowhere(nullptr);
     const Simulation            model(plain, nowhere);
-    const std::vector<BodySize> sizes = sizes_of(model);
+    const std::vector<BodySize> sizes = sizes_of(model.model());
     std::vector<bool>           touched_all_along(scene.bodies.size(), false);
     for (unsigned int b = 0; b < scene.bodies.size(); ++b)
       if (is_assumed(scene, b))
@@ -95,14 +95,14 @@ namespace lamella
 
 
   bool
-  begin_lower(Scene &scene, const Simulation &model)
+  begin_lower(Scene &scene, const BuiltScene &model)
   {
     bool any = false;
     for (unsigned int b = 0; b < scene.bodies.size(); ++b)
       if (is_assumed(scene, b))
         {
           const auto &body =
-            dynamic_cast<const Beam &>(*model.solved_structure().bodies()[b]);
+            dynamic_cast<const Beam &>(*model.structure().bodies()[b]);
           if (body.n_dofs() < body.axis().n_nodes() * body.section().n_fields())
             continue;
           make_lower(scene.bodies[b]);

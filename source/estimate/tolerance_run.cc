@@ -12,6 +12,7 @@
 #include <lamella/estimate/tolerance_run.h>
 #include <lamella/report/fields_table.h>
 #include <lamella/report/goals_table.h>
+#include <lamella/run/run_scene.h>
 
 #include <algorithm>
 #include <cmath>
@@ -88,7 +89,7 @@ namespace lamella
       return std::make_unique<Simulation>(scene, nowhere, rules);
     };
     auto next = built();
-    if (passes.empty() && begin_lower(scene, *next))
+    if (passes.empty() && begin_lower(scene, next->model()))
       next = built();
     const double most = scene.goals.budget_dofs;
     if (most > 0 && next->results().n_dofs() > most)
@@ -107,7 +108,7 @@ namespace lamella
     if (simulation != nullptr)
       estimation.comes_after(ResultNumbers(simulation->results()));
     else
-      keep_ends(next->solved_scene());
+      keep_ends(next->model().scene());
     pass.goals   = estimation.goals();
     pass.seconds = wall.wall_time();
     for (const BodyFacts &body : next->results().bodies)
@@ -235,7 +236,7 @@ namespace lamella
     constexpr double most_merged = 0.05;
 
     const auto               &goals   = passes.back().goals;
-    Scene                     next    = simulation->solved_scene();
+    Scene                     next    = simulation->model().scene();
     const Model              &model   = *cache.find(next);
     const std::vector<Source> sources = wanted();
     // Other fields have other errors along the axis: those of EBBT say nothing.
@@ -296,11 +297,20 @@ namespace lamella
 
 
   void
+  ToleranceRun::write_pass(const std::string &directory)
+  {
+    simulation->set_goals(passes.back().goals);
+    write_run(*simulation, directory);
+  }
+
+
+
+  void
   ToleranceRun::end_with_bars(const std::string &directory)
   {
     passes.back().goals =
       Estimation(*simulation, out, cache, Estimation::Effort::full).goals();
-    simulation->write(directory, passes.back().goals);
+    write_pass(directory);
     if (is_speaker())
       write_file(directory + "/passes.csv", table());
   }
@@ -328,7 +338,7 @@ namespace lamella
             reason = without_full_stop(error.what());
             break;
           }
-        simulation->write(directory, passes.back().goals);
+        write_pass(directory);
         if (is_speaker())
           {
             write_file(directory + "/passes.csv", table());
@@ -347,7 +357,7 @@ namespace lamella
         why_no_richer_model().empty())
       end_with_bars(directory);
     say_if_interrupted("");
-    simulation->print_results(directory, out);
+    print_results(*simulation, directory, out);
     out << (all_met(passes.back().goals) ? "\nDone in " :
                                            "\nNot all goals are met after ")
         << passes.size() << (passes.size() == 1 ? " pass: " : " passes: ")

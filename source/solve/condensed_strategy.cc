@@ -32,8 +32,7 @@ namespace lamella
 
   CondensedStrategy::CondensedStrategy(const Linearisation &linearisation,
                                        const GapRows       &rows)
-    : linearisation(linearisation)
-    , rows(rows)
+    : ContactStrategy(linearisation, rows)
     , compliance(linearisation, rows)
   {}
 

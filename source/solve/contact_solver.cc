@@ -6,16 +6,30 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 
 namespace lamella
 {
   using namespace dealii;
 
+  namespace
+  {
+    std::vector<unsigned int>
+    united(std::vector<unsigned int> a, const std::vector<unsigned int> &b)
+    {
+      a.insert(a.end(), b.begin(), b.end());
+      return a;
+    }
+  } // namespace
+
+
+
   ContactSolver::ContactSolver(
     std::shared_ptr<const Linearisation> linearisation_,
     const GapRows                       &rows,
-    const SolverParameters              &parameters)
+    const SolverParameters              &parameters,
+    const Strategy                       which)
     : progress([](const std::string &) {})
     , describe(
         [](const unsigned int row) { return "row " + std::to_string(row); })
@@ -23,11 +37,8 @@ namespace lamella
     , structure(linearisation->of())
     , rows(rows)
     , parameters(parameters)
+    , strategy(make_strategy(which, *linearisation, rows))
   {}
-
-
-
-  ContactSolver::~ContactSolver() = default;
 
 
 
@@ -42,15 +53,195 @@ namespace lamella
 
 
 
+  // ---- contact on top of a free state
+
+  State
+  ContactSolver::solve_contact(const State &free,
+                               const double factor,
+                               const State &previous)
+  {
+    State                     state   = free;
+    ContactProblem            problem = first_problem(free, factor, previous);
+    double                    before  = std::numeric_limits<double>::max();
+    std::vector<unsigned int> last;
+    while (true)
+      {
+        const ContactSolution found =
+          strategy->settle(problem, [&](const Round &round) {
+            watch(round, state.iterations);
+          });
+        if (state.iterations == 0)
+          return state;
+        const State settled       = with(state, found);
+        state                     = settled;
+        state.contact_corrections = refine(state, factor, 1);
+
+        const Misses missed = judge(state, factor);
+        const bool   slow   = missed.gap > parameters.slow * before;
+        if (missed.is_right_set() ?
+              keeps_law(state, factor, missed.gap, slow) :
+              (found.active == last && correct_set(state, factor)) ||
+                stands_by_forces(state, settled, factor))
+          return state;
+        check_iterations(state.iterations,
+                         united(missed.opening, missed.closing));
+        if (slow)
+          strategy->stiffen();
+        before  = missed.gap;
+        last    = found.active;
+        problem = problem_about(state, factor);
+      }
+  }
+
+
+
+  ContactProblem
+  ContactSolver::first_problem(const State &free,
+                               const double factor,
+                               const State &previous) const
+  {
+    // Rows that would be open without any contact start open: in unloading they
+    // pull, and pull others in.
+    ContactProblem problem = problem_about(free, factor);
+    problem.start.clear();
+    for (const unsigned int r : previous.active)
+      if (problem.gap[r] < 0.)
+        {
+          problem.start.push_back(r);
+          problem.estimate[r] = previous.force[r];
+        }
+    return problem;
+  }
+
+
+
+  ContactProblem
+  ContactSolver::problem_about(const State &state, const double factor) const
+  {
+    return {gaps(state.u, factor),
+            state.force,
+            state.force,
+            state.active,
+            parameters.rounding * size_of(state, factor)};
+  }
+
+
+
+  State
+  ContactSolver::with(State state, const ContactSolution &found)
+  {
+    state.u += found.du;
+    state.force  = found.force;
+    state.active = found.active;
+    return state;
+  }
+
+
+
+  ContactSolver::Misses
+  ContactSolver::misses(const State &state,
+                        const double factor,
+                        const double closed) const
+  {
+    const std::vector<double> g = gaps(state.u, factor);
+    Misses                    found;
+    for (const unsigned int r : state.active)
+      if (state.force[r] < 0.)
+        found.opening.push_back(r);
+      else
+        found.gap =
+          std::max(found.gap,
+                   std::abs(g[r] + law_softness(rows[r]) * state.force[r]));
+    for (unsigned int r = 0; r < rows.size(); ++r)
+      if (g[r] < -closed &&
+          !std::binary_search(state.active.begin(), state.active.end(), r))
+        found.closing.push_back(r);
+    return found;
+  }
+
+
+
+  ContactSolver::Misses
+  ContactSolver::judge(const State &state, const double factor) const
+  {
+    return misses(state,
+                  factor,
+                  size_of(state, factor) *
+                    std::max(parameters.rounding,
+                             state.contact_corrections.back()));
+  }
+
+
+
+  bool
+  ContactSolver::keeps_law(const State &state,
+                           const double factor,
+                           const double error,
+                           const bool   was_slow) const
+  {
+    const double size = size_of(state, factor);
+    return error <= parameters.law_tolerance * size ||
+           (was_slow && error <= parameters.good_enough * size);
+  }
+
+
+
+  bool
+  ContactSolver::stands_by_forces(State       &state,
+                                  const State &settled,
+                                  const double factor)
+  {
+    if (!strategy->forces_stand_alone())
+      return false;
+    const double good_enough = parameters.good_enough * size_of(state, factor);
+    state                    = settled;
+    state.active.clear();
+    state.contact_corrections = refine(state, factor, 1);
+    state.active              = settled.active;
+    const Misses left         = misses(state, factor, good_enough);
+    return left.closing.empty() && left.gap <= good_enough;
+  }
+
+
+
+  bool
+  ContactSolver::correct_set(State &state, const double factor)
+  {
+    State at = state;
+    for (unsigned int round = 0; round < parameters.max_set_corrections;
+         ++round)
+      {
+        const Misses found = judge(at, factor);
+        if (found.is_right_set())
+          {
+            if (found.gap > parameters.good_enough * size_of(at, factor))
+              return false;
+            state = std::move(at);
+            return true;
+          }
+        for (const unsigned int r : found.opening)
+          at.force[r] = 0.;
+        std::vector<unsigned int> staying;
+        std::set_difference(at.active.begin(),
+                            at.active.end(),
+                            found.opening.begin(),
+                            found.opening.end(),
+                            std::back_inserter(staying));
+        at.active = united(std::move(staying), found.closing);
+        std::sort(at.active.begin(), at.active.end());
+        ++at.iterations;
+        at.contact_corrections = refine(at, factor, 1);
+      }
+    return false;
+  }
+
+
+
+  // ---- without the forces of stabilising springs
+
   State
   ContactSolver::release_springs(State state, const double factor)
   {
-    constexpr unsigned int most_rounds = 60;
-    // Of the displacements, what the springs' rest still moves by; of loads and
-    // contact forces, what springs still carry. (A motion that nothing loads
-    // nor holds drifts by rounding, without a force to speak of.)
-    constexpr double at_rest = 1e-12, without_force = 1e-13;
-
     if (!structure.has_springs())
       return state;
     double before = std::numeric_limits<double>::max();
@@ -72,10 +263,10 @@ namespace lamella
                    structure.heat_load().linfty_norm());
         for (const double lambda : state.force)
           forces = std::max(forces, std::abs(lambda));
-        if (change <= at_rest * size_of(state, factor) ||
-            force <= without_force * forces)
+        if (change <= parameters.springs_at_rest * size_of(state, factor) ||
+            force <= parameters.springs_without_force * forces)
           return state;
-        if (round > most_rounds)
+        if (round > parameters.max_releases)
           fail_on_springs(state, change / before);
         before = change;
         progress("round " + std::to_string(round) +
@@ -174,7 +365,7 @@ namespace lamella
       }
     BlockVector du;
     Vector      dlambda;
-    solve_linear(state.active, r_u, r_lambda, du, dlambda);
+    strategy->solve(state.active, r_u, r_lambda, du, dlambda);
     state.u += du;
     for (unsigned int i = 0; i < state.active.size(); ++i)
       state.force[state.active[i]] += dlambda[i];
@@ -252,7 +443,7 @@ namespace lamella
       (names.empty()       ? "" :
        changing.size() > 3 ? "; ...)" :
                              ")") +
-      ". Try " + remedy() +
+      ". Try " + strategy->remedy() +
       ", a finer mesh at the edge of the contact, or more Maximum iterations.");
   }
 } // namespace lamella

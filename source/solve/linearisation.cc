@@ -142,4 +142,12 @@ namespace lamella
                                                  asked,
                                                  monitor);
   }
+
+
+
+  std::shared_ptr<const Linearisation>
+  linearised_without_solvers(const Structure &structure)
+  {
+    return std::make_shared<const Linearisation>(structure, structure.zero());
+  }
 } // namespace lamella

@@ -8,7 +8,7 @@
 #include <lamella/base/version.h>
 #include <lamella/estimate/estimation.h>
 #include <lamella/estimate/tolerance_run.h>
-#include <lamella/run/simulation.h>
+#include <lamella/run/run_scene.h>
 #include <lamella/trade/trade.h>
 #include <lamella/trade/trade_picture.h>
 
@@ -296,12 +296,12 @@ namespace lamella
         }
     const auto simulation      = make_simulation(rung, text, std::cout);
     double     seconds_of_bars = 0.;
-    simulation->run(output, false, [&](Results &results) {
+    lamella::run_scene(*simulation, output, false, [&] {
       if (!job.bars)
         return;
       const dealii::Timer wall;
       ModelCache          cache;
-      results.goals   = Estimation(*simulation, std::cout, cache).goals();
+      simulation->set_goals(Estimation(*simulation, std::cout, cache).goals());
       seconds_of_bars = wall.wall_time();
     });
     return {{"values", RungValues(simulation->results()).to_json()},
@@ -437,7 +437,8 @@ namespace lamella
       json answer{{"plies", json::array()}};
       try
         {
-          for (const NamedQuantity &quantity : model->in_plies(quantities))
+          for (const NamedQuantity &quantity :
+               model->model().in_plies(quantities))
             answer["plies"].push_back(quantity.ply);
         }
       catch (const InputError &error)

@@ -17,7 +17,7 @@
 
 #include <lamella/base/exceptions.h>
 #include <lamella/base/mpi_session.h>
-#include <lamella/run/simulation.h>
+#include <lamella/run/run_scene.h>
 #include <lamella/scene/scene.h>
 
 #include <algorithm>

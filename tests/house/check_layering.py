@@ -25,7 +25,8 @@ ARROWS = {
     "conditions": ("base", "body"),
     "contact": ("base", "body", "conditions"),
     "solve": ("base", "linear", "body", "conditions", "contact"),
-    "recover": ("base", "material", "strength", "shape", "body", "conditions", "solve"),
+    "recover": ("base", "linear", "material", "strength", "shape", "body", "conditions", "contact",
+                "solve"),
     "adapt": ("base", "shape", "section", "axis", "body", "conditions", "contact", "solve", "recover"),
     "report": ("base", "material", "shape", "section", "body", "contact", "solve", "recover"),
     "scene": ("base", "material", "strength", "shape", "section", "axis", "body", "conditions",
@@ -34,7 +35,7 @@ ARROWS = {
     "run": ("base", "conditions", "contact", "solve", "recover", "adapt", "report", "scene"),
     "estimate": ("base", "section", "axis", "body", "contact", "solve", "recover", "adapt", "report", "scene",
                  "run"),
-    "trade": ("base", "section", "body", "solve", "report", "scene", "run", "estimate"),
+    "trade": ("base", "section", "body", "solve", "recover", "report", "scene", "run", "estimate"),
     "export": ("base", "body", "contact", "recover", "adapt", "scene"),
 }
 ROOMS = tuple(ARROWS)

@@ -56,7 +56,7 @@ namespace
     result.structure =
       std::make_unique<Structure>(std::move(bodies), supports, loads);
     const auto    &rows = result.contacts[0].rows;
-    MultiplierLoop newton(linearised(*result.structure), rows);
+    ContactSolver newton(linearised(*result.structure), rows);
     result.state  = newton.solve_contact(newton.solve_free(1.), 1.);
     result.checks = check_state(
       newton.tangent(), result.contacts, supports.size(), result.state, 1.);

@@ -5,9 +5,8 @@
 
 #include "fixtures.h"
 
-#include <lamella/solve/multiplier_loop.h>
+#include <lamella/solve/contact_solver.h>
 #include <lamella/solve/parameters.h>
-#include <lamella/solve/penalty_newton.h>
 
 #include <algorithm>
 
@@ -40,11 +39,13 @@ namespace lamella
                  const GapRows          &rows,
                  const SolverParameters &parameters = SolverParameters())
   {
-    if (which == Strategy::full)
-      return std::make_unique<PenaltyNewton>(structure, rows, parameters);
-    return std::make_unique<MultiplierLoop>(linearised(structure),
-                                            rows,
-                                            parameters);
+    return std::make_unique<ContactSolver>(which == Strategy::full ?
+                                             linearised_without_solvers(
+                                               structure) :
+                                             linearised(structure),
+                                           rows,
+                                           parameters,
+                                           which);
   }
 
   /// A structure with gap rows and what solves for them.

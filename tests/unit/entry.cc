@@ -7,7 +7,7 @@
 #include <lamella/contact/gap_rows.h>
 #include <lamella/linear/linear_solver.h>
 #include <lamella/solve/parameters.h>
-#include <lamella/solve/results.h>
+#include <lamella/recover/results.h>
 
 #include <boost/test/unit_test.hpp>
 

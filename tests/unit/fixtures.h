@@ -7,7 +7,7 @@
 #include <lamella/conditions/row_reduction.h>
 #include <lamella/section/lagrange_element.h>
 #include <lamella/shape/laminate.h>
-#include <lamella/solve/multiplier_loop.h>
+#include <lamella/solve/contact_solver.h>
 
 #include <deal.II/base/quadrature_lib.h>
 
@@ -195,7 +195,7 @@ namespace lamella
     const std::vector<GapRow> none;
     SolverParameters          parameters;
     parameters.max_refinements = refinements;
-    MultiplierLoop solver(linearised(*solved.structure), none, parameters);
+    ContactSolver solver(linearised(*solved.structure), none, parameters);
     solved.state     = solver.solve_free(1.);
     solved.condition = solver.tangent().condition_estimate();
     return solved;

@@ -27,7 +27,9 @@ namespace
           SceneText::read(LAMELLA_SOURCE_DIR + file, std::move(overrides))))
       , nowhere(nullptr)
       , coarse(scene, nowhere)
-      , fine(enriched(coarse.solved_scene(), Source::axis, sizes_of(coarse)),
+      , fine(enriched(coarse.model().scene(),
+                      Source::axis,
+                      sizes_of(coarse.model())),
              nowhere)
     {
       coarse.solve();
@@ -287,9 +289,9 @@ namespace
         const double value = ResultNumbers(coarse.solve()).value(goal);
         if (std::abs(value - truth) <= tolerance * std::abs(truth))
           return coarse.results().bodies.front().dofs;
-        Simulation fine(enriched(coarse.solved_scene(),
+        Simulation fine(enriched(coarse.model().scene(),
                                  Source::axis,
-                                 sizes_of(coarse)),
+                                 sizes_of(coarse.model())),
                         nowhere);
         fine.solve();
         const Localisation localisation(coarse, fine);
@@ -298,7 +300,7 @@ namespace
                                      localisation.energy_errors();
         result.tolerance = 1.;
         result.scale     = 1e30;
-        scene            = bisected(coarse.solved_scene(),
+        scene            = bisected(coarse.model().scene(),
                          *marked_elements(scene, {result}, 0.1, 0.7));
       }
     BOOST_FAIL("twelve passes do not suffice");

@@ -7,7 +7,7 @@
 #include "pagano.h"
 
 #include <lamella/solve/checks.h>
-#include <lamella/solve/multiplier_loop.h>
+#include <lamella/solve/contact_solver.h>
 
 #include <vector>
 
@@ -80,7 +80,7 @@ namespace lamella
   solution(Structure &structure)
   {
     const std::vector<GapRow> no_rows;
-    MultiplierLoop            newton(linearised(structure), no_rows);
+    ContactSolver             newton(linearised(structure), no_rows);
     const State               state = newton.solve_free(1.);
     require_sound(state, check_state(newton.tangent(), {}, 3, state, 1.), 1e9);
     return state.u.block(0);

@@ -3,7 +3,7 @@
 // Results in memory: a scene solved without a folder, every step at hand.
 
 #include <lamella/base/exceptions.h>
-#include <lamella/run/simulation.h>
+#include <lamella/run/run_scene.h>
 
 #include <boost/test/unit_test.hpp>
 
@@ -137,7 +137,7 @@ BOOST_AUTO_TEST_CASE(fields_of_nodes_add_up)
   const Results &results = simulation.solve();
   const auto     folder =
     std::filesystem::temp_directory_path() / "lamella_fields_of_nodes";
-  simulation.write(folder.string(), {});
+  write_run(simulation, folder.string());
   std::ifstream table(folder / "fields.csv");
   std::string   line;
   std::getline(table, line);

@@ -11,7 +11,7 @@
 
 #include <lamella/material/library.h>
 #include <lamella/solve/checks.h>
-#include <lamella/solve/multiplier_loop.h>
+#include <lamella/solve/contact_solver.h>
 
 #include <boost/test/unit_test.hpp>
 
@@ -58,7 +58,7 @@ namespace
     const std::vector<GapRow> none;
     SolverParameters          parameters;
     parameters.max_refinements = refine ? 6 : 0;
-    MultiplierLoop newton(linearised(structure), none, parameters);
+    ContactSolver newton(linearised(structure), none, parameters);
 
     Result result;
     State  state;

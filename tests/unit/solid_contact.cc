@@ -54,11 +54,11 @@ namespace
     contact.enforcement = Enforcement::exact;
     const std::vector<ContactInterface> contacts{
       make_interface(contact, bodies)};
-    Structure      structure(std::move(bodies), walls_and_press(moved), {});
-    const auto    &rows = contacts[0].rows;
-    MultiplierLoop newton(linearised(structure), rows);
-    const State    state  = newton.solve_contact(newton.solve_free(1.), 1.);
-    const Checks   checks = check_state(
+    Structure     structure(std::move(bodies), walls_and_press(moved), {});
+    const auto   &rows = contacts[0].rows;
+    ContactSolver newton(linearised(structure), rows);
+    const State   state  = newton.solve_contact(newton.solve_free(1.), 1.);
+    const Checks  checks = check_state(
       newton.tangent(), contacts, walls_and_press(moved).size(), state, 1.);
     BOOST_TEST(checks.force_balance < 1e-9);
     BOOST_TEST((checks.contacts[0].force + 6. * p * placement.axes[2]).norm() <

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <lamella/base/exceptions.h>
-#include <lamella/solve/results.h>
+#include <lamella/recover/results.h>
 #include <lamella/trade/ladder.h>
 #include <lamella/trade/trade_picture.h>
 #include <lamella/trade/trade_table.h>

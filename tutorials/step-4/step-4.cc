@@ -17,8 +17,7 @@
 #include <lamella/section/theory.h>
 #include <lamella/shape/laminate.h>
 #include <lamella/solve/checks.h>
-#include <lamella/solve/multiplier_loop.h>
-#include <lamella/solve/penalty_newton.h>
+#include <lamella/solve/contact_solver.h>
 
 #include <deal.II/base/table_handler.h>
 
@@ -44,7 +43,7 @@ private:
   relative_error(const std::vector<GapRow> &rows,
                  const std::vector<double> &force) const;
   double
-  solved_once(const std::vector<GapRow> &rows, PenaltyNewton &solver) const;
+  solved_once(const std::vector<GapRow> &rows, ContactSolver &solver) const;
   double
   refined(const std::vector<GapRow> &rows, ContactSolver &solver) const;
   void
@@ -144,7 +143,7 @@ TwoCubes::relative_error(const std::vector<GapRow> &rows,
 // own BLAS, and so says nothing but that the sum cannot be used there.
 double
 TwoCubes::solved_once(const std::vector<GapRow> &rows,
-                      PenaltyNewton             &solver) const
+                      ContactSolver             &solver) const
 {
   try
     {
@@ -200,8 +199,11 @@ TwoCubes::measure(const int decade)
 {
   const double              ratio = std::pow(10., decade);
   const std::vector<GapRow> rows  = gap_rows(ratio * stiffness);
-  PenaltyNewton             full(*structure, rows);
-  MultiplierLoop            condensed(linearised(*structure), rows);
+  ContactSolver             full(linearised_without_solvers(*structure),
+                     rows,
+                     {},
+                     Strategy::full);
+  ContactSolver             condensed(linearised(*structure), rows);
 
   // Springs in series: a penalty of its own gives F (1 / (1 + k / eps)).
   const double by_design = -1. / (1. + ratio), once = solved_once(rows, full),

@@ -20,7 +20,7 @@
 #include <lamella/section/section_response.h>
 #include <lamella/section/warping.h>
 #include <lamella/shape/laminate.h>
-#include <lamella/solve/multiplier_loop.h>
+#include <lamella/solve/contact_solver.h>
 
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/base/table_handler.h>
@@ -444,7 +444,7 @@ FieldsOfASection::bend(const std::string &name, std::unique_ptr<Beam> beam)
   Structure                 structure(std::move(bodies), {clamp}, {line});
   const std::vector<GapRow> no_rows;
   const Vector              u =
-    MultiplierLoop(linearised(structure), no_rows).solve_free(1.).u.block(0);
+    ContactSolver(linearised(structure), no_rows).solve_free(1.).u.block(0);
 
   const Body &body   = *structure.bodies()[0];
   const auto  sample = [&](const double y, const double z) {

@@ -16,7 +16,7 @@
 #include <lamella/estimate/estimation.h>
 #include <lamella/section/saint_venant.h>
 #include <lamella/section/warping.h>
-#include <lamella/solve/multiplier_loop.h>
+#include <lamella/solve/contact_solver.h>
 #include <lamella/solve/structure.h>
 
 #include <deal.II/base/table_handler.h>
@@ -183,7 +183,7 @@ Vector
 CantileverWithBars::primal(const Tangent &tangent) const
 {
   const std::vector<GapRow> no_rows;
-  return MultiplierLoop(tangent, no_rows).solve_free(1.).u.block(0);
+  return ContactSolver(tangent, no_rows).solve_free(1.).u.block(0);
 }
 
 

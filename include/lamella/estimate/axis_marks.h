@@ -3,8 +3,8 @@
 #ifndef lamella_estimate_axis_marks_h
 #define lamella_estimate_axis_marks_h
 
+#include <lamella/recover/results.h>
 #include <lamella/scene/scene.h>
-#include <lamella/solve/results.h>
 
 #include <optional>
 #include <vector>

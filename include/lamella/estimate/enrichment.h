@@ -4,9 +4,9 @@
 #define lamella_estimate_enrichment_h
 
 #include <lamella/base/names.h>
+#include <lamella/recover/results.h>
 #include <lamella/run/simulation.h>
 #include <lamella/scene/scene.h>
-#include <lamella/solve/results.h>
 
 #include <optional>
 #include <vector>
@@ -62,7 +62,7 @@ namespace lamella
 
   /// Those of the bodies of @p model.
   std::vector<BodySize>
-  sizes_of(const Simulation &model);
+  sizes_of(const BuiltScene &model);
 
   /// Whether a body of LE-N could have its section's own fields instead, and
   /// these would be fewer.

@@ -25,7 +25,7 @@ namespace lamella
   /// that keep all fields of their section (FieldRules::most_fields): these are
   /// compact, and lower degrees come first. Whether any changed.
   bool
-  begin_lower(Scene &scene, const Simulation &model);
+  begin_lower(Scene &scene, const BuiltScene &model);
 } // namespace lamella
 
 #endif

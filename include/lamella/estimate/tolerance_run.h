@@ -36,7 +36,7 @@ namespace lamella
     ToleranceRun(const Scene &said, std::ostream &out);
 
     /// Makes passes and writes the results into @p directory. Throws as
-    /// Simulation::run() does for the first model.
+    /// run_scene() does for the first model.
     void
     run(const std::string &directory);
 
@@ -83,6 +83,9 @@ namespace lamella
     /// Whether the budget of seconds is spent.
     bool
     is_late() const;
+    /// The results of the last pass into the folder @p directory.
+    void
+    write_pass(const std::string &directory);
     /// Makes the bars of the last pass with both refinements, and writes them.
     void
     end_with_bars(const std::string &directory);

@@ -6,7 +6,7 @@
 #include <lamella/body/body.h>
 #include <lamella/conditions/support.h>
 #include <lamella/conditions/traction.h>
-#include <lamella/solve/results.h>
+#include <lamella/recover/results.h>
 
 #include <memory>
 #include <optional>

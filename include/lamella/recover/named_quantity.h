@@ -5,7 +5,7 @@
 
 #include <lamella/recover/pressed_patch.h>
 #include <lamella/recover/requests.h>
-#include <lamella/solve/results.h>
+#include <lamella/recover/results.h>
 
 #include <nlohmann/json_fwd.hpp>
 

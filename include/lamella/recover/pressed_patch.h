@@ -3,7 +3,7 @@
 #ifndef lamella_recover_pressed_patch_h
 #define lamella_recover_pressed_patch_h
 
-#include <lamella/solve/results.h>
+#include <lamella/recover/results.h>
 
 #include <optional>
 #include <vector>

@@ -8,7 +8,7 @@
 #include <lamella/recover/named_quantity.h>
 #include <lamella/recover/requests.h>
 #include <lamella/shape/section_mesh.h>
-#include <lamella/solve/results.h>
+#include <lamella/recover/results.h>
 
 #include <functional>
 #include <vector>

@@ -9,7 +9,7 @@
 #include <lamella/recover/face_tractions.h>
 #include <lamella/recover/recovery.h>
 #include <lamella/shape/section_mesh.h>
-#include <lamella/solve/results.h>
+#include <lamella/recover/results.h>
 #include <lamella/strength/criterion.h>
 
 #include <deal.II/base/parameter_handler.h>

@@ -4,7 +4,7 @@
 #define lamella_report_console_h
 
 #include <lamella/recover/requests.h>
-#include <lamella/solve/results.h>
+#include <lamella/recover/results.h>
 
 #include <iosfwd>
 

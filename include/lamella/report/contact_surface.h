@@ -4,7 +4,7 @@
 #define lamella_report_contact_surface_h
 
 #include <lamella/contact/gap_rows.h>
-#include <lamella/solve/results.h>
+#include <lamella/recover/results.h>
 #include <lamella/solve/structure.h>
 
 #include <array>

@@ -3,7 +3,7 @@
 #ifndef lamella_report_probes_table_h
 #define lamella_report_probes_table_h
 
-#include <lamella/solve/results.h>
+#include <lamella/recover/results.h>
 
 #include <iosfwd>
 

@@ -3,7 +3,7 @@
 #ifndef lamella_report_restart_h
 #define lamella_report_restart_h
 
-#include <lamella/solve/results.h>
+#include <lamella/recover/results.h>
 
 #include <cstdint>
 #include <map>

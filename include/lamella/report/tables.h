@@ -3,7 +3,7 @@
 #ifndef lamella_report_tables_h
 #define lamella_report_tables_h
 
-#include <lamella/solve/results.h>
+#include <lamella/recover/results.h>
 
 #include <map>
 #include <string>

@@ -5,7 +5,7 @@
 
 #include <lamella/linear/dense_cholesky.h>
 #include <lamella/solve/compliance.h>
-#include <lamella/solve/contact_problem.h>
+#include <lamella/solve/contact_strategy.h>
 
 #include <optional>
 #include <set>
@@ -38,55 +38,42 @@ namespace lamella
    * costs a dense factorisation or some (n^3 / 3) and the gaps of all rows;
    * memory is that of Compliance and n^2.
    */
-  class CondensedStrategy
+  class CondensedStrategy : public ContactStrategy
   {
   public:
-    /// @p linearisation, which has solvers, and the rows are referred to.
+    /// @p linearisation must have solvers.
     CondensedStrategy(const Linearisation &linearisation, const GapRows &rows);
 
-    /**
-     * The linear system of one iteration. With B_A the rows @p active and d in
-     * place of 1/eps,
-     *   K du - B_A^T dlambda = r_u,
-     *   B_A du + d dlambda   = r_lambda.
-     * @p r_lambda (lengths) and @p dlambda (forces) have an entry for each
-     * active row. @p r_u (forces) need not be condensed. du vanishes in what
-     * supports prescribe. The factor of C + d is kept for the next call with
-     * the same rows and softness. Throws NumericsError if C + d is not positive
-     * definite.
-     */
+    /// Throws NumericsError as solve_complementarity() does, too.
+    ContactSolution
+    settle(const ContactProblem &problem, const Monitor &monitor) override;
+
     void
     solve(const std::vector<unsigned int> &active,
           const BlockVector               &r_u,
           const Vector                    &r_lambda,
           BlockVector                     &du,
-          Vector                          &dlambda);
-
-    /**
-     * Solves @p problem, which is convex and has one solution,
-     *   K du = B^T (lambda - lambda_state),  g = g_state + B du,
-     *   lambda = max(0, ((d - a) lambda_bar - g) / d):
-     * the law g + a lambda >= 0 with its softness a raised to a d that the
-     * arithmetic bears, about an estimate lambda_bar of the forces. Finds which
-     * rows are active. @p monitor is told of every round. Without rows that
-     * penetrate, forces or estimates to begin with, the answer is no change,
-     * and the monitor is not called. Throws NumericsError as
-     * solve_complementarity() does, and what the monitor throws.
-     */
-    ContactSolution
-    settle(const ContactProblem &problem, const Monitor &monitor);
+          Vector                          &dlambda) override;
 
     /// The stiffening and the batches of known rows.
     StrategyMemory
-    memory() const;
+    memory() const override;
 
-    /// Includes these batches again, which solves for them: collective.
+    /// Includes these batches again, which solves for them.
     void
-    recall(const StrategyMemory &memory);
+    recall(const StrategyMemory &memory) override;
 
-    /// Open to the loop around it, which stiffens it where estimates converge
-    /// too slowly.
-    NumericalSoftness numerical_softness;
+    bool
+    forces_stand_alone() const override
+    {
+      return true;
+    }
+
+    std::string
+    remedy() const override
+    {
+      return "a softer penalty";
+    }
 
   private:
     /// The d of a known row: never less than 1e-10 of its compliance, which
@@ -125,8 +112,6 @@ namespace lamella
               std::vector<unsigned int> &part,
               std::set<unsigned int>    &left);
 
-    const Linearisation &linearisation;
-    const GapRows        rows;
     /// Of the rows that ever took part.
     Compliance compliance;
     /// The factor of C + d of the rows that were active in the last linear

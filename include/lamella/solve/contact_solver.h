@@ -3,10 +3,10 @@
 #ifndef lamella_solve_contact_solver_h
 #define lamella_solve_contact_solver_h
 
-#include <lamella/solve/contact_problem.h>
-#include <lamella/solve/linearisation.h>
+#include <lamella/solve/contact_strategy.h>
 
 #include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -39,24 +39,44 @@ namespace lamella
     std::vector<double> free_corrections, contact_corrections;
   };
 
-  /// When iterations end.
+  /// When iterations end. All tolerances of the loop are here; those without
+  /// a unit are relative to the displacements (ContactSolver::size_of()).
   struct SolverParameters
   {
     /// Of a solution with contact; one that needs more fails.
     unsigned int max_iterations = 50;
-    /// Corrections below this, relative to the displacements, end the
-    /// refinement.
+
+    /// Corrections below this end the refinement.
     double refinement_tolerance = 1e-13;
     /// Corrections beyond those that are made in any case. A correction that is
     /// more than half of the one before ends them sooner.
     unsigned int max_refinements = 6;
+
+    /// Gaps less negative than this are rounding; than the last correction, if
+    /// digits are lost.
+    double rounding = 1e-14;
+    /// What active rows keep the contact law to, and what is good enough where
+    /// another round hardly betters them, as rounding allows no more.
+    double law_tolerance = 1e-12, good_enough = 1e-10;
+    /// A round that leaves more than this share of the law's error of the one
+    /// before is slow.
+    double slow = 0.1;
+    /// Of ContactSolver::correct_set().
+    unsigned int max_set_corrections = 20;
+
+    /// What the springs' rest moves by in a round that ends their release; or
+    /// what springs still carry then, of the largest load or contact force. (A
+    /// motion that nothing loads nor holds drifts by rounding, without a force
+    /// to speak of.)
+    double       springs_at_rest = 1e-12, springs_without_force = 1e-13;
+    unsigned int max_releases = 60;
   };
 
   /**
    * The solution of one load step: the linear one first, then contact on top of
-   * it, then without the forces of stabilising springs. How contact is solved
-   * for is what its kinds differ in; what they share is the refinement against
-   * the strain-first residual and the contact law itself.
+   * it, then without the forces of stabilising springs. Which rows are active
+   * is settled by a ContactStrategy; what it found is refined here against the
+   * strain-first residual and the contact law itself.
    *
    * What is solved, at load factor t, with the gap rows B:
    *   f_int(u) + f_springs(u) = t f + B^T lambda   (in the free DoFs)
@@ -80,12 +100,13 @@ namespace lamella
     /// Turns the number of a gap row into words.
     using Describe = std::function<std::string(const unsigned int)>;
 
-    /// About the state of @p linearisation; its structure and the rows are
-    /// referred to. Nothing is solved yet.
+    /// About the state of @p linearisation, with the strategy @p which
+    /// (make_strategy()); its structure and the rows are referred to. Nothing
+    /// is solved yet.
     ContactSolver(std::shared_ptr<const Linearisation> linearisation,
                   const GapRows                       &rows,
-                  const SolverParameters              &parameters);
-    virtual ~ContactSolver();
+                  const SolverParameters &parameters = SolverParameters(),
+                  const Strategy          which      = Strategy::condensed);
 
     /// Called with a line of text per iteration; does nothing by default.
     Progress progress;
@@ -111,11 +132,28 @@ namespace lamella
      * Returns @p free itself if no row penetrates there. Throws NumericsError
      * if the active set does not settle; the message names the rows that keep
      * changing.
+     *
+     * One loop: the strategy settles the active set about the state, for
+     * estimates of the forces; the outcome is refined; it is judged by the
+     * contact law itself. Rows that pull or penetrate then send it back, about
+     * the refined state. Rows without penetration (`exact`, `augmented
+     * lagrangian`) come out of the same loop: each refinement and each return
+     * takes the forces so far as the estimates (a proximal point iteration,
+     * the method of multipliers). It ends when no active row pulls, no other
+     * penetrates by more than rounding, and active rows keep the law to
+     * law_tolerance; to good_enough where a round was slow.
+     *
+     * That it ends: every return to the strategy is counted as at least one
+     * iteration, as some row is active or has a force then, so after
+     * max_iterations at most it ends or throws. That it ends well where
+     * arithmetic is exact: settled forces are those of a strictly convex
+     * problem, refining them changes nothing but estimates, and each proximal
+     * step lowers the distance to the solution.
      */
-    virtual State
+    State
     solve_contact(const State &free,
                   const double factor,
-                  const State &previous = State()) = 0;
+                  const State &previous = State());
 
     /**
      * @p state of solve_contact() without what stabilising springs falsify:
@@ -140,28 +178,29 @@ namespace lamella
     std::vector<double>
     gaps(const BlockVector &u, const double factor) const;
 
-    /**
-     * Solves the linear system of one iteration: with B_A the rows @p active
-     * and d the numerical softness of a row, at least a,
-     *   K du - B_A^T dlambda = r_u,
-     *   B_A du + d dlambda   = r_lambda,
-     * which is the paper's Eq. 22 when dlambda is eliminated. @p r_lambda and
-     * @p dlambda have an entry for each active row. @p r_u need not be
-     * condensed. du vanishes in what supports prescribe.
-     */
-    virtual void
+    /// Solves the linear system of one correction (ContactStrategy::solve()).
+    void
     solve_linear(const std::vector<unsigned int> &active,
                  const BlockVector               &r_u,
                  const Vector                    &r_lambda,
                  BlockVector                     &du,
-                 Vector                          &dlambda) = 0;
+                 Vector                          &dlambda)
+    {
+      strategy->solve(active, r_u, r_lambda, du, dlambda);
+    }
 
     /// What was learnt so far, as it is kept for a resumed run.
-    virtual StrategyMemory
-    memory() const = 0;
+    StrategyMemory
+    memory() const
+    {
+      return strategy->memory();
+    }
     /// Back again, into a solver of the same scene that has solved nothing yet.
-    virtual void
-    recall(const StrategyMemory &memory) = 0;
+    void
+    recall(const StrategyMemory &memory)
+    {
+      strategy->recall(memory);
+    }
 
     /// What it solves with.
     const Linearisation &
@@ -171,17 +210,78 @@ namespace lamella
     }
 
     /// What the user should know of penalties and arithmetic, a sentence each.
-    virtual std::vector<std::string>
+    std::vector<std::string>
     warnings() const
     {
-      return {};
+      return strategy->warnings();
     }
 
-  protected:
-    /// What to try where the search does not end, besides a finer mesh and more
-    /// iterations: the middle of a sentence.
-    virtual std::string
-    remedy() const = 0;
+  private:
+    /// How a refined state breaks the contact law.
+    struct Misses
+    {
+      /// Active rows that pull, and others that penetrate.
+      std::vector<unsigned int> opening, closing;
+      /// The largest |g + a lambda| of the others that are active, a length.
+      double gap = 0.;
+
+      bool
+      is_right_set() const
+      {
+        return opening.empty() && closing.empty();
+      }
+    };
+
+    /// Of @p state; a gap above -@p closed is none that penetrates.
+    Misses
+    misses(const State &state, const double factor, const double closed) const;
+
+    /// misses() of a refined state, where digits may be lost to its last
+    /// correction.
+    Misses
+    judge(const State &state, const double factor) const;
+
+    /// Whether an @p error of the law, a length, is small enough to end; less
+    /// is asked for where the round @p was_slow.
+    bool
+    keeps_law(const State &state,
+              const double factor,
+              const double error,
+              const bool   was_slow) const;
+
+    /// What is to be settled first: about the state without contact forces,
+    /// with the forces of @p previous as the estimates in those of its active
+    /// rows that penetrate in @p free.
+    ContactProblem
+    first_problem(const State &free,
+                  const double factor,
+                  const State &previous) const;
+    /// What is to be settled next, about the refined @p state, whose forces are
+    /// the estimates.
+    ContactProblem
+    problem_about(const State &state, const double factor) const;
+
+    /// @p state with what a strategy found about it.
+    static State
+    with(State state, const ContactSolution &found);
+
+    /// For rows that depend on each other, where refining a state moves forces
+    /// among them, also below zero, by rounding: replaces @p state by that of
+    /// the forces alone that the strategy is sure of, those of @p settled, and
+    /// says whether that is good enough. Nothing is done where the strategy
+    /// does not know forces that well.
+    bool
+    stands_by_forces(State &state, const State &settled, const double factor);
+
+    /**
+     * For rows that hardly touch, where the rounding of the compliance decides
+     * and gives the same wrong set again and again: takes rows of the refined
+     * @p state that pull out of the active set and rows that penetrate into it,
+     * refines, and looks again, in max_set_corrections rounds at most. Leaves
+     * @p state as it is and returns false if that does not end well.
+     */
+    bool
+    correct_set(State &state, const double factor);
 
     /// Corrects u and the forces of active rows once, against
     /// r_u = t f + B^T lambda - integral B^T C (B u) and
@@ -220,18 +320,18 @@ namespace lamella
     check_iterations(const unsigned int               iterations,
                      const std::vector<unsigned int> &changing) const;
 
-    const std::shared_ptr<const Linearisation> linearisation;
-    const Structure                           &structure;
-    const GapRows                              rows;
-    const SolverParameters                     parameters;
-
-  private:
     /// Throws the NumericsError of release_springs() for the spring under the
     /// largest force: the body runs away if the change of a round over that of
     /// the one before, @p rate, is close to 1; else its springs are too stiff,
     /// and the message gives the share with which the rate would be 0.1.
     [[noreturn]] void
     fail_on_springs(const State &state, const double rate) const;
+
+    const std::shared_ptr<const Linearisation> linearisation;
+    const Structure                           &structure;
+    const GapRows                              rows;
+    const SolverParameters                     parameters;
+    const std::unique_ptr<ContactStrategy>     strategy;
   };
 } // namespace lamella
 

@@ -98,6 +98,10 @@ namespace lamella
   linearised(const Structure                  &structure,
              const SolverKind                  asked   = SolverKind::automatic,
              const Linearisation::BodyMonitor &monitor = {});
+
+  /// That of u = 0 without solvers: what the `full` strategy takes.
+  std::shared_ptr<const Linearisation>
+  linearised_without_solvers(const Structure &structure);
 } // namespace lamella
 
 #endif

@@ -12,23 +12,6 @@
 
 namespace lamella
 {
-  /// How contact is solved for (`Contact strategy`). Both come to the same
-  /// results.
-  enum class Strategy
-  {
-    undefined,
-    condensed, ///< K factorised once, contact on its compliance: MultiplierLoop
-    full       ///< K + K^p of the whole scene, as in the paper: PenaltyNewton
-  };
-
-  template <>
-  struct Names<Strategy>
-  {
-    static constexpr NameOf<Strategy> all[] = {{Strategy::condensed,
-                                                "condensed"},
-                                               {Strategy::full, "full"}};
-  };
-
   /// What becomes of a linear result that is no approximation of what large
   /// deflections do (`Beyond linear range`).
   enum class OutOfRange

@@ -4,7 +4,7 @@
 #define lamella_trade_rung_result_h
 
 #include <lamella/scene/trade_parameters.h>
-#include <lamella/solve/results.h>
+#include <lamella/recover/results.h>
 
 #include <nlohmann/json.hpp>
 

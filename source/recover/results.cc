@@ -2,7 +2,7 @@
 
 #include <lamella/base/exceptions.h>
 #include <lamella/base/text.h>
-#include <lamella/solve/results.h>
+#include <lamella/recover/results.h>
 
 #include <algorithm>
 #include <cmath>
@@ -10,20 +10,6 @@
 
 namespace lamella
 {
-  const std::vector<std::string> &
-  phase_names()
-  {
-    static const std::vector<std::string> names = [] {
-      std::vector<std::string> all;
-      for (const NameOf<Phase> &phase : Names<Phase>::all)
-        all.push_back(phase.name);
-      return all;
-    }();
-    return names;
-  }
-
-
-
   void
   StepResults::drop_fields()
   {

@@ -3,7 +3,7 @@
 #include <lamella/base/processes.h>
 #include <lamella/base/text.h>
 #include <lamella/linear/own_rows.h>
-#include <lamella/solve/penalty_newton.h>
+#include <lamella/solve/penalty_matrix.h>
 
 #include <deal.II/lac/dynamic_sparsity_pattern.h>
 #include <deal.II/lac/full_matrix.h>
@@ -11,256 +11,23 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <set>
 
 namespace lamella
 {
   using namespace dealii;
 
-  PenaltyNewton::PenaltyNewton(std::shared_ptr<const Linearisation> about,
-                               const GapRows                       &rows,
-                               const SolverParameters              &parameters)
-    : ContactSolver(std::move(about), rows, parameters)
+  PenaltyMatrix::PenaltyMatrix(const Linearisation &linearisation,
+                               const GapRows       &rows)
+    : structure(linearisation.of())
+    , rows(rows)
   {
-    assemble_stiffness();
+    assemble_stiffness(linearisation);
   }
 
 
-
-  PenaltyNewton::PenaltyNewton(const Structure        &structure,
-                               const GapRows          &rows,
-                               const SolverParameters &parameters)
-    : PenaltyNewton(std::make_shared<const Linearisation>(structure,
-                                                          structure.zero()),
-                    rows,
-                    parameters)
-  {}
-
-
-
-  // ---- Newton's method
-
-  State
-  PenaltyNewton::solve_contact(const State &free,
-                               const double factor,
-                               const State &previous)
-  {
-    // Relative to the displacements: what the law is fulfilled to, and what is
-    // good enough where rounding allows no more.
-    constexpr double accurate = 1e-12, acceptable = 1e-10;
-
-    // Rows that would be open without any contact start open: in unloading they
-    // pull, and pull others in.
-    State                     state   = free;
-    const std::vector<double> without = overlaps(free, factor);
-    for (const unsigned int r : previous.active)
-      if (without[r] > 0.)
-        {
-          state.active.push_back(r);
-          state.force[r] = previous.force[r];
-        }
-    state.active = next_set(state, without, 0.);
-    if (state.active.empty())
-      return state;
-
-    std::set<std::vector<unsigned int>> visited;
-    double before     = std::numeric_limits<double>::max();
-    State  before_set = state;
-    while (true)
-      {
-        // The whole step on a set, for lowest_point(): corrections follow it.
-        if (state.contact_corrections.empty())
-          before_set = state;
-        state.contact_corrections.push_back(correct(state, factor));
-
-        const double size = size_of(state, factor);
-        const double closed =
-          size *
-          std::max(1e-14, std::min(1e-10, state.contact_corrections.back()));
-        const std::vector<double> overlap = overlaps(state, factor);
-        const Round               round   = wrong_rows(state, overlap, closed);
-        if (state.contact_corrections.size() == 1)
-          watch(round, state.iterations);
-        if (!round.changed.empty())
-          {
-            // Also where a set looks right until it is refined.
-            check_iterations(state.iterations, round.changed);
-            if (visited.insert(state.active).second)
-              state.active = next_set(state, overlap, closed);
-            else
-              state = lowest_point(before_set, state, factor);
-            for (unsigned int r = 0; r < rows.size(); ++r)
-              if (!std::binary_search(state.active.begin(),
-                                      state.active.end(),
-                                      r))
-                state.force[r] = 0.;
-            state.contact_corrections.clear();
-            continue;
-          }
-        if (!is_refined(state.contact_corrections, 1))
-          continue;
-
-        const double error = law_error(state, factor);
-        const bool   slow  = error > 0.1 * before;
-        if (error <= accurate * size || (slow && error <= acceptable * size))
-          return state;
-        if (slow)
-          softness.stiffen();
-        before = error;
-        check_iterations(++state.iterations, {});
-        state.contact_corrections.clear();
-      }
-  }
-
-
-
-  std::vector<double>
-  PenaltyNewton::overlaps(const State &state, const double factor) const
-  {
-    std::vector<double> overlap;
-    for (unsigned int r = 0; r < rows.size(); ++r)
-      overlap.push_back((softness(rows[r]) - law_softness(rows[r])) *
-                          state.force[r] -
-                        rows[r].gap(state.u, factor));
-    return overlap;
-  }
-
-
-
-  bool
-  PenaltyNewton::stays(const State &state, const unsigned int row) const
-  {
-    // Its own unknown tells the sign of the force to rounding; the gap of a
-    // hard row, of which the law makes the same force, does not.
-    return std::binary_search(state.active.begin(), state.active.end(), row) &&
-           state.force[row] >= 0.;
-  }
-
-
-
-  Round
-  PenaltyNewton::wrong_rows(const State               &state,
-                            const std::vector<double> &overlap,
-                            const double               closed) const
-  {
-    Round round{state.active.size(), {}, 0.};
-    for (unsigned int r = 0; r < rows.size(); ++r)
-      {
-        const bool is_active =
-          std::binary_search(state.active.begin(), state.active.end(), r);
-        if (is_active ? !stays(state, r) : overlap[r] > closed)
-          {
-            round.changed.push_back(r);
-            round.violation = std::max(round.violation, std::abs(overlap[r]));
-          }
-      }
-    return round;
-  }
-
-
-
-  std::vector<unsigned int>
-  PenaltyNewton::next_set(const State               &state,
-                          const std::vector<double> &overlap,
-                          const double               closed) const
-  {
-    // The worst penetrations first settles soonest where few rows of many stay
-    // active.
-    constexpr std::size_t                        few = 8;
-    std::vector<unsigned int>                    next;
-    std::vector<std::pair<double, unsigned int>> closing;
-    for (unsigned int r = 0; r < rows.size(); ++r)
-      if (stays(state, r))
-        next.push_back(r);
-      else if (overlap[r] > closed &&
-               !std::binary_search(state.active.begin(), state.active.end(), r))
-        closing.emplace_back(overlap[r], r);
-    std::sort(closing.rbegin(), closing.rend());
-    closing.resize(
-      std::min(closing.size(), std::max(few, state.active.size())));
-    for (const auto &[over, r] : closing)
-      next.push_back(r);
-    std::sort(next.begin(), next.end());
-    return next;
-  }
-
-
-
-  double
-  PenaltyNewton::law_error(const State &state, const double factor) const
-  {
-    double error = 0.;
-    for (const unsigned int r : state.active)
-      error = std::max(error,
-                       std::abs(rows[r].gap(state.u, factor) +
-                                law_softness(rows[r]) * state.force[r]));
-    return error;
-  }
-
-
-
-  State
-  PenaltyNewton::part_of_the_way(const State       &from,
-                                 const BlockVector &du,
-                                 const double       t,
-                                 const double       factor) const
-  {
-    State at = from;
-    at.u.add(t, du);
-    const std::vector<double> overlap = overlaps(at, factor);
-    at.active.clear();
-    for (unsigned int r = 0; r < rows.size(); ++r)
-      {
-        at.force[r] = std::max(0., overlap[r]) / softness(rows[r]);
-        if (overlap[r] > 0.)
-          at.active.push_back(r);
-      }
-    return at;
-  }
-
-
-
-  State
-  PenaltyNewton::lowest_point(const State &from,
-                              const State &to,
-                              const double factor) const
-  {
-    constexpr unsigned int enough    = 40;
-    constexpr double       good_rest = 1e-2;
-
-    BlockVector du = to.u;
-    du -= from.u;
-    // What is out of balance does this work on the way, per unit of it: less
-    // and less, and zero where the way leads no further down.
-    const auto work = [&](const double t) {
-      const State at = part_of_the_way(from, du, t, factor);
-      BlockVector r  = structure.residual(at.u, factor, at.rest);
-      for (const unsigned int k : at.active)
-        rows[k].add_to(r, at.force[k]);
-      return r * du;
-    };
-    double       low = 0., high = 1., t = 1.;
-    const double at_start = work(0.);
-    for (unsigned int k = 0; k < enough; ++k)
-      {
-        const double w = work(t);
-        if (std::abs(w) <= good_rest * std::abs(at_start) ||
-            (t == 1. && w > 0.))
-          break;
-        (w > 0. ? low : high) = t;
-        t                     = 0.5 * (low + high);
-      }
-    State at      = part_of_the_way(from, du, t, factor);
-    at.iterations = to.iterations;
-    return at;
-  }
-
-
-
-  // ---- K + K^p
 
   Constraints
-  PenaltyNewton::constraints_of_all() const
+  PenaltyMatrix::constraints_of_all() const
   {
     const auto &blocks = structure.load().get_block_indices();
     Constraints all;
@@ -387,7 +154,7 @@ namespace lamella
 
 
   void
-  PenaltyNewton::assemble_stiffness()
+  PenaltyMatrix::assemble_stiffness(const Linearisation &linearisation)
   {
     const DofIndex n        = structure.n_dofs();
     constraints             = constraints_of_all();
@@ -397,13 +164,13 @@ namespace lamella
                     all * (this_process() + 1) / n_processes());
 
     std::vector<bool> written(n, false);
-    for_each_block(*linearisation,
+    for_each_block(linearisation,
                    false,
                    [&](const Dofs &rows, auto &&, auto &&) {
                      add_free(constraints, rows, written);
                    });
     DynamicSparsityPattern pattern(n, n, united(owned, written));
-    for_each_block(*linearisation,
+    for_each_block(linearisation,
                    false,
                    [&](const Dofs &rows, const Dofs &columns, auto &&) {
                      constraints.add_entries_local_to_global(rows,
@@ -416,7 +183,7 @@ namespace lamella
     stiffness.reinit(owned, owned, pattern, communicator(), true);
 
     for_each_block(
-      *linearisation,
+      linearisation,
       true,
       [&](const Dofs &rows, const Dofs &columns, const auto &values) {
         constraints.distribute_local_to_global(
@@ -447,7 +214,7 @@ namespace lamella
 
 
   void
-  PenaltyNewton::make_room(const std::vector<unsigned int> &active)
+  PenaltyMatrix::make_room(const std::vector<unsigned int> &active)
   {
     const std::size_t before = known.size();
     known.insert(active.begin(), active.end());
@@ -483,7 +250,7 @@ namespace lamella
 
 
   void
-  PenaltyNewton::add_penalty(const GapRow &row, const double softness_of_row)
+  PenaltyMatrix::add_penalty(const GapRow &row, const double softness_of_row)
   {
     // k^p = eps n^T n (Eq. 23), with the row in place of n.
     const Row          whole = global_row(structure, row);
@@ -499,7 +266,7 @@ namespace lamella
 
 
   UpperTriangle
-  PenaltyNewton::upper_triangle() const
+  PenaltyMatrix::upper_triangle() const
   {
     UpperTriangle entries;
     for_each_own_row(system,
@@ -520,7 +287,8 @@ namespace lamella
 
 
   void
-  PenaltyNewton::factorise(const std::vector<unsigned int> &active)
+  PenaltyMatrix::factorise(const std::vector<unsigned int> &active,
+                           const NumericalSoftness         &softness)
   {
     if (is_factorised && factorised_for == active &&
         factorised_with == softness.stiffening)
@@ -547,34 +315,40 @@ namespace lamella
     factorised_for  = active;
     factorised_with = softness.stiffening;
     is_factorised   = true;
-    measure_hardness(active);
+    measure_hardness(active, softness);
+  }
+
+
+
+  BlockVector
+  PenaltyMatrix::solve(BlockVector f) const
+  {
+    Assert(is_factorised, ExcMessage("Nothing is factorised."));
+    structure.condense(f);
+    Vector x(f.size());
+    std::copy(f.begin(), f.end(), x.begin());
+    factor->solve(x);
+    constraints.distribute(x);
+    std::copy(x.begin(), x.end(), f.begin());
+    return f;
+  }
+
+
+
+  std::vector<unsigned int>
+  PenaltyMatrix::known_rows() const
+  {
+    return {known.begin(), known.end()};
   }
 
 
 
   void
-  PenaltyNewton::solve_linear(const std::vector<unsigned int> &active,
-                              const BlockVector               &r_u,
-                              const Vector                    &r_lambda,
-                              BlockVector                     &du,
-                              Vector                          &dlambda)
+  PenaltyMatrix::recall(const std::vector<unsigned int> &known_rows)
   {
-    factorise(active);
-    du = r_u;
-    for (unsigned int k = 0; k < active.size(); ++k)
-      rows[active[k]].add_to(du, r_lambda[k] / softness(rows[active[k]]));
-    structure.condense(du);
-
-    Vector x(du.size());
-    std::copy(du.begin(), du.end(), x.begin());
-    factor->solve(x);
-    constraints.distribute(x);
-    std::copy(x.begin(), x.end(), du.begin());
-
-    dlambda.reinit(active.size());
-    for (unsigned int k = 0; k < active.size(); ++k)
-      dlambda[k] =
-        (r_lambda[k] - rows[active[k]].opening(du)) / softness(rows[active[k]]);
+    known.insert(known_rows.begin(), known_rows.end());
+    factor.reset();
+    is_factorised = false;
   }
 
 
@@ -582,7 +356,8 @@ namespace lamella
   // ---- what the arithmetic holds
 
   void
-  PenaltyNewton::measure_hardness(const std::vector<unsigned int> &active)
+  PenaltyMatrix::measure_hardness(const std::vector<unsigned int> &active,
+                                  const NumericalSoftness         &softness)
   {
     for (const unsigned int r : active)
       {
@@ -602,7 +377,7 @@ namespace lamella
 
 
   std::vector<std::string>
-  PenaltyNewton::warnings() const
+  PenaltyMatrix::warnings() const
   {
     // Rounding leaves an error of about N t eps / k (Nour-Omid and Wriggers,
     // 1987), least together with the penalty's own k / eps at k / sqrt(N t).

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef lamella_run_step_results_h
+#define lamella_run_step_results_h
+
+#include <lamella/run/built_scene.h>
+#include <lamella/solve/load_path.h>
+
+#include <memory>
+
+namespace lamella
+{
+  /**
+   * Makes results of what a load step came to: fields at probes, lines and
+   * cuts, contact pairs, reserve factors of plies, measures, and what the user
+   * should know of it. Refers to the scene.
+   */
+  class StepRecorder
+  {
+  public:
+    /// @p cured is the state at load factor zero of heated bodies, whose
+    /// stresses stay when loads grow; null where nothing is heated.
+    StepRecorder(const BuiltScene                  &built,
+                 std::shared_ptr<const BlockVector> cured = nullptr);
+
+    /// What step number @p step, from 1, came to, all but measures and what the
+    /// strategy has learnt; @p previous, the state of the step before, tells
+    /// which pairs began and ceased to touch.
+    StepResults
+    record(const unsigned int step,
+           const SolvedStep  &solved,
+           const State       &previous) const;
+
+    /// The measures of the last of the steps in @p results, into it.
+    void
+    take_measures(Results &results) const;
+
+    /// What @p solved, a state beside the path, says of failure; its reserve
+    /// factors into @p plies. The scene must ask for criteria.
+    FailureTrial
+    trial(const SolvedStep &solved, std::vector<PlyReserve> &plies) const;
+
+  private:
+    /// The pairs of all contacts, into @p results.
+    void
+    take_contacts(const SolvedStep &solved,
+                  const State      &previous,
+                  StepResults      &results) const;
+    /// Reserve factors of plies, and warnings of places that tell nothing, into
+    /// @p results.
+    void
+    take_strength(StepResults &results, const FaceTractions &tractions) const;
+    /// What the user should know of the state, and of what pairing assumed
+    /// (small sliding, collinear normals).
+    std::vector<std::string>
+    warnings(const SolvedStep &solved) const;
+    /// What the holds of bodies bear where contact forces do not balance in
+    /// motions that they take out.
+    std::vector<std::string>
+    warnings_of_holds(const Checks &checks) const;
+    /// What is to be said of stresses whose equilibrium does not close.
+    std::vector<std::string>
+    warnings_of_closures(const Closures &closures) const;
+
+    const BuiltScene                  &built;
+    const Scene                       &scene;
+    const Structure                   &structure;
+    std::shared_ptr<const BlockVector> cured;
+    /// Names of probes, lines and cuts.
+    const Results facts;
+  };
+} // namespace lamella
+
+#endif

@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef lamella_solve_load_path_h
+#define lamella_solve_load_path_h
+
+#include <lamella/contact/search_check.h>
+#include <lamella/solve/checks.h>
+#include <lamella/solve/contact_solver.h>
+#include <lamella/solve/parameters.h>
+
+#include <deal.II/base/timer.h>
+
+#include <utility>
+#include <vector>
+
+namespace lamella
+{
+  /// What a load step came to: a state that may be trusted, and what was
+  /// checked of it.
+  struct SolvedStep
+  {
+    /// t: what multiplies loads and prescribed displacements.
+    double load_factor = 0.;
+    State  state;
+    Checks checks;
+  };
+
+  /**
+   * A load step of a scene: from a state to the state at a load factor.
+   *   1. The linear solution without contact (ContactSolver::solve_free()),
+   *   2. contact on top of it, from the active rows of the state before, and
+   *      the release of stabilising springs,
+   *   3. checks, which throw if the state is not to be trusted, or if a
+   *      contact's search distance was too short.
+   * Kinematics is linear and contact without friction, so the state before
+   * decides on rounds and not on the result; nobody but this need know.
+   *
+   * Refers to all that it is made of, `timer` too, which counts the seconds of
+   * each Phase. Collective.
+   */
+  class Step
+  {
+  public:
+    /// With all @p contacts of the scene and, of each, what tells whether its
+    /// search distance was enough; @p n_supports are those of the scene.
+    Step(ContactSolver                       &solver,
+         const std::vector<ContactInterface> &contacts,
+         std::vector<SearchCheck>            &search_checks,
+         const unsigned int                   n_supports,
+         const SolveParameters               &parameters,
+         dealii::TimerOutput                 &timer);
+
+    /// From @p before, empty where there is none, to @p factor. Throws
+    /// NumericsError for what cannot be solved or is not to be trusted.
+    SolvedStep
+    operator()(const State &before, const double factor) const;
+
+    /// The checks of @p state, which is one at @p factor. Throws as above.
+    Checks
+    check(const State &state, const double factor) const;
+
+  private:
+    ContactSolver                       &solver;
+    const Structure                     &structure;
+    const std::vector<ContactInterface> &contacts;
+    std::vector<SearchCheck>            &search_checks;
+    const GapRows                        rows;
+    const unsigned int                   n_supports;
+    const SolveParameters               &parameters;
+    dealii::TimerOutput                 &timer;
+  };
+
+  /**
+   * The load factors that a scene goes through, up and down, and how far it has
+   * come: each step starts from the state of the one before. Beside the path
+   * branches end at other factors; they start from a state that is stored, go
+   * away from factor zero only, and leave the path where it is.
+   */
+  class LoadPath
+  {
+  public:
+    /// From no state at all through @p factors. @p branches says whether states
+    /// are to be stored for some.
+    LoadPath(const Step                &step,
+             const std::vector<double> &factors,
+             const bool                 branches = false);
+
+    /// Goes on after the first @p n_done steps, of which the last, at least
+    /// one, came to @p last.
+    void
+    resume(const unsigned int n_done, State last);
+
+    /// The steps that are done.
+    unsigned int
+    n_done() const
+    {
+      return done;
+    }
+    bool
+    has_more() const
+    {
+      return done < factors.size();
+    }
+    /// That of the next step.
+    double
+    next_factor() const
+    {
+      return factors[done];
+    }
+    /// That of the last step that is done; empty before the first.
+    const State &
+    state() const
+    {
+      return last;
+    }
+
+    /// Does the next step. Where it throws (Step) the path stays where it was.
+    SolvedStep
+    advance();
+
+    /// The state at @p factor, from the stored one nearest to it between zero
+    /// and it; is stored itself.
+    SolvedStep
+    branch(const double factor);
+
+    /// What does the steps.
+    const Step &
+    stepping() const
+    {
+      return step;
+    }
+
+  private:
+    /// Where branches are, keeps @p state; of one factor the first.
+    void
+    store(const double factor, const State &state);
+
+    const Step                            step;
+    const std::vector<double>             factors;
+    const bool                            branches;
+    unsigned int                          done = 0;
+    State                                 last;
+    std::vector<std::pair<double, State>> stored;
+  };
+} // namespace lamella
+
+#endif

@@ -1,0 +1,299 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <lamella/adapt/graded_axis.h>
+#include <lamella/base/text.h>
+#include <lamella/conditions/hold.h>
+#include <lamella/contact/assumptions.h>
+#include <lamella/contact/main_normals.h>
+#include <lamella/run/built_scene.h>
+#include <lamella/run/first_failure.h>
+#include <lamella/scene/theory_notes.h>
+#include <lamella/solve/phase.h>
+
+#include <algorithm>
+#include <ostream>
+
+namespace lamella
+{
+  using namespace dealii;
+
+  namespace
+  {
+    /// What takes a while says so before it begins.
+    void
+    tell_large_sections(const SectionMeshes &sections, std::ostream &out)
+    {
+      constexpr unsigned int many = 5000;
+      for (const auto &[name, section] : sections)
+        if (const unsigned int n = section->mesh.n_active_cells(); n > many)
+          out
+            << "Section " << name << ": " << n
+            << " cells; making its expansion, bodies and supports takes a while"
+            << std::endl;
+    }
+
+
+
+    ContactFacts
+    contact_facts(const ContactInterface &contact,
+                  const Enforcement       enforcement)
+    {
+      const auto [least, greatest] =
+        std::minmax_element(contact.rows.begin(),
+                            contact.rows.end(),
+                            [](const GapRow &a, const GapRow &b) {
+                              return a.initial_gap < b.initial_gap;
+                            });
+      return {contact.name,
+              contact.second_name,
+              contact.discretisation,
+              enforcement,
+              static_cast<unsigned int>(contact.rows.size()),
+              contact.unpaired,
+              contact.unpaired_second,
+              least->initial_gap,
+              greatest->initial_gap};
+    }
+  } // namespace
+
+
+
+  BuiltScene::BuiltScene(const Scene      &scene,
+                         const FieldRules &rules,
+                         std::ostream     &out,
+                         TimerOutput      &timer)
+    : given(scene)
+    , field_rules(rules)
+  {
+    {
+      TimerOutput::Scope scope(timer, name_of(Phase::setup));
+      build_structure(out);
+    }
+    {
+      TimerOutput::Scope scope(timer, name_of(Phase::contact));
+      build_contacts();
+    }
+    TimerOutput::Scope scope(timer, name_of(Phase::setup));
+    build_requests();
+  }
+
+
+
+  void
+  BuiltScene::build_structure(std::ostream &out)
+  {
+    section_meshes = build_section_meshes(given);
+    tell_large_sections(section_meshes, out);
+    grade_axes(given.bodies,
+               section_meshes,
+               given.supports,
+               given.loads,
+               given.contacts);
+    std::vector<Stabilisation> stabilisations;
+    for (const BodyDescription &body : given.bodies)
+      stabilisations.push_back({body.stabilisation});
+    Bodies bodies = make_bodies_with_fields();
+    hold_bodies(bodies);
+    whole = std::make_unique<Structure>(std::move(bodies),
+                                        given.supports,
+                                        given.loads,
+                                        stabilisations,
+                                        given.gravity);
+    check_balance_of_held(given.supports, whole->bodies(), whole->load());
+    for (const auto &body : whole->bodies())
+      body->solver_kind(given.solve.solver);
+  }
+
+
+
+  void
+  BuiltScene::hold_bodies(const Bodies &bodies)
+  {
+    if (std::none_of(given.bodies.begin(),
+                     given.bodies.end(),
+                     [](const BodyDescription &body) { return body.is_held; }))
+      return;
+    std::vector<ContactPlace> touched;
+    for (const ContactPair &contact : given.contacts)
+      {
+        const ContactInterface made  = make_interface(contact, bodies);
+        const Body            &first = *bodies[made.first_body];
+        // Nearer than a tenth of what the section extends to either side.
+        const double depth =
+          0.1 * centroid_of(first.surface_points("start"))
+                  .distance(far_points(first, "start").front().position);
+        for (const auto &[row, normal] : main_normals(made, depth))
+          {
+            const ContactInterface::Point &at = made.points[row];
+            touched.push_back({made.first_body, at.first, normal});
+            if (made.second_body)
+              touched.push_back({*made.second_body, at.second, normal});
+          }
+      }
+    find_held_motions(given.supports, bodies, touched);
+  }
+
+
+
+  Bodies
+  BuiltScene::make_bodies_with_fields()
+  {
+    Bodies bodies =
+      make_bodies(given.bodies, section_meshes, given.solve.memory_limit);
+    spread_totals(given.loads, bodies);
+    clear_held_motions(given.supports);
+    if (has_fields_to_choose(given.bodies))
+      {
+        apply_heat(given.loads, bodies);
+        std::vector<ContactInterface> touching;
+        for (const ContactPair &contact : given.contacts)
+          touching.push_back(make_interface(contact, bodies));
+        field_notes = choose_fields(
+          bodies,
+          given.bodies,
+          given.supports,
+          given.loads,
+          touching,
+          stress_places(bodies, given.probes, given.lines, given.cuts),
+          field_rules,
+          given.gravity);
+      }
+    return bodies;
+  }
+
+
+
+  void
+  BuiltScene::build_contacts()
+  {
+    for (ContactPair &contact : given.contacts)
+      {
+        contacts.push_back(make_interface(contact, whole->bodies()));
+        contact.discretisation = contacts.back().discretisation;
+        given.resolved =
+          SceneText::with_automatic(given.resolved,
+                                    "Contact " + contact.name,
+                                    "Discretisation",
+                                    name_of(contact.discretisation));
+      }
+    gap_rows = GapRows(contacts);
+    check_partners(contacts);
+    check_conflicts(contacts, whole->bodies());
+    for (const ContactPair &contact : given.contacts)
+      searched.emplace_back(contact, whole->bodies());
+    check_strips();
+  }
+
+
+
+  void
+  BuiltScene::check_strips() const
+  {
+    for (const auto *quantities :
+         {&given.goals.quantities, &given.trade.quantities})
+      for (const NamedQuantity &quantity : *quantities)
+        for (const ContactInterface &contact : contacts)
+          if (quantity.of == NamedQuantity::Of::contact &&
+              quantity.name == contact.name)
+            check_strip(quantity, contact.points);
+  }
+
+
+
+  void
+  BuiltScene::build_requests()
+  {
+    places = std::make_unique<Sampler>(whole->bodies(),
+                                       given.probes,
+                                       given.lines,
+                                       given.cuts);
+    for (const Measure &measure : given.measures)
+      places->check(measure.quantity);
+    given.goals.quantities = in_plies(given.goals.quantities);
+    units_check = std::make_unique<Plausibility>(whole->bodies(), given.units);
+    if (!given.strength.criteria.empty())
+      sweep = std::make_unique<StrengthSweep>(whole->bodies(), given.strength);
+    if (given.find_first_failure)
+      require_growth(*whole, contacts);
+  }
+
+
+
+  std::vector<NamedQuantity>
+  BuiltScene::in_plies(std::vector<NamedQuantity> quantities) const
+  {
+    for (NamedQuantity &quantity : quantities)
+      {
+        if (quantity.path == references_path)
+          quantity = places->in_lower_ply(quantity);
+        places->check(quantity);
+      }
+    return quantities;
+  }
+
+
+
+  FaceTractions
+  BuiltScene::tractions_at(const State &state, const double factor) const
+  {
+    FaceTractions tractions(given.loads, factor, given.supports);
+    for (unsigned int c = 0; c < contacts.size(); ++c)
+      tractions.add_contact(contacts[c].first_body,
+                            contacts[c].second_body,
+                            contacts[c].points,
+                            gap_rows.of_contact(c, state.force));
+    return tractions;
+  }
+
+
+
+  std::string
+  BuiltScene::describe_row(const unsigned int row) const
+  {
+    const auto [c, k]               = gap_rows.in_contact(row);
+    const ContactInterface &contact = contacts[c];
+    return "contact " + contact.name + ", body '" +
+           whole->bodies()[contact.first_body]->name() + "' at " +
+           to_text(contact.points[k].first);
+  }
+
+
+
+  Results
+  BuiltScene::facts() const
+  {
+    Results found;
+    found.title      = given.title;
+    found.units      = given.units;
+    found.load_steps = given.solve.load_factors.size();
+    found.size       = whole->size();
+    found.loads      = whole->load_resultants();
+    for (const auto &body : whole->bodies())
+      found.bodies.push_back(
+        {body->name(), body->theory(), body->n_dofs(), {}});
+    for (unsigned int k = 0; k < contacts.size(); ++k)
+      found.contacts.push_back(
+        contact_facts(contacts[k], given.contacts[k].enforcement));
+    const auto name = [](const auto &all, std::vector<std::string> &names) {
+      for (const auto &one : all)
+        names.push_back(one.name);
+    };
+    name(given.supports, found.supports);
+    name(given.probes, found.probes);
+    name(given.lines, found.lines);
+    name(given.cuts, found.cuts);
+    name(given.measures, found.measures);
+
+    const auto add = [&found](const std::vector<std::string> &notes) {
+      found.notes.insert(found.notes.end(), notes.begin(), notes.end());
+    };
+    add(given.warnings);
+    add(field_notes);
+    add(notes_on_theories(given, section_meshes));
+    for (const LoadResultant &load : whole->load_resultants())
+      add(load.notes);
+    for (const ContactInterface &contact : contacts)
+      add(contact.notes);
+    return found;
+  }
+} // namespace lamella

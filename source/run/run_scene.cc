@@ -1,0 +1,217 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <lamella/base/exceptions.h>
+#include <lamella/base/interruption.h>
+#include <lamella/base/processes.h>
+#include <lamella/base/sentence.h>
+#include <lamella/report/console.h>
+#include <lamella/report/results_writer.h>
+#include <lamella/report/section_stiffness.h>
+#include <lamella/report/section_table.h>
+#include <lamella/report/validation.h>
+#include <lamella/run/run_scene.h>
+
+#include <ostream>
+
+namespace lamella
+{
+  namespace
+  {
+    /// What to say of the folder @p directory where the user ends the run after
+    /// @p done of @p all load steps.
+    void
+    keep_ready_for_interruption(const std::string &directory,
+                                const unsigned int done,
+                                const unsigned int all)
+    {
+      if (!is_speaker())
+        return;
+      if (done == 0)
+        say_if_interrupted("interrupted before the first load step was done: "
+                           "nothing of this run is in " +
+                           directory + ".");
+      else
+        say_if_interrupted(
+          "interrupted. " + directory + " has " +
+          (done == all ?
+             "all load steps, but not what comes after them" :
+             "load step" + std::string(done == 1 ? " " : "s 1 to ") +
+               std::to_string(done) + " of " + std::to_string(all)) +
+          ". The same command with --resume goes on from there.");
+    }
+
+
+
+    ReferenceLists
+    references_of(const Scene &scene)
+    {
+      ReferenceLists lists;
+      for (const Probe &probe : scene.probes)
+        lists.probes.push_back(probe.references);
+      for (const Support &support : scene.supports)
+        lists.supports.push_back(scene.support_references.at(support.name));
+      for (const ContactPair &contact : scene.contacts)
+        lists.contacts.push_back(scene.contact_references.at(contact.name));
+      for (const Measure &measure : scene.measures)
+        lists.measures.push_back(measure.references);
+      return lists;
+    }
+
+
+
+    /// What the files of @p simulation are made of, beyond results.
+    ResultsWriter::Scenery
+    scenery_of(const Simulation &simulation)
+    {
+      const BuiltScene &built = simulation.model();
+      // Points of pictures do not know which of their stress stays when loads
+      // grow: no reserve factors there where bodies are heated.
+      return {built.structure(),
+              built.interfaces(),
+              built.sections(),
+              built.scene().resolved,
+              built.scene().write_vtu,
+              built.structure().is_heated() ? nullptr : built.strength()};
+    }
+  } // namespace
+
+
+
+  std::unique_ptr<Simulation>
+  make_simulation(const Scene &scene, const SceneText &text, std::ostream &out)
+  {
+    try
+      {
+        return std::make_unique<Simulation>(scene, out);
+      }
+    catch (const InputError &error)
+      {
+        throw text.placed(error);
+      }
+  }
+
+
+
+  void
+  run_scene(Simulation         &simulation,
+            const std::string  &directory,
+            const bool          resume,
+            const Afterthought &afterwards)
+  {
+    ResultsWriter  writer(directory, scenery_of(simulation));
+    const Results &found = simulation.results();
+    std::ostream  &out   = simulation.output();
+    if (resume)
+      {
+        simulation.resume(writer.resume());
+        out << "Going on after load step " << found.steps.size() << " of "
+            << found.load_steps << std::endl;
+      }
+    // Steps of an earlier run, which are not looked at again.
+    const std::size_t earlier = found.steps.size();
+    keep_ready_for_interruption(directory, earlier, found.load_steps);
+    try
+      {
+        simulation.solve([&](const Results &results) {
+          writer.write_step(results);
+          keep_ready_for_interruption(directory,
+                                      results.steps.size(),
+                                      results.load_steps);
+        });
+      }
+    catch (const NumericsError &error)
+      {
+        if (found.steps.size() > earlier)
+          {
+            simulation.count_costs();
+            writer.write_end(found);
+            print_results(simulation, directory, out);
+          }
+        if (writer.folder().has_earlier_results())
+          throw NumericsError(std::string(error.what()) + " (The results in " +
+                              directory + " are of an earlier run.)");
+        throw;
+      }
+    if (afterwards)
+      afterwards();
+    writer.write_end(found);
+    say_if_interrupted("");
+    print_results(simulation, directory, out);
+  }
+
+
+
+  void
+  write_run(Simulation &simulation, const std::string &directory)
+  {
+    simulation.count_costs();
+    ResultsWriter writer(directory, scenery_of(simulation));
+    Results       so_far = simulation.results();
+    so_far.steps.clear();
+    for (const StepResults &step : simulation.results().steps)
+      {
+        so_far.steps.push_back(step);
+        writer.write_step(so_far);
+      }
+    writer.write_end(simulation.results());
+  }
+
+
+
+  void
+  print_results(const Simulation  &simulation,
+                const std::string &directory,
+                std::ostream      &to)
+  {
+    const Results &found = simulation.results();
+    if (found.load_steps > 1)
+      to << "\nOf load step " << found.steps.size() << ", load factor "
+         << found.last().load_factor << ":";
+    print_comparison(to, found, references_of(simulation.model().scene()));
+    print_summary(to, found);
+    to << "\nResults are in " << directory
+       << " (summary.json, probes.csv, solution.pvd, ...)" << std::endl;
+  }
+
+
+
+  void
+  print_validation(const Simulation &simulation, const std::string &directory)
+  {
+    const BuiltScene &built = simulation.model();
+    const Scene      &scene = built.scene();
+    std::ostream     &out   = simulation.output();
+    out << scene.title << (scene.title.empty() ? "" : "\n");
+    for (const auto &[name, material] : scene.materials)
+      print_material(out, name, material, scene.units);
+    for (const auto &[name, shape] : scene.sections)
+      {
+        if (const auto *laminate = std::get_if<Laminate>(&shape))
+          print_laminate(out,
+                         name,
+                         laminate->plies(scene.materials),
+                         laminate->width,
+                         *built.sections().at(name),
+                         scene.units);
+        else
+          print_section(
+            out, name, name_of(shape), *built.sections().at(name), scene.units);
+        const SectionStiffness stiffness =
+          section_stiffness(built.sections().at(name));
+        print_stiffness(out, name, stiffness, scene.units);
+        if (!directory.empty() && is_speaker())
+          {
+            write_section(directory, name, *built.sections().at(name));
+            write_section_stiffness(directory, name, stiffness, scene.units);
+          }
+      }
+    print_bodies(out, built.structure(), built.interfaces(), scene.units);
+    for (const std::string &warning : simulation.results().notes)
+      out << "Note: " << warning << ".\n";
+    out << "The scene is valid; nothing was solved";
+    if (directory.empty())
+      out << " or written." << std::endl;
+    else
+      out << ". Its sections are in " << directory << "/sections." << std::endl;
+  }
+} // namespace lamella

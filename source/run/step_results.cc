@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <lamella/base/text.h>
+#include <lamella/contact/assumptions.h>
+#include <lamella/recover/named_quantity.h>
+#include <lamella/run/step_results.h>
+
+#include <algorithm>
+
+namespace lamella
+{
+  StepRecorder::StepRecorder(const BuiltScene                  &built,
+                             std::shared_ptr<const BlockVector> cured)
+    : built(built)
+    , scene(built.scene())
+    , structure(built.structure())
+    , cured(std::move(cured))
+    , facts(built.facts())
+  {}
+
+
+
+  StepResults
+  StepRecorder::record(const unsigned int step,
+                       const SolvedStep  &solved,
+                       const State       &previous) const
+  {
+    StepResults results;
+    results.step        = step;
+    results.load_factor = solved.load_factor;
+    results.state       = solved.state;
+    results.checks      = solved.checks;
+    results.warnings    = warnings(solved);
+    const FaceTractions tractions =
+      built.tractions_at(solved.state, solved.load_factor);
+    built.sampler().sample(solved.state.u, results, tractions);
+    for (const std::string &warning : warnings_of_closures(results.closures))
+      results.warnings.push_back(warning);
+    take_strength(results, tractions);
+    take_contacts(solved, previous, results);
+    return results;
+  }
+
+
+
+  void
+  StepRecorder::take_contacts(const SolvedStep &solved,
+                              const State      &previous,
+                              StepResults      &results) const
+  {
+    const GapRows &all = built.rows();
+    for (unsigned int c = 0; c < built.interfaces().size(); ++c)
+      {
+        const ContactInterface &contact = built.interfaces()[c];
+        const auto              force   = all.of_contact(c, solved.state.force);
+        auto                   &rows    = results.contacts.emplace_back();
+        auto                   &change  = results.changes.emplace_back();
+        for (unsigned int k = 0; k < contact.rows.size(); ++k)
+          {
+            rows.push_back(
+              {contact.points[k],
+               contact.rows[k].initial_gap,
+               contact.rows[k].gap(solved.state.u, solved.load_factor),
+               force[k],
+               solved.checks.contacts[c].of_rows[k]});
+            const bool touched = !previous.force.empty() &&
+                                 all.of_contact(c, previous.force)[k] > 0.;
+            change.closed += rows.back().touches() && !touched;
+            change.opened += !rows.back().touches() && touched;
+          }
+      }
+  }
+
+
+
+  void
+  StepRecorder::take_strength(StepResults         &results,
+                              const FaceTractions &tractions) const
+  {
+    if (built.strength() == nullptr)
+      return;
+    StrengthSweep::Found found =
+      built.strength()->sweep(results.state.u, tractions, cured.get());
+    results.plies           = std::move(found.plies);
+    results.plies_along     = std::move(found.along);
+    const std::string doubt = doubt_of_worst(results.plies,
+                                             scene.supports,
+                                             scene.loads,
+                                             structure.bodies());
+    if (!doubt.empty())
+      results.warnings.push_back(doubt);
+  }
+
+
+
+  void
+  StepRecorder::take_measures(Results &results) const
+  {
+    if (scene.measures.empty())
+      return;
+    const ResultNumbers numbers(results);
+    for (const Measure &measure : scene.measures)
+      results.steps.back().measures.push_back(numbers.value(measure.quantity));
+  }
+
+
+
+  FailureTrial
+  StepRecorder::trial(const SolvedStep        &solved,
+                      std::vector<PlyReserve> &plies) const
+  {
+    FailureTrial trial;
+    trial.load_factor = solved.load_factor;
+    trial.checks      = solved.checks;
+    const FaceTractions tractions =
+      built.tractions_at(solved.state, solved.load_factor);
+    trial.probes = built.sampler().sample_probes(solved.state.u, tractions);
+    plies =
+      built.strength()->sweep(solved.state.u, tractions, cured.get()).plies;
+    if (const PlyReserve *worst = worst_of(plies))
+      trial.reserve = worst->reserve;
+    return trial;
+  }
+
+
+
+  std::vector<std::string>
+  StepRecorder::warnings(const SolvedStep &solved) const
+  {
+    const std::vector<ContactInterface> &contacts = built.interfaces();
+    std::vector<std::string>             warnings =
+      warnings_of(solved.state, solved.checks, contacts);
+    const auto add = [&warnings](const std::vector<std::string> &more) {
+      warnings.insert(warnings.end(), more.begin(), more.end());
+    };
+    add(warnings_of(solved.checks.beyond, structure));
+    if (scene.solve.is_judged)
+      add(built.plausibility().doubts(solved.state.u));
+    for (unsigned int k = 0; k < contacts.size(); ++k)
+      add(broken_assumptions(contacts[k],
+                             structure.bodies(),
+                             solved.state.u,
+                             solved.load_factor,
+                             built.rows().of_contact(k, solved.state.active)));
+    add(warnings_of_holds(solved.checks));
+    return warnings;
+  }
+
+
+
+  std::vector<std::string>
+  StepRecorder::warnings_of_holds(const Checks &checks) const
+  {
+    // Of the largest force, a moment over the scene's size.
+    constexpr double         worth_saying = 1e-3;
+    double                   largest      = 0.;
+    std::vector<std::string> warnings;
+    for (const Resultant &reaction : checks.reactions)
+      largest = std::max(largest, reaction.force.norm());
+    for (const KuhnTucker &contact : checks.contacts)
+      largest = std::max(largest, contact.force.norm());
+    for (unsigned int s = 0; s < scene.supports.size(); ++s)
+      {
+        const Resultant &reaction = checks.reactions[s];
+        const double     share =
+          std::max(reaction.force.norm(),
+                   reaction.moment.norm() / structure.size()) /
+          largest;
+        if (scene.supports[s].hold && !checks.contacts.empty() &&
+            share > worth_saying)
+          warnings.push_back(
+            "the hold of body '" +
+            structure.bodies()[scene.supports[s].hold->body]->name() +
+            "' bears a force of " + to_text(reaction.force) +
+            " and a moment of " + to_text(reaction.moment) + ", " +
+            to_text(100. * share, 2) +
+            " % of the largest force: contact forces off their main direction "
+            "do not balance in motions that it takes out. Put a support where "
+            "the real one is, if that is too much");
+      }
+    return warnings;
+  }
+
+
+
+  std::vector<std::string>
+  StepRecorder::warnings_of_closures(const Closures &closures) const
+  {
+    constexpr double         much = 0.05;
+    std::vector<std::string> warnings;
+    for_each_closure(
+      facts,
+      closures,
+      [&](const std::string &kind,
+          const std::string &name,
+          const double       share) {
+        if (share > much)
+          warnings.push_back(
+            kind + " " + name +
+            ": transverse stresses by equilibrium miss the traction on the "
+            "upper face by " +
+            to_text(100. * share, 2) +
+            " % of the largest; put more elements along the axis there, or "
+            "look further away from supports, edges and concentrated loads");
+      });
+    return warnings;
+  }
+} // namespace lamella

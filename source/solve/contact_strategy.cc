@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <lamella/solve/condensed_strategy.h>
+#include <lamella/solve/full_strategy.h>
+
+namespace lamella
+{
+  ContactStrategy::~ContactStrategy() = default;
+
+
+
+  std::unique_ptr<ContactStrategy>
+  make_strategy(const Strategy       which,
+                const Linearisation &linearisation,
+                const GapRows       &rows)
+  {
+    if (which == Strategy::full)
+      return std::make_unique<FullStrategy>(linearisation, rows);
+    return std::make_unique<CondensedStrategy>(linearisation, rows);
+  }
+} // namespace lamella

@@ -1,0 +1,268 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <lamella/solve/full_strategy.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+namespace lamella
+{
+  namespace
+  {
+    bool
+    is_among(const std::vector<unsigned int> &ascending, const unsigned int row)
+    {
+      return std::binary_search(ascending.begin(), ascending.end(), row);
+    }
+  } // namespace
+
+
+
+  FullStrategy::FullStrategy(const Linearisation &linearisation,
+                             const GapRows       &rows)
+    : ContactStrategy(linearisation, rows)
+    , matrix(linearisation, rows)
+  {}
+
+
+
+  StrategyMemory
+  FullStrategy::memory() const
+  {
+    return {numerical_softness.stiffening, {matrix.known_rows()}};
+  }
+
+
+
+  void
+  FullStrategy::recall(const StrategyMemory &memory)
+  {
+    numerical_softness.stiffening = memory.stiffening;
+    for (const std::vector<unsigned int> &known : memory.rows)
+      matrix.recall(known);
+  }
+
+
+
+  void
+  FullStrategy::solve(const std::vector<unsigned int> &active,
+                      const BlockVector               &r_u,
+                      const Vector                    &r_lambda,
+                      BlockVector                     &du,
+                      Vector                          &dlambda)
+  {
+    const auto softness = [&](const unsigned int k) {
+      return numerical_softness(rows[active[k]]);
+    };
+    matrix.factorise(active, numerical_softness);
+    du = r_u;
+    for (unsigned int k = 0; k < active.size(); ++k)
+      rows[active[k]].add_to(du, r_lambda[k] / softness(k));
+    du = matrix.solve(std::move(du));
+    dlambda.reinit(active.size());
+    for (unsigned int k = 0; k < active.size(); ++k)
+      dlambda[k] = (r_lambda[k] - rows[active[k]].opening(du)) / softness(k);
+  }
+
+
+
+  // ---- Newton's method
+
+  ContactSolution
+  FullStrategy::settle(const ContactProblem &problem, const Monitor &monitor)
+  {
+    // Of the displacements: what one solution with K + K^p is accurate to.
+    constexpr double accurate = 1e-10;
+
+    Iterate at = begin(problem);
+    at.active  = next_set(at, overlaps(problem, at), problem.closed);
+    std::set<std::vector<unsigned int>> visited;
+    while (!at.active.empty() || !visited.empty())
+      {
+        const Iterate before = at;
+        const double  change = step(problem, at);
+        const double  closed =
+          std::max(problem.closed,
+                   std::min(accurate * at.du.linfty_norm(), change));
+        const std::vector<double> overlap = overlaps(problem, at);
+        const Round               round   = wrong_rows(at, overlap, closed);
+        monitor(round);
+        if (round.changed.empty())
+          break;
+        if (visited.insert(at.active).second)
+          at.active = next_set(at, overlap, closed);
+        else
+          at = lowest_point(problem, before, at);
+      }
+    return {std::move(at.du), std::move(at.force), std::move(at.active)};
+  }
+
+
+
+  FullStrategy::Iterate
+  FullStrategy::begin(const ContactProblem &problem) const
+  {
+    Iterate at{linearisation.of().zero(),
+               linearisation.of().zero(),
+               std::vector<double>(rows.size(), 0.),
+               problem.start};
+    for (const unsigned int r : problem.start)
+      at.force[r] = problem.estimate[r];
+    return at;
+  }
+
+
+
+  double
+  FullStrategy::step(const ContactProblem &problem, Iterate &at)
+  {
+    BlockVector r_u = linearisation.of().zero();
+    r_u -= at.K_du;
+    for (unsigned int r = 0; r < rows.size(); ++r)
+      {
+        if (!is_among(at.active, r))
+          at.force[r] = 0.;
+        if (at.force[r] != problem.force[r])
+          rows[r].add_to(r_u, at.force[r] - problem.force[r]);
+      }
+    Vector r_lambda(at.active.size());
+    for (unsigned int k = 0; k < at.active.size(); ++k)
+      {
+        const unsigned int r = at.active[k];
+        r_lambda[k]          = -(problem.gap[r] + rows[r].opening(at.du) +
+                        law_softness(rows[r]) * at.force[r]);
+      }
+    BlockVector du;
+    Vector      dlambda;
+    solve(at.active, r_u, r_lambda, du, dlambda);
+    at.du += du;
+    for (unsigned int k = 0; k < at.active.size(); ++k)
+      at.force[at.active[k]] += dlambda[k];
+    at.K_du = linearisation.apply(at.du);
+    return du.linfty_norm();
+  }
+
+
+
+  std::vector<double>
+  FullStrategy::overlaps(const ContactProblem &problem, const Iterate &at) const
+  {
+    std::vector<double> overlap;
+    for (unsigned int r = 0; r < rows.size(); ++r)
+      overlap.push_back((numerical_softness(rows[r]) - law_softness(rows[r])) *
+                          at.force[r] -
+                        problem.gap[r] - rows[r].opening(at.du));
+    return overlap;
+  }
+
+
+
+  bool
+  FullStrategy::stays(const Iterate &at, const unsigned int row)
+  {
+    // Its own unknown tells the sign of the force to rounding; the gap of a
+    // hard row, of which the law makes the same force, does not.
+    return is_among(at.active, row) && at.force[row] >= 0.;
+  }
+
+
+
+  Round
+  FullStrategy::wrong_rows(const Iterate             &at,
+                           const std::vector<double> &overlap,
+                           const double               closed)
+  {
+    Round round{at.active.size(), {}, 0.};
+    for (unsigned int r = 0; r < overlap.size(); ++r)
+      if (is_among(at.active, r) ? !stays(at, r) : overlap[r] > closed)
+        {
+          round.changed.push_back(r);
+          round.violation = std::max(round.violation, std::abs(overlap[r]));
+        }
+    return round;
+  }
+
+
+
+  std::vector<unsigned int>
+  FullStrategy::next_set(const Iterate             &at,
+                         const std::vector<double> &overlap,
+                         const double               closed)
+  {
+    // The worst penetrations first settles soonest where few rows of many stay
+    // active.
+    constexpr std::size_t                        few = 8;
+    std::vector<unsigned int>                    next;
+    std::vector<std::pair<double, unsigned int>> closing;
+    for (unsigned int r = 0; r < overlap.size(); ++r)
+      if (stays(at, r))
+        next.push_back(r);
+      else if (overlap[r] > closed && !is_among(at.active, r))
+        closing.emplace_back(overlap[r], r);
+    std::sort(closing.rbegin(), closing.rend());
+    closing.resize(std::min(closing.size(), std::max(few, at.active.size())));
+    for (const auto &[over, r] : closing)
+      next.push_back(r);
+    std::sort(next.begin(), next.end());
+    return next;
+  }
+
+
+
+  FullStrategy::Iterate
+  FullStrategy::part_of_the_way(const ContactProblem &problem,
+                                const Iterate        &from,
+                                const Iterate        &to,
+                                const double          t) const
+  {
+    Iterate at = from;
+    at.du.sadd(1. - t, t, to.du);
+    at.K_du.sadd(1. - t, t, to.K_du);
+    const std::vector<double> overlap = overlaps(problem, at);
+    at.active.clear();
+    for (unsigned int r = 0; r < rows.size(); ++r)
+      {
+        at.force[r] = std::max(0., overlap[r]) / numerical_softness(rows[r]);
+        if (overlap[r] > 0.)
+          at.active.push_back(r);
+      }
+    return at;
+  }
+
+
+
+  FullStrategy::Iterate
+  FullStrategy::lowest_point(const ContactProblem &problem,
+                             const Iterate        &from,
+                             const Iterate        &to) const
+  {
+    constexpr unsigned int enough    = 40;
+    constexpr double       good_rest = 1e-2;
+
+    BlockVector way = to.du;
+    way -= from.du;
+    // What is out of balance does this work on the way, per unit of it: less
+    // and less, and zero where the way leads no further down.
+    const auto work = [&](const double t) {
+      const Iterate at  = part_of_the_way(problem, from, to, t);
+      double        sum = -(at.K_du * way);
+      for (unsigned int r = 0; r < rows.size(); ++r)
+        if (at.force[r] != problem.force[r])
+          sum += (at.force[r] - problem.force[r]) * rows[r].opening(way);
+      return sum;
+    };
+    double       low = 0., high = 1., t = 1.;
+    const double at_start = work(0.);
+    for (unsigned int k = 0; k < enough; ++k)
+      {
+        const double w = work(t);
+        if (std::abs(w) <= good_rest * std::abs(at_start) ||
+            (t == 1. && w > 0.))
+          break;
+        (w > 0. ? low : high) = t;
+        t                     = 0.5 * (low + high);
+      }
+    return part_of_the_way(problem, from, to, t);
+  }
+} // namespace lamella
