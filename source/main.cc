@@ -7,7 +7,7 @@
 #include <lamella/base/version.h>
 #include <lamella/estimate/tolerance_run.h>
 #include <lamella/export/calculix_deck.h>
-#include <lamella/handout/handout.h>
+#include <lamella/report/page.h>
 #include <lamella/run/command_line.h>
 #include <lamella/run/new_scene.h>
 #include <lamella/run/run_scene.h>
@@ -102,7 +102,7 @@ namespace
       }
     require_one_process(command);
     if (command.task == CommandLine::Task::report)
-      return write_handout(command.scene, command.output, output());
+      make_page(command.scene, command.output);
     if (command.task == CommandLine::Task::new_scene)
       return write_new_scene(command.scene, command.kind, output());
     if (command.scene.empty())

@@ -6,6 +6,7 @@
 #include <boost/dll/runtime_symbol_info.hpp>
 #include <boost/process.hpp>
 #include <boost/process/extend.hpp>
+#include <boost/process/search_path.hpp>
 
 #include <fcntl.h>
 #include <sys/resource.h>
@@ -18,6 +19,8 @@
 #include <cmath>
 #include <csignal>
 #include <cstdlib>
+#include <cstring>
+#include <filesystem>
 #include <iostream>
 #ifdef __linux__
 #  include <sys/prctl.h>
@@ -241,6 +244,38 @@ namespace lamella
       end.status = -1;
     end.seconds = std::chrono::duration<double>(Clock::now() - begin).count();
     return end;
+  }
+
+
+
+  void
+  become(const std::string &program, const std::vector<std::string> &words)
+  {
+    std::vector<std::string> all{program};
+    all.insert(all.end(), words.begin(), words.end());
+    std::vector<char *> pointers;
+    for (std::string &word : all)
+      pointers.push_back(word.data());
+    pointers.push_back(nullptr);
+    std::cout.flush();
+    execv(program.c_str(), pointers.data());
+    throw InputError("cannot run " + program + ": " + std::strerror(errno));
+  }
+
+
+
+  std::string
+  python_with(const std::string &module)
+  {
+    for (const std::string &python :
+         {std::string("/usr/bin/python3"),
+          boost::process::search_path("python3").string()})
+      if (std::filesystem::exists(python) &&
+          run_process(
+            python, {"-c", "import " + module}, "/dev/null", "/dev/null")
+              .status == 0)
+        return python;
+    return "";
   }
 
 

@@ -5,8 +5,6 @@
 #include <lamella/base/text.h>
 #include <lamella/trade/trade_picture.h>
 
-#include <boost/process/search_path.hpp>
-
 #include <nlohmann/json.hpp>
 
 #include <filesystem>
@@ -39,24 +37,6 @@ namespace lamella
                       "TOLERANCES = []",
                       "TOLERANCES = " + nlohmann::json(per_cent).dump());
     }
-
-
-
-    /// A python3 that has matplotlib; empty if there is none. The first one in
-    /// PATH is often a user's own, without the packages of the distribution.
-    std::string
-    python_with_matplotlib()
-    {
-      for (const std::string &python :
-           {std::string("/usr/bin/python3"),
-            boost::process::search_path("python3").string()})
-        if (std::filesystem::exists(python) &&
-            run_process(
-              python, {"-c", "import matplotlib"}, "/dev/null", "/dev/null")
-                .status == 0)
-          return python;
-      return "";
-    }
   } // namespace
 
 
@@ -73,7 +53,7 @@ namespace lamella
     if (!file)
       throw InputError("Cannot write " + path + ". Is the disk full?");
 
-    const std::string python = python_with_matplotlib();
+    const std::string python = python_with("matplotlib");
     if (python.empty())
       return "there is no python3 with matplotlib to draw them with: apt-get "
              "install python3-matplotlib, and run " +

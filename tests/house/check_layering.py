@@ -31,7 +31,6 @@ ARROWS = {
     "report": ("base", "material", "shape", "section", "body", "contact", "solve", "recover"),
     "scene": ("base", "material", "strength", "shape", "section", "axis", "body", "conditions",
               "contact", "solve", "recover"),
-    "handout": ("base", "material", "scene"),
     "run": ("base", "conditions", "contact", "solve", "recover", "adapt", "report", "scene"),
     "estimate": ("base", "section", "axis", "body", "contact", "solve", "recover", "adapt", "report", "scene",
                  "run"),
@@ -48,7 +47,7 @@ FRONT_DOORS = {
     "shape": "section_mesh", "section": "section", "axis": "axis", "body": "body",
     "conditions": "region", "contact": "gap_rows", "solve": "structure",
     "recover": "recovery", "adapt": "node_fields", "report": "results_writer", "scene": "scene",
-    "handout": "handout", "run": "simulation", "estimate": "estimation", "trade": "trade", "export": "calculix_deck",
+    "run": "simulation", "estimate": "estimation", "trade": "trade", "export": "calculix_deck",
 }
 
 # These see bodies through their interface alone.

@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Installs Lamella into a scratch prefix, builds step-0 on it in a folder that
-knows nothing of the source tree, and runs it.
+knows nothing of the source tree, and runs it. The installed program runs a scene and makes
+a report of it with the templates that were installed.
 
 Usage: check_install.py ROOT BUILD WORKDIR [DEAL_II_DIR]
 """
@@ -18,6 +19,17 @@ def run(*words, **options):
     if done.returncode != 0:
         sys.exit(f"{' '.join(words)}\nends with {done.returncode}\n{done.stdout}{done.stderr}")
     return done.stdout
+
+
+def check_report(program, prefix, scene, output):
+    run(program, str(scene), "--output", str(output))
+    template, = prefix.rglob("lamella_report/templates/glance.html")
+    template.write_text(template.read_text() + "<p>A template that a user has edited.</p>\n")
+    run(program, "report", str(output))
+    page = (output / "report.html").read_text()
+    for words in ("A template that a user has edited.", "data:image/png;base64,"):
+        if words not in page:
+            sys.exit(f"the report of the installed program lacks: {words}")
 
 
 def main(root, build, workdir, deal_ii=""):
@@ -44,10 +56,11 @@ def main(root, build, workdir, deal_ii=""):
     # It is the tutorial: the same numbers are pinned.
     print(run(sys.executable, str(root / "tests/tutorials/check_tutorial.py"),
               str(project / "build/step-0"), str(root / "tutorials/step-0/step-0.expect")))
-    version = run(str(prefix / "bin/lamella"), "--version", env={
-        **os.environ, "OPENBLAS_NUM_THREADS": "1"})
+    program = str(prefix / "bin/lamella")
+    version = run(program, "--version", env={**os.environ, "OPENBLAS_NUM_THREADS": "1"})
     if not version.startswith("lamella "):
         sys.exit(f"the installed program says: {version}")
+    check_report(program, prefix, root / "tests/report/loads.prm", workdir / "run")
     shutil.rmtree(workdir)
     print("A program outside of the tree builds on what was installed.")
 

@@ -10,12 +10,13 @@ numbers shown are those of the run's tables, the worst reserve factor first, and
 tables in it are the files, byte for byte. Pictures are in it where there is a Python
 that draws them, and otherwise it says which command does. Without the tables that a
 scene need not have, the page says so. What cannot be reported is refused in one
-message, and nothing of it is left.
+message, and nothing of it is left; so is the want of Jinja2.
 """
 
 import base64
 import csv
 import json
+import os
 import re
 import shutil
 import subprocess
@@ -285,6 +286,10 @@ def check_refusals(program, output, folder):
     shutil.copytree(output, cut_off)
     goals = (cut_off / "goals.csv").read_text()
     (cut_off / "goals.csv").write_text(goals[:len(goals) - 60])
+    half = folder / "half_a_scene"
+    shutil.copytree(output, half)
+    scene = (half / "scene.prm").read_text()
+    (half / "scene.prm").write_text(scene[:scene.index("Layup") - 10])
     strange = folder / "strange"
     shutil.copytree(output, strange)
     changed = json.loads(summary)
@@ -299,6 +304,7 @@ def check_refusals(program, output, folder):
             ([folder / "empty"], ["no results of a run", "summary.json"]),
             ([damaged], ["summary.json", "cut off or changed"]),
             ([cut_off], ["goals.csv", "cells"]),
+            ([half], ["scene.prm:", "not what a run writes"]),
             ([strange], ["summary.json", "not what a run writes"]),
             ([], ["no folder is given"]),
             ([output, output], ["one folder at a time"]),
@@ -313,6 +319,18 @@ def check_refusals(program, output, folder):
                f"refused: {' '.join(fragments)} ({done.stderr.strip()})")
     after = {path: path.read_bytes() for path in folder.rglob("*") if path.is_file()}
     expect(before == after, "nothing is left of what was refused")
+
+
+def check_without_jinja(program, output, folder):
+    """No Python has it: this one finds a module of its name that cannot be imported."""
+    folder.mkdir()
+    (folder / "jinja2.py").write_text("raise ImportError\n")
+    page = folder / "report.html"
+    done = subprocess.run([program, "report", output, "--output", page], capture_output=True,
+                          text=True, env={**os.environ, "PYTHONPATH": str(folder)})
+    expect(done.returncode == 1 and done.stderr.startswith("lamella: report: ") and
+           "python3-jinja2" in done.stderr and len(done.stderr.splitlines()) == 1 and
+           not page.exists(), f"without Jinja2: {done.stderr.strip()}")
 
 
 def main():
@@ -339,6 +357,7 @@ def main():
            (output / "report.html").read_text(), "the same page elsewhere")
     check_without_tables(program, output, folder / "bare")
     check_refusals(program, output, folder / "refused")
+    check_without_jinja(program, output, folder / "no_jinja")
     subprocess.run([program, scene, "--output", output, "--set", "Load factors=1"],
                    check=True, stdout=subprocess.DEVNULL)
     expect(not (output / "report.html").exists(),

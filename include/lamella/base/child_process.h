@@ -74,6 +74,24 @@ namespace lamella
              const std::string                  &errors,
              const double                        processor_seconds = 0.);
 
+  /**
+   * Makes this process the program @p program with the arguments @p words: its
+   * output, its errors and its exit status are those of the user's command.
+   * MPI must not have been started here. Throws InputError if it cannot be
+   * started.
+   *
+   * @param program the path of the program; no shell reads it
+   * @param words   its arguments, without its own name
+   */
+  [[noreturn]] void
+  become(const std::string &program, const std::vector<std::string> &words);
+
+  /// The path of a python3 that has the module @p module; empty if there is
+  /// none. That of the system before the first one in PATH, which is often a
+  /// user's own, without the packages of the distribution.
+  std::string
+  python_with(const std::string &module);
+
   /// The path of the program that this process runs. Absolute, wherever the
   /// shell found it.
   std::string

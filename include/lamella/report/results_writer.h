@@ -4,7 +4,8 @@
 // files in it (tables, summary, VTU, what a run is resumed from) and what the
 // console says, made from Results. It never computes what is not in Results,
 // but for the stiffness of sections, which no run needs, and nothing in it
-// reads what it wrote but the restart.
+// reads what it wrote but the restart. (The page of `lamella report` is made of
+// these files by a Python program, which page.h starts.)
 
 #ifndef lamella_report_results_writer_h
 #define lamella_report_results_writer_h

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <lamella/base/child_process.h>
+#include <lamella/base/exceptions.h>
+#include <lamella/base/version.h>
+#include <lamella/material/library.h>
+#include <lamella/report/page.h>
+
+#include <nlohmann/json.hpp>
+
+#include <filesystem>
+#include <utility>
+
+namespace lamella
+{
+  using Json   = nlohmann::json;
+  namespace fs = std::filesystem;
+
+  namespace
+  {
+    /// report.py, where it is.
+    std::string
+    script_of_page()
+    {
+      const fs::path installed =
+        fs::path(own_program()).parent_path().parent_path() /
+        "share/lamella/scripts";
+      std::error_code error;
+      for (const fs::path &folder : {installed, fs::path(LAMELLA_SCRIPTS)})
+        if (fs::is_regular_file(folder / "report.py", error))
+          return (folder / "report.py").string();
+      throw InputError("report: the program that makes the page, report.py, is "
+                       "neither in " +
+                       installed.string() +
+                       " nor in " LAMELLA_SCRIPTS ". Install Lamella again.");
+    }
+
+
+
+    /// The constants of @p material as the scene writes them.
+    Json
+    constants_of(const Material &material)
+    {
+      const EngineeringConstants &e = material.elastic;
+      Json                        constants;
+      constants["elastic"] = {
+        e.E1, e.E2, e.E3, e.G12, e.G13, e.G23, e.nu12, e.nu13, e.nu23};
+      if (material.strengths)
+        {
+          const Strengths &s     = *material.strengths;
+          constants["strengths"] = {
+            s.Xt, s.Xc, s.Yt, s.Yc, s.Zt, s.Zc, s.S12, s.S13, s.S23};
+        }
+      return constants;
+    }
+
+
+
+    /// What the page says that no folder has.
+    std::string
+    known_to_program()
+    {
+      Json known;
+      known["version"] = version();
+      for (const auto &[unit, pascal] :
+           {std::pair("Pa", 1.), std::pair("MPa", 1e-6)})
+        for (const std::string &name : library_materials())
+          {
+            Units units;
+            units.pascal = pascal;
+            known["materials"][unit][name] =
+              constants_of(library_material(name, units));
+          }
+      return known.dump();
+    }
+  } // namespace
+
+
+
+  void
+  make_page(const std::string &folder, const std::string &target)
+  {
+    const std::string script = script_of_page();
+    const std::string python = python_with("jinja2");
+    if (python.empty())
+      throw InputError("report: there is no python3 with Jinja2 to make the "
+                       "page with. Install the package python3-jinja2, as "
+                       "scripts/setup does.");
+    // Names of files are UTF-8 whatever the user's language is.
+    become(python,
+           {"-X",
+            "utf8",
+            script,
+            folder,
+            "--output=" + target,
+            "--program=" + known_to_program()});
+  }
+} // namespace lamella
