@@ -82,14 +82,15 @@ class Table:
         """The file at this path; an empty table if there is none. Throws InputError if a row
         has more or fewer cells than there are names."""
         lines = csv.reader(text_of(path).removesuffix("\n").split("\n"))
-        names, rows = next(lines), []
-        for cells in lines:
+        try:
+            names, *rows = lines
+        except csv.Error:
+            raise InputError(f"{path}: {DAMAGED}") from None
+        for number, cells in enumerate(rows, 2):
             if len(cells) != len(names):
-                raise InputError(
-                    f"{path}: line {lines.line_num} has {len(cells)} cells where the first line "
-                    f"has {len(names)}. {CHANGED}")
-            rows.append(dict(zip(names, cells)))
-        return cls(names, rows)
+                raise InputError(f"{path}: line {number} has {len(cells)} cells where the first "
+                                 f"line has {len(names)}. {CHANGED}")
+        return cls(names, (dict(zip(names, cells)) for cells in rows))
 
     def last_step(self):
         """The rows of the largest number in the column `step`; without one, all."""

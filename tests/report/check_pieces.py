@@ -141,6 +141,8 @@ class Tables(InFolder):
             with self.assertRaisesRegex(InputError, "cut.csv: line 3 has "
                                         f"{cells} cells where the first line has 2"):
                 Table.read(self.write("cut.csv", content))
+        with self.assertRaisesRegex(InputError, "cut.csv: it is not what a run writes"):
+            Table.read(self.write("cut.csv", "a,b\n1\r2,3\n"))
 
     def test_tables_of_html(self):
         template = environment(self.run_folder()).from_string(
