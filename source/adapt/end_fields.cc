@@ -2,6 +2,7 @@
 
 #include <lamella/adapt/end_fields.h>
 #include <lamella/adapt/graded_axis.h>
+#include <lamella/base/arithmetic.h>
 #include <lamella/body/beam.h>
 #include <lamella/conditions/row_reduction.h>
 #include <lamella/conditions/stabilisation.h>
@@ -30,8 +31,6 @@ namespace lamella
   namespace
   {
     constexpr unsigned int n_rigid = 6;
-    // Of a length.
-    constexpr double same_place = 1e-9;
 
 
 
@@ -120,7 +119,8 @@ namespace lamella
     {
       LAPACKFullMatrix<double>              copy = matrix;
       std::pair<Vector, FullMatrix<double>> result;
-      const double bound = 2. * matrix.frobenius_norm() + 1e-300;
+      const double                          bound =
+        2. * matrix.frobenius_norm() + arithmetic::above_zero;
       copy.set_property(LAPACKSupport::symmetric);
       copy.compute_eigenvalues_symmetric(
         -bound, bound, 0., result.first, result.second);
@@ -133,8 +133,7 @@ namespace lamella
     std::vector<Vector>
     free_motions(const Beam &piece, const std::vector<PrescribedRow> &rows)
     {
-      constexpr double    nothing = 1e-12;
-      std::vector<Vector> rigid   = piece.rigid_motions();
+      std::vector<Vector> rigid = piece.rigid_motions();
       for (Vector &motion : rigid)
         motion /= motion.linfty_norm();
       LAPACKFullMatrix<double> gram(n_rigid, n_rigid);
@@ -150,7 +149,7 @@ namespace lamella
       const auto [values, vectors] = eigenvalues_of(gram);
       std::vector<Vector> result;
       for (unsigned int k = 0; k < n_rigid; ++k)
-        if (values[k] <= nothing * values[n_rigid - 1])
+        if (values[k] <= arithmetic::rounding_of_results * values[n_rigid - 1])
           {
             Vector motion(piece.n_dofs());
             for (unsigned int j = 0; j < n_rigid; ++j)
@@ -167,8 +166,6 @@ namespace lamella
     FullMatrix<double>
     without_work(const std::vector<Tensor<1, 6>> &work)
     {
-      // Of squares.
-      constexpr double         nothing = 1e-10;
       LAPACKFullMatrix<double> gram(n_rigid, n_rigid);
       for (const Tensor<1, 6> &one : work)
         for (unsigned int i = 0; i < n_rigid; ++i)
@@ -176,7 +173,7 @@ namespace lamella
             gram(i, j) += one[i] * one[j] / one.norm_square();
       const auto [values, vectors] = eigenvalues_of(gram);
       unsigned int n               = 0;
-      while (n < n_rigid && values[n] < nothing)
+      while (n < n_rigid && values[n] < arithmetic::rounding_of_solutions)
         ++n;
       FullMatrix<double> result(n_rigid, n);
       for (unsigned int k = 0; k < n; ++k)
@@ -261,10 +258,8 @@ namespace lamella
     std::optional<Vector>
     disturbance(const Beam &piece, const Vector &u, const HeatedSection &heat)
     {
-      // Of energies.
-      constexpr double nothing   = 1e-10;
-      const Vector     answer    = all_along(piece, heat.answer);
-      const auto       energy_of = [&piece](const Vector &v) {
+      const Vector answer    = all_along(piece, heat.answer);
+      const auto   energy_of = [&piece](const Vector &v) {
         Vector forces(v.size());
         piece.add_internal_forces(v, forces);
         return v * forces;
@@ -272,7 +267,7 @@ namespace lamella
       Vector left = u;
       left -= answer;
       const double energy = energy_of(left);
-      if (energy <= nothing * energy_of(answer))
+      if (energy <= arithmetic::rounding_of_solutions * energy_of(answer))
         return {};
       left *= std::sqrt(piece.section().extents().first / energy);
       return left;
@@ -371,9 +366,7 @@ namespace lamella
     : answer(states.response_to_constant(heat.on_values))
     , traction(answer.size())
   {
-    // Of what it is the difference of.
-    constexpr double nothing = 1e-6;
-    const Section   &section = states.of_section();
+    const Section &section = states.of_section();
     section.S(1, 0).vmult(traction, answer);
     const double size =
       traction.linfty_norm() + heat.on_derivatives.linfty_norm();
@@ -393,7 +386,7 @@ namespace lamella
         traction.add(-part, of_states[j]);
         answer.add(-part, states.values()[j]);
       }
-    if (traction.linfty_norm() < nothing * size)
+    if (traction.linfty_norm() < arithmetic::alike * size)
       traction = 0.;
   }
 
@@ -404,8 +397,9 @@ namespace lamella
                 const unsigned int        t,
                 const Axis               &axis)
   {
-    const double y = touches[t].begin, tolerance = same_place * axis.length();
-    HeldSection  held;
+    const double y         = touches[t].begin,
+                 tolerance = arithmetic::same_place * axis.length();
+    HeldSection held;
     held.element = touches[t].element;
     for (const Touch &touch : touches)
       if ((touch.holds_section || touch.is_free) &&
@@ -428,18 +422,10 @@ namespace lamella
 
 
 
-  namespace
-  {
-    // Of lengths, and of weights.
-    constexpr double rounding = 1e-6;
-  } // namespace
-
-
-
   bool
   HeldSection::is_as_long_as(const HeldSection &other) const
   {
-    return std::abs(element - other.element) <= rounding * element;
+    return std::abs(element - other.element) <= arithmetic::alike * element;
   }
 
 
@@ -457,7 +443,8 @@ namespace lamella
                         s.entries().end(),
                         [](const Row::Entry &e, const Row::Entry &f) {
                           return e.first == f.first &&
-                                 std::abs(e.second - f.second) < rounding;
+                                 std::abs(e.second - f.second) <
+                                   arithmetic::alike;
                         });
     };
     return std::equal(a.rows.begin(), a.rows.end(), b.rows.begin(), same);
@@ -564,11 +551,14 @@ namespace lamella
     for (unsigned int t = 0; t < touches.size(); ++t)
       {
         // Touches that hold a section together have one piece.
-        const bool is_first = std::none_of(
-          touches.begin(), touches.begin() + t, [&](const auto &o) {
-            return o.holds_section && std::abs(o.begin - touches[t].begin) <
-                                        same_place * beam.axis().length();
-          });
+        const bool is_first =
+          std::none_of(touches.begin(),
+                       touches.begin() + t,
+                       [&](const auto &o) {
+                         return o.holds_section &&
+                                std::abs(o.begin - touches[t].begin) <
+                                  arithmetic::same_place * beam.axis().length();
+                       });
         if (touches[t].holds_section && is_first)
           for (const HeldSection &held : held_sections(touches, t, beam.axis()))
             if (const auto piece = make_piece(section, held, rules);
@@ -585,7 +575,6 @@ namespace lamella
            const Section              &section,
            const HeldSection          &held)
   {
-    constexpr double rounding = 1e-12;
     std::vector<int> sign(section.n_fields());
     for (unsigned int a = 0; a < sign.size(); ++a)
       sign[a] = parity(section, a);
@@ -599,8 +588,9 @@ namespace lamella
     for (const auto &[p, q, opposite] :
          {std::array<int, 3>{{0, 0, 1}}, {{1, 1, 1}}, {{0, 1, -1}}})
       {
-        const Matrix &S       = section.S(p, q);
-        const double  nothing = rounding * S.linfty_norm();
+        const Matrix &S = section.S(p, q);
+        const double  nothing =
+          arithmetic::rounding_of_results * S.linfty_norm();
         for (unsigned int a = 0; a < sign.size(); ++a)
           for (auto entry = S.begin(a); entry != S.end(a); ++entry)
             if (sign[a] * sign[entry->column()] != opposite &&

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <lamella/adapt/fields_of_section.h>
+#include <lamella/base/arithmetic.h>
 #include <lamella/section/section_response.h>
 
 #include <algorithm>
@@ -41,8 +42,6 @@ namespace lamella
     , warpings(saint_venant_warpings(states, warping))
     , modes(warpings)
   {
-    // Responses that differ by less are those of one load.
-    constexpr double    alike = 1e-6;
     std::vector<Vector> answers;
     for (const Beam::SectionHeat &one : heat)
       {
@@ -55,7 +54,8 @@ namespace lamella
     if (answers.empty())
       return;
     warpings =
-      beside(warpings, warping.basis(answers, warpings, warpings, alike));
+      beside(warpings,
+             warping.basis(answers, warpings, warpings, arithmetic::alike));
     modes = warpings;
   }
 
@@ -86,18 +86,18 @@ namespace lamella
             }
         group.smooth.clear();
       }
-    constexpr double alike = 1e-6;
     for (unsigned int g = 0; g < groups.size(); ++g)
       {
-        bool same =
-          groups[g].loads.size() == group.loads.size() &&
-          groups[g].reach == 0. &&
-          std::abs(groups[g].element - group.element) < alike * group.element;
+        bool same = groups[g].loads.size() == group.loads.size() &&
+                    groups[g].reach == 0. &&
+                    std::abs(groups[g].element - group.element) <
+                      arithmetic::alike * group.element;
         for (unsigned int k = 0; same && k < group.loads.size(); ++k)
           {
             Vector difference = group.loads[k];
             difference -= groups[g].loads[k];
-            same = difference.l2_norm() < alike * group.loads[k].l2_norm();
+            same = difference.l2_norm() <
+                   arithmetic::alike * group.loads[k].l2_norm();
           }
         if (same)
           {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <lamella/adapt/fields_of_section.h>
+#include <lamella/base/arithmetic.h>
 #include <lamella/base/independent_rows.h>
 #include <lamella/base/text.h>
 #include <lamella/recover/box_points.h>
@@ -41,7 +42,7 @@ namespace lamella
     std::vector<Theory>
     theories_at(const double y, const TheoryPieces &pieces, const double length)
     {
-      const double        tolerance = 1e-9 * length;
+      const double        tolerance = arithmetic::same_place * length;
       std::vector<Theory> result;
       for (unsigned int k = 0; k < pieces.theories.size(); ++k)
         {
@@ -178,7 +179,7 @@ namespace lamella
              const std::vector<std::pair<double, double>> &asked)
     {
       const std::vector<std::set<unsigned int>> before = near;
-      const double tolerance                           = 1e-9 * axis.length();
+      const double tolerance = arithmetic::same_place * axis.length();
       for (unsigned int cell = 0; cell < axis.n_cells(); ++cell)
         if (std::any_of(asked.begin(), asked.end(), [&](const auto &place) {
               return place.second > axis.cell_begin(cell) - tolerance &&

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <lamella/adapt/touch.h>
+#include <lamella/base/arithmetic.h>
 
 #include <algorithm>
 #include <map>
@@ -13,8 +14,6 @@ namespace lamella
   {
     // Of a unit vector: less than that beside the others is nothing new.
     constexpr double independent = 0.02;
-    // Of a node's weight beside the largest of its row.
-    constexpr double counts = 1e-10;
     // A load's nodes whose vectors are looked at.
     constexpr double strong = 0.05;
     // Of a row's weights: above it a row presses along the axis.
@@ -95,7 +94,8 @@ namespace lamella
       const auto has = [&](const unsigned int node) {
         const auto found = nodes.find(node);
         return found != nodes.end() &&
-               largest_weight(found->second) > counts * largest;
+               largest_weight(found->second) >
+                 arithmetic::rounding_of_solutions * largest;
       };
       Place on{axis.length(), 0., axis.length()}, at = on;
       bool  any = false;
@@ -369,9 +369,7 @@ namespace lamella
   std::vector<Touch>
   heated_free_ends(const Beam &beam, const std::vector<Touch> &touches)
   {
-    // Of the length.
-    constexpr double   same_place = 1e-9;
-    const Axis        &axis       = beam.axis();
+    const Axis        &axis = beam.axis();
     std::vector<Touch> ends;
     if (!beam.is_heated())
       return ends;
@@ -386,7 +384,8 @@ namespace lamella
         end.is_free         = true;
         const auto holds_it = [&](const Touch &touch) {
           return touch.holds_section &&
-                 std::abs(touch.begin - end.begin) < same_place * axis.length();
+                 std::abs(touch.begin - end.begin) <
+                   arithmetic::same_place * axis.length();
         };
         if (std::none_of(touches.begin(), touches.end(), holds_it))
           ends.push_back(end);

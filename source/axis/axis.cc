@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <lamella/axis/axis.h>
+#include <lamella/base/arithmetic.h>
 #include <lamella/base/processes.h>
 
 #include <deal.II/base/quadrature_lib.h>
@@ -145,7 +146,7 @@ namespace lamella
       {
         // At a node the others vanish exactly, and rows there stay short.
         const double N = fe.shape_value(i, Point<1>(eta));
-        point.N.push_back(std::abs(N) < 1e-14 ? 0. : N);
+        point.N.push_back(std::abs(N) < arithmetic::rounding ? 0. : N);
         point.dN.push_back(fe.shape_grad(i, Point<1>(eta))[0] / (end - begin));
       }
     point.N_shear =

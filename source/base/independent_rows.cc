@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <lamella/base/arithmetic.h>
 #include <lamella/base/independent_rows.h>
 
 #include <deal.II/lac/vector.h>
@@ -26,13 +27,14 @@ namespace lamella
       longest = std::max(longest, square);
     while (chosen.size() < std::min(A.n(), A.m()))
       {
-        const auto next = std::max_element(squares.begin(),
-                                           squares.end(),
-                                           [](const double a, const double b) {
-                                             // Equal up to rounding: the first,
-                                             // always.
-                                             return a < (1. - 1e-9) * b;
-                                           });
+        const auto next =
+          std::max_element(squares.begin(),
+                           squares.end(),
+                           [](const double a, const double b) {
+                             // Equal up to rounding: the first,
+                             // always.
+                             return a < (1. - arithmetic::negligible) * b;
+                           });
         if (*next <= relative * relative * longest)
           break;
         const unsigned int row = next - squares.begin();

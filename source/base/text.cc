@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <lamella/base/arithmetic.h>
 #include <lamella/base/text.h>
 
 #include <cmath>
@@ -146,7 +147,8 @@ namespace lamella
   {
     dealii::Point<3> rounded;
     for (unsigned int c = 0; c < 3; ++c)
-      rounded[c] = std::abs(v[c]) < 1e-9 * v.norm() ? 0. : v[c];
+      rounded[c] =
+        std::abs(v[c]) < arithmetic::negligible * v.norm() ? 0. : v[c];
     return to_text(rounded);
   }
 } // namespace lamella

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <lamella/base/arithmetic.h>
 #include <lamella/base/gauss_lobatto_basis.h>
 #include <lamella/conditions/adaptive_moments.h>
 
@@ -29,7 +30,7 @@ namespace lamella
     constexpr unsigned int least_grid = 4, most_grid = 4000;
     // Values this share of their range beyond it are new: between Gauss points
     // and the edges of their cell a polynomial goes on.
-    constexpr double new_value = 0.25, rounding = 1e-10;
+    constexpr double new_value = 0.25;
     // What the grid's sum may be off by before it is asked how sure it is.
     constexpr double little = 0.01;
 
@@ -143,7 +144,8 @@ namespace lamella
             {
               const double margin =
                 new_value * (high[c] - low[c]) +
-                rounding * std::max(std::abs(low[c]), std::abs(high[c]));
+                arithmetic::rounding_of_solutions *
+                  std::max(std::abs(low[c]), std::abs(high[c]));
               most = std::max(
                 {most, low[c] - margin - f[c], f[c] - high[c] - margin});
             }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <lamella/base/arithmetic.h>
 #include <lamella/base/exceptions.h>
 #include <lamella/base/text.h>
 #include <lamella/conditions/hold.h>
@@ -143,7 +144,7 @@ namespace lamella
             row.couple += share * cross_product_3d(points[p] - middle, q[p]);
           }
         row.row.row.compress();
-        row.row.row.drop_below(1e-13);
+        row.row.row.drop_below(arithmetic::rounding_of_sums);
         rows.push_back(row);
       }
     return rows;
@@ -156,8 +157,6 @@ namespace lamella
                         const Bodies               &bodies,
                         const BlockVector          &load)
   {
-    // Of the loads; integrals of expressions hold to less.
-    constexpr double balanced = 1e-6;
     for (const Support &support : supports)
       {
         if (!support.hold)
@@ -174,7 +173,7 @@ namespace lamella
             double size = f.linfty_norm();
             for (DofIndex i = 0; i < f.size(); ++i)
               size += std::abs(f[i] * q[i]);
-            if (std::abs(f * q) <= balanced * size)
+            if (std::abs(f * q) <= arithmetic::integrated * size)
               continue;
             Tensor<1, 3> force, moment;
             for (unsigned int c = 0; c < 3; ++c)

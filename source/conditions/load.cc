@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <lamella/base/arithmetic.h>
 #include <lamella/base/exceptions.h>
 #include <lamella/base/text.h>
 #include <lamella/body/facet_map.h>
@@ -21,10 +22,8 @@ namespace lamella
 
   namespace
   {
-    // What integrals may be off by, of the integral of |t|, before it is said.
-    constexpr double accurate = 1e-6;
-    // Likewise what the other rule, a grid of midpoints, may be off by: it
-    // knows edges within an element to its own spacing only.
+    // Of the integral of |t|, what the other rule, a grid of midpoints, may be
+    // off by: it knows edges within an element to its own spacing only.
     constexpr double agreement = 0.02;
     // An element that is bisected more often has a load in it whose shape its
     // polynomials do not follow.
@@ -337,7 +336,7 @@ namespace lamella
               const PointForces        &at,
               std::vector<std::string> &notes)
     {
-      if (at.error > accurate * at.size)
+      if (at.error > arithmetic::integrated * at.size)
         notes.push_back("load " + name + ": its integral is uncertain by " +
                         to_text(at.error / at.size, 2) +
                         " of itself. Let its edges run along the elements, or "
@@ -385,7 +384,7 @@ namespace lamella
               torque += cross_product_3d(arm, at.forces[i]) * axis;
               size += arm.norm() * at.forces[i].norm();
             }
-          if (std::abs(torque) > 1e-6 * size)
+          if (std::abs(torque) > arithmetic::integrated * size)
             notes.push_back(
               "load " + name + " twists body " + body.name() +
               " by a torque of " + to_text(torque) +

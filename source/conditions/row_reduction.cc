@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <lamella/base/arithmetic.h>
 #include <lamella/base/exceptions.h>
 #include <lamella/base/text.h>
 #include <lamella/conditions/row_reduction.h>
@@ -24,15 +25,13 @@ namespace lamella
     // start, depends on those before: it would hold displacements that are as
     // much smaller than those of the body, and rounding grows by the inverse of
     // what is left (rows of a line that nearly is one of the mesh).
-    constexpr double dependent = 1e-6;
+    constexpr double dependent = arithmetic::dependent;
     // What is left of the value of such a row is rounding below this fraction
     // of the largest value.
-    constexpr double contradiction = 1e-6;
+    constexpr double contradiction = arithmetic::dependent;
     // DoFs that a row eliminates have this of its largest weight or more: those
     // that depend on them are not moved by multiples of that.
     constexpr double stable = 0.1;
-    // Weights that differ by less are the same, but for the rounding of places.
-    constexpr double same = 1e-12;
 
     /// The functionals of those of @p rows that belong to @p body, number
     /// @p index, in the DoFs that its theory leaves independent; others empty.
@@ -252,7 +251,8 @@ namespace lamella
             largest = std::max(largest, std::abs(weight));
           for (unsigned int i = 0; i < here.size(); ++i)
             if (here[i].first + shift != there[i].first ||
-                std::abs(here[i].second - there[i].second) > same * largest ||
+                std::abs(here[i].second - there[i].second) >
+                  arithmetic::rounding_of_results * largest ||
                 sizes[here[i].first] != sizes[there[i].first] ||
                 body.dof_level(here[i].first) != body.dof_level(there[i].first))
               return {};
@@ -403,7 +403,8 @@ namespace lamella
         {
           homogeneous.add_line(equation.pivot);
           for (const auto &[dof, weight] : equation.entries)
-            if (dof != equation.pivot && std::abs(weight) > 1e-14)
+            if (dof != equation.pivot &&
+                std::abs(weight) > arithmetic::rounding)
               homogeneous.add_entry(equation.pivot, dof, -weight);
           particular_solution[equation.pivot] = equation.value;
         }

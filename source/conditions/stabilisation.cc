@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <lamella/base/arithmetic.h>
 #include <lamella/base/orthogonal.h>
 #include <lamella/conditions/stabilisation.h>
 
@@ -28,13 +29,12 @@ namespace lamella
     std::vector<SurfacePoint>
     furthest_from(const Point<3> &x, const std::vector<SurfacePoint> &points)
     {
-      constexpr double          same = 1e-6;
       double                    most = 0.;
       std::vector<SurfacePoint> found;
       for (const SurfacePoint &point : points)
         most = std::max(most, x.distance(point.position));
       for (const SurfacePoint &point : points)
-        if (x.distance(point.position) > (1. - same) * most)
+        if (x.distance(point.position) > (1. - arithmetic::alike) * most)
           found.push_back(point);
       return found;
     }

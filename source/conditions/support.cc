@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <lamella/base/arithmetic.h>
 #include <lamella/base/exceptions.h>
 #include <lamella/base/text.h>
 #include <lamella/conditions/hold.h>
@@ -55,7 +56,7 @@ namespace lamella
           for (unsigned int c = 0; c < 3; ++c)
             along.add(all[i][c], normals[i][c]);
           along.compress();
-          along.drop_below(1e-13);
+          along.drop_below(arithmetic::rounding_of_sums);
           rows.push_back({{region.body, along},
                           value,
                           support,
@@ -97,7 +98,7 @@ namespace lamella
             // node stay its own.
             for (std::vector<Row> &components : all)
               for (Row &row : components)
-                row.drop_below(1e-13);
+                row.drop_below(arithmetic::rounding_of_sums);
             for (unsigned int i = 0; i < places.size(); ++i)
               for (unsigned int c = 0; c < 3; ++c)
                 if (supports[s].u[c])
@@ -152,7 +153,8 @@ namespace lamella
                              [m](const auto &a, const auto &b) {
                                return std::abs(a[m]) < std::abs(b[m]);
                              });
-          if (largest == motions.end() || std::abs((*largest)[m]) < 1e-6)
+          if (largest == motions.end() ||
+              std::abs((*largest)[m]) < arithmetic::dependent)
             continue;
           std::swap(*largest, motions[done]);
           const std::array<double, 6> pivot = motions[done];

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <lamella/axis/axis.h>
+#include <lamella/base/arithmetic.h>
 #include <lamella/estimate/axis_marks.h>
 
 #include <algorithm>
@@ -34,7 +35,7 @@ namespace lamella
         double              begin = 0.;
         for (const double length : element_lengths(axis))
           {
-            const double near = 1e-6 * length;
+            const double near = arithmetic::same_in_element * length;
             for (const ElementError &element : marked)
               if (element.body == b && std::abs(element.begin - begin) < near)
                 breaks.push_back(begin + 0.5 * length);
@@ -128,7 +129,8 @@ namespace lamella
               const auto  own =
                 std::find_if(all.begin(), all.end(), [&](const auto &one) {
                   return one.body == body &&
-                         std::abs(one.begin - begin) < 1e-6 * length;
+                         std::abs(one.begin - begin) <
+                           arithmetic::same_in_element * length;
                 });
               if (own == all.end())
                 return {};
@@ -173,7 +175,7 @@ namespace lamella
               const Span one  = together(spans[k], spans[k + 1], degree);
               const auto near = [&](const double y) {
                 return std::abs(y - spans[k].end) <
-                       1e-6 * (one.end - one.begin);
+                       arithmetic::same_in_element * (one.end - one.begin);
               };
               if (std::none_of(kept.begin(), kept.end(), near) &&
                   (best == spans.size() || one.error < least.error))

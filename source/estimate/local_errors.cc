@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <lamella/base/arithmetic.h>
 #include <lamella/body/beam_transfer.h>
 #include <lamella/estimate/local_errors.h>
 #include <lamella/recover/box_points.h>
@@ -317,7 +318,7 @@ namespace lamella
   {
     const Axis  &axis  = beam(coarse, body)->axis();
     const Beam  &finer = *beam(fine, body);
-    const double near  = 1e-10 * axis.length();
+    const double near  = arithmetic::same_place_along * axis.length();
     const auto   first = result.elements.size();
     for (unsigned int cell = 0; cell < axis.n_cells(); ++cell)
       {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <lamella/base/arithmetic.h>
 #include <lamella/base/exceptions.h>
 #include <lamella/base/text.h>
 #include <lamella/export/calculix_conditions.h>
@@ -104,7 +105,7 @@ namespace lamella
               const auto &nodes =
                 mesh.nodes_of(mesh.element_of(region.body, place.cell));
               for (unsigned int i = 0; i < N.size(); ++i)
-                if (std::abs(N[i]) > 1e-13)
+                if (std::abs(N[i]) > arithmetic::rounding_of_sums)
                   nodal_forces[nodes[i]] += N[i] * at.forces[k];
             }
         }
@@ -123,7 +124,8 @@ namespace lamella
         for (const auto &[node, normal] : node_normals(mesh, region))
           {
             unsigned int c = 0;
-            while (c < 3 && std::abs(normal[c]) < 1. - 1e-12)
+            while (c < 3 &&
+                   std::abs(normal[c]) < 1. - arithmetic::rounding_of_results)
               ++c;
             if (c == 3)
               throw InputError(
@@ -157,7 +159,8 @@ namespace lamella
     if (is_new)
       held[s][component].insert(node);
     else if (std::abs(place->second - value) >
-             1e-12 * std::max(std::abs(value), std::abs(place->second)))
+             arithmetic::rounding_of_results *
+               std::max(std::abs(value), std::abs(place->second)))
       throw InputError("Support " + scene.supports[s].name,
                        "",
                        "at " + to_text(mesh.node(node)) + " it prescribes " +

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <lamella/base/arithmetic.h>
 #include <lamella/base/exceptions.h>
 #include <lamella/base/text.h>
 #include <lamella/export/calculix_contact.h>
@@ -175,9 +176,10 @@ namespace lamella
           measures_of(side(pair.second), pair.second.surface);
         contact.master    = mesh.faces(pair.second.body, pair.second.surface);
         contact.stiffness = std::min(first.stiffness, second.stiffness);
-        contact.slave_is_second = pair.points_on == PointsOn::second ||
-                                  (pair.points_on == PointsOn::automatic &&
-                                   second.area < (1. - 1e-6) * first.area);
+        contact.slave_is_second =
+          pair.points_on == PointsOn::second ||
+          (pair.points_on == PointsOn::automatic &&
+           second.area < (1. - arithmetic::integrated) * first.area);
         if (contact.slave_is_second)
           std::swap(contact.slave, contact.master);
       }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <lamella/adapt/graded_axis.h>
+#include <lamella/base/arithmetic.h>
 #include <lamella/base/exceptions.h>
 #include <lamella/base/text.h>
 #include <lamella/body/solid.h>
@@ -18,8 +19,6 @@ namespace lamella
 
   namespace
   {
-    /// How far from a node of the unit cube a place may be and be at it.
-    constexpr double same_place = 1e-6;
     /// Of a hexahedron; they come first.
     constexpr unsigned int n_corners = 8;
 
@@ -56,7 +55,7 @@ namespace lamella
     is_isotropic(const EngineeringConstants &m)
     {
       const auto same = [](const double a, const double b) {
-        return std::abs(a - b) <= 1e-12 * std::abs(a);
+        return std::abs(a - b) <= arithmetic::rounding_of_results * std::abs(a);
       };
       return same(m.E1, m.E2) && same(m.E1, m.E3) && same(m.nu12, m.nu13) &&
              same(m.nu12, m.nu23) && same(m.G12, m.G13) && same(m.G12, m.G23) &&
@@ -159,7 +158,8 @@ namespace lamella
     std::vector<unsigned int> of_node;
     for (unsigned int i = 0; i < element_type.n_nodes(); ++i)
       for (unsigned int k = 0; k < ours.n_nodes(); ++k)
-        if (ours.unit_node(k).distance(element_type.unit_node(i)) < same_place)
+        if (ours.unit_node(k).distance(element_type.unit_node(i)) <
+            arithmetic::same_in_element)
           of_node.push_back(k);
 
     std::vector<unsigned int> numbers(mesh.nodes().size(), 0);
@@ -244,7 +244,8 @@ namespace lamella
   {
     for (const Location::Place &place : location.places)
       for (unsigned int i = 0; i < element_type.n_nodes(); ++i)
-        if (place.unit.distance(element_type.unit_node(i)) < same_place)
+        if (place.unit.distance(element_type.unit_node(i)) <
+            arithmetic::same_in_element)
           return nodes_of(element_of(body, place.cell))[i];
     return 0;
   }
@@ -269,7 +270,8 @@ namespace lamella
         {
           unsigned int n = 0;
           for (unsigned int d = 0; d < 3; ++d)
-            n += std::abs(std::abs(place.unit[d] - 0.5) - 0.5) < same_place;
+            n += std::abs(std::abs(place.unit[d] - 0.5) - 0.5) <
+                 arithmetic::same_in_element;
           at_sides = std::max(at_sides, n);
         }
       if (at_sides < (corner ? 3 : 2))

@@ -139,9 +139,10 @@ namespace lamella
     double cosine = std::cos(degrees * dealii::numbers::PI / 180.);
     // A right angle must be one exactly: a cross-ply then has exact zeros, and
     // its stiffness matrix a third of the entries.
-    if (std::abs(sine) < 1e-15)
+    constexpr double rounding = 1e-15;
+    if (std::abs(sine) < rounding)
       sine = 0.;
-    if (std::abs(cosine) < 1e-15)
+    if (std::abs(cosine) < rounding)
       cosine = 0.;
     Triad axes;
     axes[0][0] = sine;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <lamella/base/arithmetic.h>
 #include <lamella/base/patterns.h>
 #include <lamella/material/library.h>
 #include <lamella/material/parameters.h>
@@ -194,7 +195,7 @@ namespace lamella
     is_isotropic(const EngineeringConstants &c)
     {
       const auto same = [](const double a, const double b) {
-        return std::abs(a - b) <= 1e-6 * std::abs(b);
+        return std::abs(a - b) <= arithmetic::as_written * std::abs(b);
       };
       const double G = 0.5 * c.E1 / (1. + c.nu12);
       return same(c.E2, c.E1) && same(c.E3, c.E1) && same(c.nu13, c.nu12) &&

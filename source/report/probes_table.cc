@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <lamella/base/arithmetic.h>
 #include <lamella/base/text.h>
 #include <lamella/body/fields.h>
 #include <lamella/report/console.h>
@@ -69,9 +70,8 @@ namespace lamella
     TextTable
     table_of(const Results &results, const Columns &columns, const bool all)
     {
-      constexpr double   rounding = 1e-9;
-      const StepResults &step     = results.last();
-      const double       size     = size_of(step, columns);
+      const StepResults &step = results.last();
+      const double       size = size_of(step, columns);
       TextTable          table{{"probe", all ? "ply" : "at"}};
       table.front().insert(table.front().end(), columns.begin(), columns.end());
       table.front().push_back("");
@@ -88,7 +88,9 @@ namespace lamella
               {
                 const double value = value_of(row, column);
                 table.back().push_back(
-                  to_text(std::abs(value) < rounding * size ? 0. : value) +
+                  to_text(std::abs(value) < arithmetic::negligible * size ?
+                            0. :
+                            value) +
                   bar_of(results, results.probes[p], row, is_first, column));
               }
             table.back().push_back("");

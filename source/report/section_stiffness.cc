@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <lamella/base/arithmetic.h>
 #include <lamella/base/exceptions.h>
 #include <lamella/base/output_file.h>
 #include <lamella/report/section_stiffness.h>
@@ -16,7 +17,7 @@ namespace lamella
   namespace
   {
     /// Below this share of what it could be, a number is rounding.
-    constexpr double negligible = 1e-10;
+    constexpr double negligible = arithmetic::rounding_of_solutions;
 
 
 
@@ -74,10 +75,11 @@ namespace lamella
       SectionConstants result = section_constants(compliance, centre);
       result.tension_centre   = cleaned(result.tension_centre, size);
       result.shear_centre     = cleaned(result.shear_centre, size);
-      // Upright is upright, whichever way rounding turned it.
-      if (result.angle < 1e-6 - 90.)
+      // Upright is upright, whichever way rounding turned it; in degrees.
+      constexpr double same_angle = arithmetic::as_written;
+      if (result.angle < same_angle - 90.)
         result.angle += 180.;
-      if (std::abs(result.angle) < 1e-6)
+      if (std::abs(result.angle) < same_angle)
         result.angle = 0.;
       for (const double value : {result.EA,
                                  result.EI[0],

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <lamella/base/arithmetic.h>
 #include <lamella/base/text.h>
 #include <lamella/report/validation.h>
 #include <lamella/section/theory_limits.h>
@@ -202,7 +203,10 @@ namespace lamella
             {
               const double value = (*part.matrix)[r][c];
               out << std::setw(14)
-                  << (std::abs(value) < 1e-13 * part.scale ? 0. : value);
+                  << (std::abs(value) <
+                          arithmetic::rounding_of_sums * part.scale ?
+                        0. :
+                        value);
             }
           out << (r == 0 ? unit(units, part.lengths) : "") << "\n";
         }
@@ -227,11 +231,15 @@ namespace lamella
     const SectionProperties p = section_properties(section);
     // Of a symmetric section rounding is left of the mixed moment.
     const double mixed =
-      std::abs(p.second_moments[0][1]) < 1e-12 * trace(p.second_moments) ?
+      std::abs(p.second_moments[0][1]) <
+          arithmetic::rounding_of_results * trace(p.second_moments) ?
         0. :
         p.second_moments[0][1];
     const auto rounded = [&p](const double x) {
-      return std::abs(x) < 1e-12 * p.low.distance(p.high) ? 0. : x;
+      return std::abs(x) <
+                 arithmetic::rounding_of_results * p.low.distance(p.high) ?
+               0. :
+               x;
     };
     out << "\nSection " << name << ": " << shape << ", "
         << section.mesh.n_active_cells() << " cells, x " << p.low[0] << " to "
@@ -302,9 +310,9 @@ namespace lamella
                const Units         &units)
     {
       // What is left of a force whose tractions cancel.
-      constexpr double           rounding = 1e-12;
       const dealii::Tensor<1, 3> resultant =
-        load.force.norm() * size < rounding * load.moment.norm() ?
+        load.force.norm() * size <
+            arithmetic::rounding_of_results * load.moment.norm() ?
           dealii::Tensor<1, 3>() :
           load.force;
 

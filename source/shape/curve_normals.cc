@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <lamella/base/arithmetic.h>
 #include <lamella/shape/curve_normals.h>
 
 #include <algorithm>
@@ -85,7 +86,7 @@ namespace lamella
                     const Tensor<1, 2> &n,
                     const Tensor<1, 2> &m)
     {
-      constexpr double rounding = 1e-12;
+      constexpr double rounding = arithmetic::rounding_of_results;
       const double     a = -cross(e, m), b = cross(p, m) - cross(e, n),
                    c = cross(p, n), discriminant = b * b - 4. * a * c;
       std::vector<double> found;

@@ -4,6 +4,7 @@
 // boundaries and cells, and is refused where it makes no section. Cells and
 // vertices stand in the order in which GridIn of deal.II has them.
 
+#include <lamella/base/arithmetic.h>
 #include <lamella/shape/curve_normals.h>
 #include <lamella/shape/gmsh_file.h>
 #include <lamella/shape/properties.h>
@@ -72,7 +73,8 @@ namespace lamella
         extent = std::max(
           {extent, std::abs(node.position[0]), std::abs(node.position[1])});
       if (lowest == file.nodes.end() ||
-          highest->position[2] - lowest->position[2] <= 1e-6 * extent)
+          highest->position[2] - lowest->position[2] <=
+            arithmetic::as_written * extent)
         return;
       // Of the two the one that is off, if it is one.
       const double first = file.nodes[0].position[2];
@@ -339,7 +341,8 @@ namespace lamella
       for (unsigned int c = 0; c < mesh.cells.size(); ++c)
         for (const Corner &corner : corners_of(mesh, c))
           if (!(area_between(corner.to_next, corner.to_last) >
-                1e-8 * corner.to_next.norm() * corner.to_last.norm()))
+                arithmetic::flat * corner.to_next.norm() *
+                  corner.to_last.norm()))
             {
               Tensor<1, 2> centre;
               for (const unsigned int v : mesh.cells[c].vertices)
@@ -369,7 +372,7 @@ namespace lamella
             double &sum = angle[corner.vertex];
             sum += std::atan2(area_between(corner.to_next, corner.to_last),
                               corner.to_next * corner.to_last);
-            if (sum > 2. * numbers::PI * (1. + 1e-8))
+            if (sum > 2. * numbers::PI * (1. + arithmetic::flat))
               refuse_line(
                 entry,
                 mesh.elements[c]->line,
@@ -493,7 +496,8 @@ namespace lamella
       double extent = 0.;
       for (const Point<2> &x : mesh.vertices)
         extent = std::max({extent, std::abs(x[0]), std::abs(x[1])});
-      if (!(extent * file.scale < 1e30 && extent * file.scale > 1e-30))
+      if (!(extent * file.scale < largest_number &&
+            extent * file.scale > smallest_number))
         throw InputError(
           file.what + "/Scale",
           to_text(file.scale),

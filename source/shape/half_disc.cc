@@ -8,6 +8,7 @@
 // under which small cells keep their shape, the corners stay, and arc and flat
 // side are mapped onto themselves.
 
+#include <lamella/base/arithmetic.h>
 #include <lamella/shape/shapes.h>
 
 #include <deal.II/grid/grid_tools.h>
@@ -263,11 +264,13 @@ namespace lamella
     std::vector<Point<2>> vertices;
     for (const Complex &z : graded.points)
       {
-        Complex    w      = (z + b) / (1. + b * z);
-        const bool on_arc = std::abs(std::abs(z) - 1.) < 1e-12;
+        Complex    w = (z + b) / (1. + b * z);
+        const bool on_arc =
+          std::abs(std::abs(z) - 1.) < arithmetic::rounding_of_results;
         w /= on_arc ? std::abs(w) : 1.;
         vertices.emplace_back(disc.radius * (1. + w.real()),
-                              std::abs(z.imag()) < 1e-12 ?
+                              std::abs(z.imag()) <
+                                  arithmetic::rounding_of_results ?
                                 0. :
                                 disc.radius * w.imag());
       }

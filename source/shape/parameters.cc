@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <lamella/base/arithmetic.h>
 #include <lamella/base/patterns.h>
 #include <lamella/material/layup.h>
 #include <lamella/shape/parameters.h>
@@ -489,7 +490,6 @@ namespace lamella
                     const std::string &named)
     {
       // Decimal fractions of a wall, as 0.333, are meant to add up.
-      constexpr double same = 1e-6;
       if (piece.empty())
         return std::vector<double>(n, wall / n);
       std::vector<double> values;
@@ -501,7 +501,7 @@ namespace lamella
         }
       values           = one_a_ply(values, n, entry);
       const double sum = std::accumulate(values.begin(), values.end(), 0.);
-      if (!(std::abs(sum - wall) <= same * wall))
+      if (!(std::abs(sum - wall) <= arithmetic::as_written * wall))
         entry.refuse("the " + std::to_string(n) + " plies of " + named +
                        " add up to " + to_text(sum) +
                        ", and not to its thickness " + to_text(wall),

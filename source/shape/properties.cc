@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <lamella/base/arithmetic.h>
 #include <lamella/shape/properties.h>
 
 #include <deal.II/base/quadrature_lib.h>
@@ -114,7 +115,8 @@ namespace lamella
       double shortest = std::numeric_limits<double>::max();
       for (const auto &face : section.mesh.active_face_iterators())
         shortest = std::min(shortest, face->diameter());
-      const Point<2> tolerance(1e-6 * shortest, 1e-6 * shortest);
+      const double   near = arithmetic::same_in_element * shortest;
+      const Point<2> tolerance(near, near);
       const auto     tree = pack_rtree(points);
       for (const Point<2> &point : points)
         {
@@ -174,7 +176,7 @@ namespace lamella
     unsigned int bad = 0;
     Point<2>     where;
     for (const auto &cell : section.mesh.active_cell_iterators())
-      if (smallest_sine(cell) < 1e-8)
+      if (smallest_sine(cell) < arithmetic::flat)
         {
           where = bad == 0 ? cell->center() : where;
           ++bad;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <lamella/base/arithmetic.h>
 #include <lamella/shape/section_geometry.h>
 
 #include <deal.II/dofs/dof_tools.h>
@@ -30,7 +31,7 @@ namespace lamella
         for (unsigned int i = 0; i < indices.size(); ++i)
           if (positions[indices[i]].distance(
                 bilinear(cells.size() - 1, element.unit_support_point(i))
-                  .position) > 1e-14 * cell->diameter())
+                  .position) > arithmetic::rounding * cell->diameter())
             is_bilinear.back() = false;
       }
   }
@@ -85,7 +86,7 @@ namespace lamella
           const Point<2> chord =
             face->vertex(0) + 0.5 * (face->vertex(1) - face->vertex(0));
           if (face->center(/*respect_manifold=*/true).distance(chord) >
-              1e-12 * face->diameter())
+              arithmetic::rounding_of_results * face->diameter())
             return true;
         }
     return false;

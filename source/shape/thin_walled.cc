@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <lamella/base/arithmetic.h>
 #include <lamella/shape/shapes.h>
 
 #include <algorithm>
@@ -138,7 +139,7 @@ namespace lamella
     {
       section.boundaries = {
         {0, "left"}, {1, "right"}, {2, "bottom"}, {3, "top"}, {4, "inner"}};
-      const double tolerance = 1e-10 * (width + height);
+      const double tolerance = arithmetic::same_place_along * (width + height);
       for (const auto &face : section.mesh.active_face_iterators())
         if (face->at_boundary())
           {

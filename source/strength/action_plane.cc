@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <lamella/base/arithmetic.h>
 #include <lamella/strength/criterion.h>
 
 #include <deal.II/base/numbers.h>
@@ -76,7 +77,7 @@ namespace lamella
         // The grid has planes that rounding must not miss, as that at 0.
         for (const auto &[value, angle] :
              {std::make_pair(f[i], i * step), std::make_pair(at_x, x)})
-          if (value > best.first * (1. + 1e-14))
+          if (value > best.first * (1. + arithmetic::rounding))
             best = {value, angle};
       }
     if (best.second > 0.5 * numbers::PI)

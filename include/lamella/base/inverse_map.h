@@ -3,6 +3,8 @@
 #ifndef lamella_base_inverse_map_h
 #define lamella_base_inverse_map_h
 
+#include <lamella/base/arithmetic.h>
+
 #include <deal.II/base/point.h>
 #include <deal.II/base/tensor.h>
 
@@ -53,7 +55,6 @@ namespace lamella
                 const Keep               &keep)
   {
     constexpr unsigned int max_iterations = 20;
-    constexpr double       rounding       = 1e-14;
 
     InverseImage<dim> found{start};
     for (unsigned int k = 0; k < max_iterations; ++k)
@@ -63,7 +64,8 @@ namespace lamella
         const dealii::Tensor<1, dim> step = invert(at.second) * at.first;
         found.unit += step;
         found.change = is_affine ? 0. : step.norm();
-        if (!keep(found.unit) || is_affine || found.change < rounding)
+        if (!keep(found.unit) || is_affine ||
+            found.change < arithmetic::rounding)
           break;
       }
     return found;
