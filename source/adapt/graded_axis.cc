@@ -2,6 +2,8 @@
 
 #include <lamella/adapt/graded_axis.h>
 #include <lamella/adapt/touch.h>
+#include <lamella/base/arithmetic.h>
+#include <lamella/body/surface_names.h>
 
 #include <deal.II/grid/grid_tools.h>
 
@@ -217,13 +219,12 @@ namespace lamella
         {
           if (region.body != number)
             continue;
-          const std::string &surface = region.surface;
-          for (const auto &[y, name] :
-               {std::make_pair(0., "start"),
-                std::make_pair(beam.axis().length(), "end")})
-            if (region.kind == Region::Kind::surface &&
-                (surface == name || surface == "ends"))
-              places.push_back({y, end_size});
+          // What acts all over does not change at the ends.
+          for (const bool at_start : {true, false})
+            if (region.covers_end(at_start) &&
+                !surface_names::is_all(region.surface))
+              places.push_back(
+                {at_start ? 0. : beam.axis().length(), end_size});
           for (const Point<3> &point : region.at)
             places.push_back({beam.place().to_body(point)[1], point_size});
         }
@@ -297,10 +298,10 @@ namespace lamella
             return one.place().to_body(
               other.place().to_scene(Point<3>(0., y, 0.)))[1];
           };
-          constexpr double tolerance = 1e-9;
-          if (std::abs(other.axis().length() - length) > tolerance * length ||
-              std::abs(y_in_one_of(0.)) > tolerance * length ||
-              std::abs(y_in_one_of(length) - length) > tolerance * length)
+          const double tolerance = arithmetic::same_place * length;
+          if (std::abs(other.axis().length() - length) > tolerance ||
+              std::abs(y_in_one_of(0.)) > tolerance ||
+              std::abs(y_in_one_of(length) - length) > tolerance)
             continue;
           std::vector<ShortElement> both = places[a];
           both.insert(both.end(), places[b].begin(), places[b].end());

@@ -233,15 +233,10 @@ namespace lamella
                      const std::vector<Region>      &regions,
                      const std::vector<std::string> &bodies)
     {
-      const auto contains = [](const std::string &whole,
-                               const std::string &part) {
-        return whole == "all" ||
-               (whole == "ends" && (part == "start" || part == "end"));
-      };
       for (const Region &a : regions)
         for (const Region &b : regions)
-          if (&a != &b && a.body == b.body && a.kind == Region::Kind::surface &&
-              b.kind == a.kind && contains(a.surface, b.surface))
+          if (&a != &b && a.body == b.body && b.kind == Region::Kind::surface &&
+              a.covers(b.surface))
             on.refuse("'" + b.surface + "' of body '" + bodies[b.body] +
                         "' is part of '" + a.surface +
                         "', so the load would act twice there",
@@ -324,8 +319,7 @@ namespace lamella
           if (needs_surface && region.kind != Region::Kind::surface)
             what.refuse("acts on a surface only",
                         "Use Force at a point or along a line.");
-          if (load.couple &&
-              (region.surface == "ends" || region.surface == "all"))
+          if (load.couple && region.is_several_surfaces())
             on.refuse("'" + region.surface +
                         "' is several surfaces, and a couple has one centre",
                       "Name one: start, end, or a side.");

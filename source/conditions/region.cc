@@ -2,11 +2,36 @@
 
 #include <lamella/base/exceptions.h>
 #include <lamella/base/text.h>
+#include <lamella/body/surface_names.h>
 #include <lamella/conditions/region.h>
 
 namespace lamella
 {
   using namespace dealii;
+
+  bool
+  Region::covers(const std::string &side) const
+  {
+    return kind == Kind::surface && surface_names::covers(surface, side);
+  }
+
+
+
+  bool
+  Region::covers_end(const bool at_start) const
+  {
+    return covers(surface_names::of_end(at_start));
+  }
+
+
+
+  bool
+  Region::is_several_surfaces() const
+  {
+    return kind == Kind::surface && surface_names::is_several(surface);
+  }
+
+
 
   namespace
   {

@@ -137,14 +137,12 @@ namespace lamella
     {
       const bool holds_all =
         !support.normal && support.u[0] && support.u[1] && support.u[2];
-      return holds_all &&
-             std::any_of(
-               support.on.begin(), support.on.end(), [&](const Region &region) {
-                 return region.body == b &&
-                        region.kind == Region::Kind::surface &&
-                        (region.surface == (end == 0 ? "start" : "end") ||
-                         region.surface == "ends" || region.surface == "all");
-               });
+      return holds_all && std::any_of(support.on.begin(),
+                                      support.on.end(),
+                                      [&](const Region &region) {
+                                        return region.body == b &&
+                                               region.covers_end(end == 0);
+                                      });
     }
 
 

@@ -41,6 +41,17 @@ namespace lamella
     /// Of a point its position, of a line its two ends, in scene axes [length].
     /// Several points are one region.
     std::vector<dealii::Point<3>> at;
+
+    /// Whether this is a surface that is, or has for a part, @p side of the
+    /// body.
+    bool
+    covers(const std::string &side) const;
+    /// Whether this is a surface with the body's whole start (or its end).
+    bool
+    covers_end(const bool at_start) const;
+    /// Whether this is a surface that is made of several: no single place.
+    bool
+    is_several_surfaces() const;
   };
 
   /// The words for regions that are no surface, which has a name of its own.

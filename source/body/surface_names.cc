@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <lamella/body/surface_names.h>
+
+namespace lamella
+{
+  std::string
+  surface_names::of_end(const bool at_start)
+  {
+    return at_start ? "start" : "end";
+  }
+
+
+
+  bool
+  surface_names::is_all(const std::string &surface)
+  {
+    return surface == "all";
+  }
+
+
+
+  bool
+  surface_names::is_several(const std::string &surface)
+  {
+    return surface == "ends" || is_all(surface);
+  }
+
+
+
+  bool
+  surface_names::covers(const std::string &surface, const std::string &part)
+  {
+    return surface == part || is_all(surface) ||
+           (surface == "ends" && (part == "start" || part == "end"));
+  }
+} // namespace lamella
