@@ -4,6 +4,7 @@
 
 #include <lamella/base/independent_rows.h>
 #include <lamella/body/beam.h>
+#include <lamella/body/surface_names.h>
 #include <lamella/body/surface_topology.h>
 
 #include <algorithm>
@@ -96,15 +97,15 @@ namespace lamella
     SurfaceParts
     parts_of(const std::string &surface, const SectionMesh &section)
     {
-      if (surface == "start" || surface == "end")
-        return {{surface == "start"}, {}};
-      if (surface == "ends")
-        return {{true, false}, {}};
-      if (surface != "all")
-        return {{}, {surface}};
-      SurfaceParts parts{{true, false}, {}};
-      for (const auto &[id, name] : section.boundaries)
-        parts.boundaries.push_back(name);
+      SurfaceParts parts;
+      for (const bool at_start : {true, false})
+        if (surface_names::covers(surface, surface_names::of_end(at_start)))
+          parts.ends.push_back(at_start);
+      if (surface_names::is_all(surface))
+        for (const auto &[id, name] : section.boundaries)
+          parts.boundaries.push_back(name);
+      else if (parts.ends.empty())
+        parts.boundaries = {surface};
       return parts;
     }
   } // namespace

@@ -6,6 +6,7 @@
 #include <lamella/body/fields.h>
 #include <lamella/body/line_crossings.h>
 #include <lamella/body/solid.h>
+#include <lamella/body/surface_names.h>
 #include <lamella/body/surface_topology.h>
 
 #include <deal.II/base/geometry_info.h>
@@ -252,9 +253,7 @@ namespace lamella
           const int side = mesh.cells()[cell].sides[f];
           if (side == HexahedralMesh::inside)
             continue;
-          const std::string &name = mesh.sides()[side];
-          if (surface == "all" || surface == name ||
-              (surface == "ends" && (name == "start" || name == "end")))
+          if (surface_names::covers(surface, mesh.sides()[side]))
             faces.emplace_back(cell, f);
         }
     return faces;
