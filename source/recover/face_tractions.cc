@@ -216,8 +216,7 @@ namespace lamella
   {
     Tensor<1, 3> t;
     for (const SurfaceLoad &load : all.loads)
-      if (load.region.body == face.body &&
-          (load.region.surface == face.surface || load.region.surface == "all"))
+      if (load.region.body == face.body && load.region.covers(face.surface))
         t += all.factor * (*load.traction)(x, face.normal);
     const Tensor<1, 3>          d = x - face.origin;
     const std::array<double, 2> st{{d * face.along_s, d * face.along_t}};
