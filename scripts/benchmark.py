@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Writes doc/benchmarks.md and its pictures; see scripts/benchmark."""
+"""Writes a page of benchmarks and its pictures; see scripts/benchmark."""
 
 import argparse
 import datetime
@@ -103,14 +103,14 @@ def arguments():
         if part not in PARTS:
             parser.error(f"no part {part}; there are: {', '.join(PARTS)}")
     if asked.reduced and asked.output is None:
-        parser.error("--reduced says nothing about speed and is not for doc/: "
+        parser.error("--reduced says nothing about speed: "
                      "name another folder with --output")
     return asked
 
 
 def main():
     asked = arguments()
-    output = (asked.output or ROOT / "doc").resolve()
+    output = (asked.output or ROOT / "results/benchmarks").resolve()
     output.mkdir(parents=True, exist_ok=True)
     bench = Bench(asked.reduced, output)
     path = output / "benchmarks.md"

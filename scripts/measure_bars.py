@@ -248,7 +248,7 @@ def summary(rows):
 
 
 def bars(pick=""):
-    """doc/bars-measured.md: every bar beside the error that it is of."""
+    """Every bar beside the error that it is of; doc/error-bars.md sums it up."""
     rows = []
     for case in [*shipped(), *paganos(), *cantilevers()]:
         if pick in case[0]:

@@ -187,7 +187,7 @@ def indentation():
 
 def c3d20r():
     """doc/error-bars.md: runs to 1 % beside meshes of C3D20R, whole scenes, taking turns;
-    errors are those to the converged values of doc/benchmarks.md."""
+    errors are those to the converged values of doc/sandwich.md and the like."""
     from functools import partial
     from benchmark_calculix import OURS, STIFFNESS, THEIRS, Rung, section
     from benchmark_scenes import LAMINATED, SANDWICH
