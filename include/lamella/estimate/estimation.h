@@ -2,8 +2,10 @@
 
 // The room `estimate`: how far a run's numbers are off. It owns the richer
 // models that a run is compared with, the bars made of their differences, and
-// the loop that goes on until a tolerance is reached. It never solves itself: a
-// richer model is a scene like any other, and Simulation solves it.
+// the loop that goes on until a tolerance is reached. It never makes a
+// factorisation nor solves a model itself: a richer model is a scene like any
+// other, and Simulation solves it; the duals that tell which elements an error
+// comes from (local_errors.cc) ask the solver that this leaves behind.
 
 #ifndef lamella_estimate_estimation_h
 #define lamella_estimate_estimation_h
