@@ -2,6 +2,7 @@
 
 // The fields of a beam at points, for probes, lines, contours and pictures.
 
+#include <lamella/base/arithmetic.h>
 #include <lamella/body/beam.h>
 #include <lamella/body/fields.h>
 
@@ -130,7 +131,8 @@ namespace lamella
   Beam::cut(const double position, const unsigned int n, const Vector &u) const
   {
     const auto places =
-      beam_axis->locate(position, 1e-10 * beam_axis->length());
+      beam_axis->locate(position,
+                        arithmetic::same_place_along * beam_axis->length());
     std::vector<OutputCell> cells;
     if (!places.empty())
       cells = sample_axis_cell(places[0].first, {places[0].second}, n, u);

@@ -2,6 +2,7 @@
 
 // The points of a beam: where they are, and which rows they give.
 
+#include <lamella/base/arithmetic.h>
 #include <lamella/base/exceptions.h>
 #include <lamella/body/beam.h>
 #include <lamella/body/fields.h>
@@ -33,8 +34,8 @@ namespace lamella
   double
   Beam::nearness() const
   {
-    return std::max(1e-6 * beam_section->extents().first,
-                    1e-10 * beam_axis->length());
+    return std::max(arithmetic::same_in_element * beam_section->extents().first,
+                    arithmetic::same_place_along * beam_axis->length());
   }
 
 

@@ -2,6 +2,7 @@
 
 // The surfaces of a beam: points, facets, and how these hang together.
 
+#include <lamella/base/arithmetic.h>
 #include <lamella/base/independent_rows.h>
 #include <lamella/body/beam.h>
 #include <lamella/body/surface_names.h>
@@ -157,7 +158,7 @@ namespace lamella
                const std::vector<unsigned int> &list) const
   {
     // A component's largest value is of the order of one.
-    constexpr double nothing = 1e-10;
+    constexpr double nothing = arithmetic::rounding_of_solutions;
     if (3 * points.size() <= list.size() || list.back() < space->first_mode())
       return points;
     std::vector<Vector> fields;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <lamella/base/arithmetic.h>
 #include <lamella/body/beam_transfer.h>
 #include <lamella/linear/dense_cholesky.h>
 
@@ -91,7 +92,8 @@ namespace lamella
   {
     Vector                                              result(to.n_dofs());
     std::map<std::vector<unsigned int>, ListProjection> projections;
-    const double tolerance = 1e-10 * from.axis().length();
+    const double                                        tolerance =
+      arithmetic::same_place_along * from.axis().length();
     for (unsigned int node = 0; node < to.axis().n_nodes(); ++node)
       {
         const auto &list = to.dofs().fields(node);

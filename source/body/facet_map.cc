@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <lamella/base/arithmetic.h>
 #include <lamella/body/facet_map.h>
 
 #include <algorithm>
@@ -25,7 +26,8 @@ namespace lamella
               .position);
           size = std::max(size, x.back().distance(x.front()));
         }
-    const double       tolerance = 1e-12 * size + 1e-15 * x.front().norm();
+    const double tolerance =
+      arithmetic::rounding_of_results * size + 1e-15 * x.front().norm();
     const unsigned int last_s = s.size() - 1, last_t = t.size() - 1;
     const auto         at = [&](const unsigned int i, const unsigned int j) {
       return x[j * s.size() + i];

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <lamella/base/arithmetic.h>
 #include <lamella/base/exceptions.h>
 #include <lamella/base/memory.h>
 #include <lamella/base/processes.h>
@@ -54,8 +55,9 @@ namespace lamella
             const Point<2> x(points[k][0], points[k][2]);
             y += weights[k] * points[k][1];
             unsigned int p = 0;
-            while (p < places.size() &&
-                   places[p].distance(x) > 1e-12 * (1e-300 + x.norm()))
+            while (p < places.size() && places[p].distance(x) >
+                                          arithmetic::rounding_of_results *
+                                            (arithmetic::above_zero + x.norm()))
               ++p;
             if (p == places.size())
               {

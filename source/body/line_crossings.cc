@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <lamella/base/arithmetic.h>
 #include <lamella/body/line_crossings.h>
 
 #include <boost/math/tools/toms748_solve.hpp>
@@ -84,7 +85,8 @@ namespace lamella
     std::sort(breaks.begin(), breaks.end());
     std::vector<double> inside;
     for (const double t : breaks)
-      if (t >= 0. && t <= 1. && (inside.empty() || t - inside.back() > 1e-9))
+      if (t >= 0. && t <= 1. &&
+          (inside.empty() || t - inside.back() > arithmetic::same_place))
         inside.push_back(t);
     inside.back() = 1.;
     return inside;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <lamella/base/arithmetic.h>
 #include <lamella/base/exceptions.h>
 #include <lamella/body/placement.h>
 
@@ -13,7 +14,7 @@ namespace lamella
                              const Tensor<1, 3> &up)
   {
     const Tensor<1, 3> across = cross_product_3d(axis, up);
-    if (!(across.norm() > 1e-6 * axis.norm() * up.norm()))
+    if (!(across.norm() > arithmetic::parallel * axis.norm() * up.norm()))
       throw InputError("Placement",
                        "",
                        "Axis and Up must be two directions that are neither "

@@ -2,6 +2,7 @@
 
 // The fields of a solid at points, for probes, lines, contours and pictures.
 
+#include <lamella/base/arithmetic.h>
 #include <lamella/body/fields.h>
 #include <lamella/body/solid.h>
 
@@ -89,7 +90,8 @@ namespace lamella
     const auto middle = [this](const unsigned int of, const double eta) {
       return element.evaluate(nodes_of(of), Point<3>(0.5, eta, 0.5)).position;
     };
-    const double tolerance = 1e-8 * (box.side_length(0) + box.side_length(2));
+    const double tolerance =
+      arithmetic::same_place_across * (box.side_length(0) + box.side_length(2));
     std::map<unsigned int, bool> known;
     const auto                   meets = [&](const unsigned int before) {
       const auto [found, is_new] = known.emplace(before, false);
@@ -105,14 +107,16 @@ namespace lamella
         if (where.ply == grid.ply)
           {
             auto &places = where.places;
-            places.erase(std::remove_if(places.begin(),
-                                        places.end(),
-                                        [&](const Location::Place &place) {
-                                          return place.cell != cell &&
-                                                 (place.unit[1] < 1. - 1e-6 ||
-                                                  !meets(place.cell));
-                                        }),
-                         places.end());
+            places.erase(
+              std::remove_if(places.begin(),
+                             places.end(),
+                             [&](const Location::Place &place) {
+                               return place.cell != cell &&
+                                      (place.unit[1] <
+                                         1. - arithmetic::same_in_element ||
+                                       !meets(place.cell));
+                             }),
+              places.end());
             grid.samples[k] = sample(where, u);
           }
   }
@@ -137,7 +141,7 @@ namespace lamella
   std::vector<OutputCell>
   Solid::cut(const double at, const unsigned int n, const Vector &u) const
   {
-    const double tolerance = 1e-10 * axis_length;
+    const double tolerance = arithmetic::same_place_along * axis_length;
     const auto  &all       = mesh.cells();
     const auto   y = [&](const unsigned int cell, const unsigned int k) {
       return mesh.nodes()[all[cell].nodes[k]][1];

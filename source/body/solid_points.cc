@@ -3,6 +3,7 @@
 // The points of a solid: where they are, which rows they give, and those that
 // make up its surfaces.
 
+#include <lamella/base/arithmetic.h>
 #include <lamella/body/fields.h>
 #include <lamella/body/line_crossings.h>
 #include <lamella/body/solid.h>
@@ -30,7 +31,7 @@ namespace lamella
       auto [lower, upper] = box.get_boundary_points();
       const double across =
         share * std::hypot(upper[0] - lower[0], upper[2] - lower[2]);
-      const double along = 1e-6 * (upper[1] - lower[1]);
+      const double along = arithmetic::same_in_element * (upper[1] - lower[1]);
       for (const unsigned int d : {0, 1, 2})
         {
           lower[d] -= d == 1 ? along : across;
@@ -69,7 +70,7 @@ namespace lamella
     std::vector<std::pair<BoundingBox<3>, unsigned int>> all;
     for (unsigned int cell = 0; cell < mesh.cells().size(); ++cell)
       all.emplace_back(grown(BoundingBox<3>(nodes_of(cell)),
-                             is_curved ? 0.2 : 1e-6),
+                             is_curved ? 0.2 : arithmetic::same_in_element),
                        cell);
     boxes = pack_rtree(all);
   }
@@ -112,7 +113,8 @@ namespace lamella
     // Positions come out of decimal texts and rotations.
     const double section_size =
       Tensor<1, 2>({box.side_length(0), box.side_length(2)}).norm();
-    const double tolerance = 1e-8 * section_size + 1e-13 * axis_length;
+    const double tolerance = arithmetic::same_place_across * section_size +
+                             arithmetic::rounding_of_sums * axis_length;
     std::vector<std::vector<Location>> result;
     for (const Point<3> &point : points)
       {
@@ -224,7 +226,7 @@ namespace lamella
           {
             row.compress();
             // At a node all other shape functions vanish but for rounding.
-            row.drop_below(1e-14);
+            row.drop_below(arithmetic::rounding);
           }
         result.push_back(std::move(rows));
       }
@@ -329,7 +331,7 @@ namespace lamella
         for (unsigned int i = 0; i < numbers.size(); ++i)
           {
             const Point<3> &unit = element.unit_node(i);
-            if (std::abs(unit[face / 2] - face % 2) > 1e-10 ||
+            if (std::abs(unit[face / 2] - face % 2) > arithmetic::same_unit ||
                 hangs.count(numbers[i]) > 0)
               continue;
             const SurfacePoint point = face_point(cell, face, unit);
@@ -394,7 +396,7 @@ namespace lamella
           {
             const Point<3> &unit = element.unit_node(i);
             if ((face == numbers::invalid_unsigned_int ||
-                 std::abs(unit[face / 2] - face % 2) < 1e-10) &&
+                 std::abs(unit[face / 2] - face % 2) < arithmetic::same_unit) &&
                 seen.insert(nodes[i]).second)
               locations.push_back({placement.to_scene(mesh.nodes()[nodes[i]]),
                                    mesh.cells()[cell].ply,
@@ -557,7 +559,8 @@ namespace lamella
     in_section[0] = d[0];
     in_section[1] = d[2];
     const double tolerance =
-      1e-8 * Tensor<1, 2>({box.side_length(0), box.side_length(2)}).norm();
+      arithmetic::same_place_across *
+      Tensor<1, 2>({box.side_length(0), box.side_length(2)}).norm();
 
     std::vector<std::pair<BoundingBox<3>, unsigned int>> near;
     BoundingBox<3> around(std::vector<Point<3>>{a, b});
@@ -573,7 +576,7 @@ namespace lamella
           return mesh.nodes()[nodes[v]];
         };
         std::vector<double> crossings;
-        if (std::abs(d[1]) > 1e-10 * axis_length)
+        if (std::abs(d[1]) > arithmetic::same_place_along * axis_length)
           for (const unsigned int v : {0, 2})
             crossings.push_back((corner(v)[1] - a[1]) / d[1]);
         if (in_section.norm() > tolerance)
@@ -586,7 +589,8 @@ namespace lamella
               cell, v, w, {a[0], a[2]}, in_section, tolerance, crossings);
         // Not where the line meets the planes of cells further away.
         for (const double t : crossings)
-          if (grown(cell_box, 1e-6).point_inside(a + t * d))
+          if (grown(cell_box, arithmetic::same_in_element)
+                .point_inside(a + t * d))
             breaks.push_back(t);
       }
     return tidy_breaks(std::move(breaks));
@@ -600,7 +604,7 @@ namespace lamella
     const Tensor<1, 3> d          = placement.vector_to_body(to - from);
     unsigned int       directions = 0;
     for (unsigned int c = 0; c < 3; ++c)
-      directions += std::abs(d[c]) > 1e-10 * d.norm();
+      directions += std::abs(d[c]) > arithmetic::same_place_along * d.norm();
     return degree() * directions;
   }
 } // namespace lamella

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <lamella/base/arithmetic.h>
 #include <lamella/base/gauss_lobatto_basis.h>
 #include <lamella/body/surface_topology.h>
 
@@ -50,7 +51,7 @@ namespace lamella
   std::optional<unsigned int>
   SurfaceTopology::grid_node(const Location::Place &place) const
   {
-    constexpr double rounding = 1e-6;
+    constexpr double rounding = arithmetic::same_in_element;
     const auto [begin, end]   = facets_of_cell.equal_range(place.cell);
     for (auto it = begin; it != end; ++it)
       {

@@ -45,6 +45,9 @@ namespace lamella
     /// Of the length of an axis, or of the sides of a section: likewise, where
     /// a section or a wall may be a hundredth of it.
     constexpr double same_place_along = 1e-10;
+    /// Of the diagonal of a section: likewise, through the inverse of a map
+    /// that may be curved.
+    constexpr double same_place_across = 1e-8;
     /// Of the length of an element, a cell or a side: likewise, where nothing
     /// shorter than it can be meant.
     constexpr double same_in_element = 1e-6;
