@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <lamella/base/arithmetic.h>
 #include <lamella/base/exceptions.h>
 #include <lamella/base/text.h>
 #include <lamella/body/line_crossings.h>
@@ -193,7 +194,7 @@ namespace lamella
     const auto    found = located(body, rule.points, path);
     // What lies in one ply only belongs to either side. A piece that is thin
     // enough for the search to find it in both plies makes no interface.
-    constexpr double sliver = 1e-6;
+    constexpr double sliver = arithmetic::integrated;
     double           in_two = 0.;
     for (unsigned int i = 0; i < found.size(); ++i)
       in_two += found[i].size() > 1 ? rule.weights[i] : 0.;

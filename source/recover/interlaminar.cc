@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <lamella/base/arithmetic.h>
 #include <lamella/base/exceptions.h>
 #include <lamella/base/lagrange.h>
 #include <lamella/recover/interlaminar.h>
@@ -23,7 +24,7 @@ namespace lamella
     constexpr unsigned int xx = 0, yy = 1, zz = 2, xy = 3, xz = 4, yz = 5;
 
     // Of lengths, what is rounding.
-    constexpr double rounding = 1e-8;
+    constexpr double rounding = arithmetic::same_place_across;
 
 
 
@@ -202,7 +203,7 @@ namespace lamella
       face.normal    = upper ? axes[2] : -axes[2];
       face.along_s   = axes[0];
       face.along_t   = axes[1];
-      face.tolerance = 1e-6 * box.size[2];
+      face.tolerance = arithmetic::same_in_element * box.size[2];
       return face;
     }
 
@@ -221,7 +222,7 @@ namespace lamella
       face.normal    = side == 1 ? axes[0] : -axes[0];
       face.along_s   = axes[1];
       face.along_t   = axes[2];
-      face.tolerance = 1e-6 * box.size[2];
+      face.tolerance = arithmetic::same_in_element * box.size[2];
       return face;
     }
 
@@ -252,8 +253,9 @@ namespace lamella
       // no digits.
       const auto [low, high] =
         std::minmax_element(points.begin(), points.end());
-      const double       origin = *low, length = std::max(*high - *low, 1e-300);
-      const unsigned int n = degree + 1;
+      const double origin = *low,
+                   length = std::max(*high - *low, arithmetic::above_zero);
+      const unsigned int               n = degree + 1;
       std::vector<std::vector<double>> values(points.size());
       std::vector<std::vector<double>> here(n);
       for (unsigned int k = 0; k < n; ++k)
@@ -298,7 +300,7 @@ namespace lamella
   double
   ClosureError::relative() const
   {
-    constexpr double nothing = 1e-6;
+    constexpr double nothing = arithmetic::dependent;
     return error > nothing * in_plane ? error / largest : 0.;
   }
 
@@ -431,7 +433,7 @@ namespace lamella
   const EquilibriumStress::Column &
   EquilibriumStress::column_at(const double x, const double y)
   {
-    const double              unit = 1e-9 * box.size.norm();
+    const double              unit = arithmetic::same_place * box.size.norm();
     const std::array<long, 2> key{
       {std::lround(x / unit), std::lround(y / unit)}};
     const auto known = columns.find(key);
@@ -470,7 +472,7 @@ namespace lamella
                              const Point<3>    &through) const
   {
     // Of the ratio to an element's length.
-    constexpr double       same  = 1e-6;
+    constexpr double       same  = arithmetic::same_in_element;
     constexpr unsigned int least = 3, most_derivatives = 4;
 
     Point<3> begin = through, end = through;
@@ -548,7 +550,7 @@ namespace lamella
   const EquilibriumStress::Sampled &
   EquilibriumStress::sampled_at(const Point<3> &x, const unsigned int ply)
   {
-    const double        unit = 1e-9 * box.size.norm();
+    const double        unit = arithmetic::same_place * box.size.norm();
     std::array<long, 3> key;
     for (unsigned int d = 0; d < 3; ++d)
       key[d] = std::lround(x[d] / unit);
@@ -591,7 +593,7 @@ namespace lamella
                                  const std::vector<Layer> &layers,
                                  const double              y)
   {
-    const double unit = 1e-9 * box.size.norm();
+    const double unit = arithmetic::same_place * box.size.norm();
     const auto [known, is_new] =
       edges.try_emplace({{long(side), std::lround(y / unit)}});
     if (!is_new)
@@ -631,7 +633,7 @@ namespace lamella
                                  const double              x,
                                  const double              y)
   {
-    constexpr double       nothing = 1e-12;
+    constexpr double       nothing = arithmetic::rounding_of_results;
     std::vector<EdgeShare> shares(layers.size() * samples.size());
     for (const unsigned int side : {0, 1})
       {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <lamella/base/arithmetic.h>
 #include <lamella/base/entry.h>
 #include <lamella/body/fields.h>
 #include <lamella/recover/named_quantity.h>
@@ -523,8 +524,8 @@ namespace lamella
     require_ply(quantity, plies);
     const auto [least, greatest] =
       std::minmax_element(values.begin(), values.end());
-    if (*greatest - *least >
-        1e-9 * std::max(std::abs(*least), std::abs(*greatest)))
+    if (*greatest - *least > arithmetic::negligible *
+                               std::max(std::abs(*least), std::abs(*greatest)))
       refuse_interface(quantity, plies);
     return values.front();
   }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <lamella/base/arithmetic.h>
 #include <lamella/recover/pressed_patch.h>
 
 #include <algorithm>
@@ -14,7 +15,7 @@ namespace lamella
   namespace
   {
     // Coordinates closer than this share of the contact's extent are the same.
-    constexpr double same = 1e-6;
+    constexpr double same = arithmetic::same_in_element;
     // Points that a line has at least, on average.
     constexpr double least_on_line = 3.;
 

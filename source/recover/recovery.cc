@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <lamella/base/arithmetic.h>
 #include <lamella/base/lagrange.h>
 #include <lamella/recover/recovery.h>
 
@@ -361,7 +362,7 @@ namespace lamella
           for (unsigned int c = 0; c < 3; ++c)
             largest = std::max(largest, std::abs(map[c][d]));
           for (unsigned int c = 0; c < 3; ++c)
-            n += std::abs(map[c][d]) > 1e-6 * largest;
+            n += std::abs(map[c][d]) > arithmetic::parallel * largest;
           if (n > 1)
             return false;
         }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <lamella/base/arithmetic.h>
 #include <lamella/base/exceptions.h>
 #include <lamella/base/text.h>
 #include <lamella/recover/interlaminar.h>
@@ -111,7 +112,8 @@ namespace lamella
       return false;
     const LaminateBox box =
       laminate_box(*bodies[probe.body], entry_of("Probe", probe));
-    const bool is_level = std::abs(box.frame.axes[2][2]) > 1. - 1e-12;
+    const bool is_level =
+      std::abs(box.frame.axes[2][2]) > 1. - arithmetic::rounding_of_results;
     return column == "s33" ||
            (is_level &&
             (column == "szz" || column == "sxz" || column == "syz"));
@@ -460,7 +462,7 @@ namespace lamella
         last = &row;
       }
     // Tractions that are rounding of the other stresses jump by nothing.
-    if (traction > 1e-9 * component)
+    if (traction > arithmetic::negligible * component)
       {
         jump.of_stress   = largest_jump / component;
         jump.of_traction = largest_jump / traction;

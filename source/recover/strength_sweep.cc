@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <lamella/base/arithmetic.h>
 #include <lamella/base/exceptions.h>
 #include <lamella/base/processes.h>
 #include <lamella/base/text.h>
@@ -237,7 +238,8 @@ namespace lamella
       leave_out.begin(), leave_out.end(), [&x](const auto &box) {
         for (unsigned int c = 0; c < 3; ++c)
           {
-            const double rounding = 1e-9 * (box[1] - box[0]).norm();
+            const double rounding =
+              arithmetic::same_place * (box[1] - box[0]).norm();
             if (x[c] < box[0][c] - rounding || x[c] > box[1][c] + rounding)
               return false;
           }
@@ -297,7 +299,7 @@ namespace lamella
           end = body.dof_position(dof);
       const double length = end.distance(start);
       direction           = (end - start) / length;
-      same                = 1e-9 * length;
+      same                = arithmetic::same_place * length;
     }
 
     void
@@ -412,8 +414,8 @@ namespace lamella
         // Unstressed, all points are alike.
         if (largest[t] == 0. && result[t].size() > 1)
           result[t].resize(1);
-        result[t] =
-          without_repetitions(std::move(result[t]), 1e-9 * body.size());
+        result[t] = without_repetitions(std::move(result[t]),
+                                        arithmetic::same_place * body.size());
       }
     return result;
   }
@@ -668,8 +670,9 @@ namespace lamella
     const PlyReserve *worst = worst_of(rows);
     if (worst == nullptr || !worst->reserve)
       return "";
-    const Point<3> &x    = worst->position;
-    const double    near = 1e-6 * bodies[worst->body]->size();
+    const Point<3> &x = worst->position;
+    const double    near =
+      arithmetic::same_in_element * bodies[worst->body]->size();
 
     std::string why;
     for (const Load &load : loads)
