@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <lamella/base/arithmetic.h>
 #include <lamella/linear/factorisation.h>
 #include <lamella/section/embedding.h>
 
@@ -28,7 +29,7 @@ namespace lamella
   {
     if (a.n_cells() != b.n_cells())
       return false;
-    constexpr double rounding = 1e-9;
+    constexpr double rounding = arithmetic::same_place;
     const double     size     = a.extents().second;
     const Point<2>   middle(0.5, 0.5);
     for (unsigned int cell = 0; cell < a.n_cells(); ++cell)

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <lamella/base/arithmetic.h>
 #include <lamella/section/lagrange_element.h>
 
 #include <deal.II/base/quadrature_lib.h>
@@ -99,7 +100,8 @@ namespace lamella
       for (const Point<2> &node : nodes)
         all.push_back(node[d]);
       std::sort(all.begin(), all.end());
-      const double        tolerance = 1e-9 * (all.back() - all.front());
+      const double tolerance =
+        arithmetic::same_place * (all.back() - all.front());
       std::vector<double> values;
       for (const double value : all)
         if (values.empty() || value - values.back() > tolerance)
@@ -382,7 +384,7 @@ namespace lamella
             gradient += to_real * geometry.fe().shape_grad(i, unit);
           }
         // At a node the others vanish exactly, and rows there stay short.
-        if (std::abs(value) < 1e-14)
+        if (std::abs(value) < arithmetic::rounding)
           value = 0.;
         if (function.kind != LocalFunction::Kind::nodal)
           gradient[across] = 0.;
@@ -429,7 +431,7 @@ namespace lamella
       for (unsigned int i = 0; i < fe.n_dofs_per_cell(); ++i)
         {
           const Point<2> unit = fe.unit_support_point(i);
-          if (std::abs(unit[f / 2] - f % 2) > 1e-12)
+          if (std::abs(unit[f / 2] - f % 2) > arithmetic::rounding_of_results)
             continue;
           const unsigned int node  = grid.nodes_of_cell(c)[i];
           EdgePoint         &point = found[node];

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <lamella/base/arithmetic.h>
 #include <lamella/linear/factorisation.h>
 #include <lamella/section/saint_venant.h>
 
@@ -292,7 +293,7 @@ namespace lamella
                  half = 0.5 * (c[M_x][M_x] - c[M_z][M_z]), mixed = c[M_x][M_z],
                  radius = std::hypot(half, mixed);
     result.EI           = {{1. / (mean - radius), 1. / (mean + radius)}};
-    if (radius > 1e-9 * mean)
+    if (radius > arithmetic::negligible * mean)
       result.angle = 0.5 * std::atan2(-mixed, -half) * 180. / numbers::PI;
 
     // A force at the offset (x, z) has M_x = -z F_y, M_z = x F_y and M_y = z

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <lamella/base/arithmetic.h>
 #include <lamella/linear/hermitian.h>
 #include <lamella/section/section_response.h>
 
@@ -9,7 +10,7 @@ namespace lamella
   SectionResponse::at(const double k, const std::vector<Vector> &loads) const
   {
     // Of the larger part.
-    constexpr double nothing = 1e-10;
+    constexpr double nothing = arithmetic::rounding_of_solutions;
     Matrix           P(section.S(0, 0).get_sparsity_pattern()),
       Q(P.get_sparsity_pattern());
     P.copy_from(section.S(0, 0));

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <lamella/base/arithmetic.h>
 #include <lamella/base/gauss_lobatto_basis.h>
 #include <lamella/base/independent_rows.h>
 #include <lamella/base/orthogonal.h>
@@ -22,7 +23,7 @@ namespace lamella
   {
     // What is left of a polynomial without its parts along the others must be
     // more than the rounding of those parts.
-    constexpr double dependent = 1e-10;
+    constexpr double dependent = arithmetic::rounding_of_solutions;
 
     // On curved cells the polynomials of x and z are of three times the degree
     // in the cell's own coordinates, but nearly of the same: these points more
