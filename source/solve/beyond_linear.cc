@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <lamella/base/arithmetic.h>
 #include <lamella/base/exceptions.h>
 #include <lamella/base/text.h>
 #include <lamella/body/second_order.h>
@@ -161,7 +162,8 @@ namespace lamella
       // Of mu; its error is of the square of the residual. What is far away
       // need not be known as well as what is near.
       constexpr double settled = 1e-2, settled_far = 0.15;
-      constexpr double of_springs = 0.5, rounding = 1e-10;
+      constexpr double of_springs = 0.5,
+                       rounding   = arithmetic::rounding_of_solutions;
 
       // Forces anywhere excite all modes; what is soft answers most.
       std::mt19937                           random(1);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <lamella/base/arithmetic.h>
 #include <lamella/base/exceptions.h>
 #include <lamella/base/text.h>
 #include <lamella/solve/checks.h>
@@ -146,7 +147,7 @@ namespace lamella
     find_centres(std::vector<Resultant> &reactions, const double size)
     {
       // Of the moment over the size of the scene.
-      constexpr double rounding = 1e-9;
+      constexpr double rounding = arithmetic::negligible;
       for (Resultant &reaction : reactions)
         if (reaction.force.norm() * size > rounding * reaction.moment.norm())
           reaction.centre_of_pressure =
@@ -429,7 +430,7 @@ namespace lamella
     {
       // Reactions below that share of what heat would do to a body that is
       // held, or of loads that balance each other, are rounding.
-      constexpr double of_heat   = 1e-6;
+      constexpr double of_heat   = arithmetic::integrated;
       const Structure &structure = tangent.of();
       double           rounding  = 0.;
       for (unsigned int b = 0; b < structure.bodies().size(); ++b)

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <lamella/base/arithmetic.h>
 #include <lamella/linear/dense_cholesky.h>
 #include <lamella/solve/complementarity.h>
 
@@ -12,12 +13,12 @@ namespace lamella
   namespace
   {
     // Of the sum of all terms of an s_i.
-    constexpr double rounding = 1e-14;
+    constexpr double rounding = arithmetic::rounding;
     // Rounds of pivoting before the interior point method, and how many of them
     // may fail to lower the number of wrong rows.
     constexpr unsigned int first_rounds = 10, patience = 3;
     // Of lambda^T s over lambda^T M lambda, where the interior point ends.
-    constexpr double       interior_tolerance      = 1e-14;
+    constexpr double       interior_tolerance      = arithmetic::rounding;
     constexpr unsigned int max_interior_iterations = 60;
 
 
