@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <lamella/base/arithmetic.h>
 #include <lamella/base/exceptions.h>
 #include <lamella/base/text.h>
 #include <lamella/contact/assumptions.h>
@@ -46,8 +47,8 @@ namespace lamella
                   const ContactInterface &b,
                   const Bodies           &bodies)
     {
-      const unsigned int    body      = a.first_body;
-      const double          tolerance = 1e-9 * bodies[body]->size();
+      const unsigned int body = a.first_body;
+      const double tolerance  = arithmetic::same_place * bodies[body]->size();
       std::vector<Point<3>> positions, shared;
       for (const ContactInterface::Point &point : b.points)
         positions.push_back(on_body(b, point, body));
@@ -106,9 +107,10 @@ namespace lamella
           if (!same_bodies(a, b))
             continue;
           const std::vector<Point<3>> shared = shared_places(a, b, bodies);
-          if (shared.empty() ||
-              (is_weighted(a) && is_weighted(b) &&
-               are_collinear(shared, 1e-6 * bodies[a.first_body]->size())))
+          if (shared.empty() || (is_weighted(a) && is_weighted(b) &&
+                                 are_collinear(shared,
+                                               arithmetic::parallel *
+                                                 bodies[a.first_body]->size())))
             continue;
           throw InputError(
             "Contact " + a.name,

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <lamella/base/arithmetic.h>
 #include <lamella/base/inverse_map.h>
 #include <lamella/contact/mesh_surface.h>
 
@@ -49,7 +50,7 @@ namespace lamella
   {
     // The error of an iterate is at most a few times its last change.
     constexpr unsigned int max_iterations = 50;
-    constexpr double       small = 1e-14, accepted = 1e-11;
+    constexpr double       small = arithmetic::rounding, accepted = 1e-11;
 
     Tensor<1, 3> n   = n1;
     auto         hit = other.meet(x, n, reach);
@@ -154,7 +155,8 @@ namespace lamella
     for (const Point<3> &node : facet.map.control_points())
       facet.radius = std::max(facet.radius, node.distance(facet.centre));
     // Between its nodes a curve may leave their ball a little.
-    facet.radius *= facet.map.is_straight() ? 1. + 1e-6 : 1.1;
+    facet.radius *=
+      facet.map.is_straight() ? 1. + arithmetic::same_in_element : 1.1;
 
     const GaussLobattoBasis &s = *facet.trace_s, &t = *facet.trace_t;
     for (unsigned int k = 0; k < from.trace.size(); ++k)
@@ -268,7 +270,8 @@ namespace lamella
         facet.is_flat = facet.map.is_affine();
         for (const unsigned int k : facet.grid_nodes)
           facet.is_flat =
-            facet.is_flat && (nodes[k].normal - facet.normal).norm() < 1e-13;
+            facet.is_flat && (nodes[k].normal - facet.normal).norm() <
+                               arithmetic::rounding_of_sums;
       }
   }
 
@@ -289,7 +292,8 @@ namespace lamella
       {
         const auto  &x = facet.map.control_points();
         const double margin =
-          (facet.map.is_straight() ? 1e-6 : 0.1) * facet.radius;
+          (facet.map.is_straight() ? arithmetic::same_in_element : 0.1) *
+          facet.radius;
         Point<3> low = to_frame(x[0]), high = low;
         for (const Point<3> &node : x)
           for (unsigned int c = 0; c < 3; ++c)
@@ -380,7 +384,7 @@ namespace lamella
                           const Point<3>     &x,
                           const Tensor<1, 3> &d) const
   {
-    constexpr double accepted = 1e-12, lost = 10.;
+    constexpr double accepted = arithmetic::rounding_of_results, lost = 10.;
 
     const Facet       &facet     = all_facets[number];
     const Tensor<1, 3> to_centre = facet.centre - x;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <lamella/base/arithmetic.h>
 #include <lamella/base/exceptions.h>
 #include <lamella/base/text.h>
 #include <lamella/contact/search_check.h>
@@ -16,9 +17,9 @@ namespace lamella
   namespace
   {
     // Of a row's area: less is rounding.
-    constexpr double same_area = 1e-6;
+    constexpr double same_area = arithmetic::integrated;
     // Of the displacements: what is not rounding.
-    constexpr double touching = 1e-9;
+    constexpr double touching = arithmetic::negligible;
     // Of the widest gap of those that come to touch, with some room.
     constexpr double enough = 1.2;
   } // namespace

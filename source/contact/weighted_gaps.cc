@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <lamella/base/arithmetic.h>
 #include <lamella/base/inverse_map.h>
 #include <lamella/contact/segments.h>
 #include <lamella/contact/weighted_gaps.h>
@@ -18,7 +19,7 @@ namespace lamella
   {
     // Relative to the hat function's own integral: what faces less of the other
     // side does so by rounding.
-    constexpr double smallest_share = 1e-12;
+    constexpr double smallest_share = arithmetic::rounding_of_results;
 
     // cos 60: normals further from opposed do not face each other; cos 80: nor
     // do those of a point in the middle of others that do.
@@ -284,7 +285,7 @@ namespace lamella
           candidates.push_back(segment.facet);
           covered += segment.area;
         }
-      const bool layered = covered > (1. + 1e-6) * plane.area;
+      const bool layered = covered > (1. + arithmetic::integrated) * plane.area;
       for (const Segment &segment : segments)
         add_segment(cell, plane, segment, candidates, layered);
     }
@@ -432,7 +433,7 @@ namespace lamella
                                                point.position,
                                                on_own->normal,
                                                reach);
-          const double rounding = 1e-9 * mesh.body().size();
+          const double rounding = arithmetic::same_place * mesh.body().size();
           if (nearest && std::abs(nearest->distance) + rounding <
                            std::abs(on_own->hit.distance))
             return {};
