@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <lamella/base/arithmetic.h>
 #include <lamella/base/exceptions.h>
 #include <lamella/base/text.h>
 #include <lamella/contact/gap_rows.h>
@@ -14,7 +15,7 @@ namespace lamella
   namespace
   {
     // A difference in the number of cells that is none.
-    constexpr double same_grid = 1e-6;
+    constexpr double same_grid = arithmetic::alike;
 
 
 
@@ -509,7 +510,7 @@ namespace lamella
             row.gap_rate = gap.normal * contact.obstacle->displacement;
           // Bodies that touch have a gap of rounding only.
           const double rounding =
-            1e-14 * (gap.position.norm() + gap.opposite.norm());
+            arithmetic::rounding * (gap.position.norm() + gap.opposite.norm());
           row.initial_gap = std::abs(gap.gap) < rounding ? 0. : gap.gap;
           row.enforcement = contact.enforcement;
           row.penalty =
@@ -614,67 +615,6 @@ namespace lamella
       if (row >= firsts[contact] && row < firsts[contact + 1])
         result.push_back(row - firsts[contact]);
     return result;
-  }
-
-
-
-  namespace
-  {
-    /// Where @p side of the contact @p name lies in @p body; the ply of each
-    /// place as it was.
-    std::vector<Location>
-    places_in(const Body        &body,
-              const RowGeometry &side,
-              const std::string &name)
-    {
-      std::vector<Point<3>> positions;
-      for (const Location &place : side.places)
-        positions.push_back(place.position);
-      const auto            found = body.locate(positions);
-      std::vector<Location> places;
-      for (unsigned int k = 0; k < found.size(); ++k)
-        {
-          if (found[k].empty())
-            throw InputError("Contact " + name,
-                             "",
-                             "body '" + body.name() + "' has no point at " +
-                               to_text(positions[k]) +
-                               ", where the contact loads it",
-                             "Give both discretisations the same geometry.");
-          const auto same =
-            std::find_if(found[k].begin(),
-                         found[k].end(),
-                         [&](const Location &location) {
-                           return location.ply == side.places[k].ply;
-                         });
-          places.push_back(same == found[k].end() ? found[k][0] : *same);
-        }
-      return places;
-    }
-  } // namespace
-
-
-
-  std::vector<GapRow>
-  rows_on(const ContactInterface &contact, const Bodies &bodies)
-  {
-    std::vector<GapRow> rows;
-    for (const GapRow &row : contact.rows)
-      rows.push_back(
-        {{}, row.initial_gap, row.gap_rate, row.enforcement, row.penalty});
-    const auto add = [&](const unsigned int index, const RowGeometry &side) {
-      const auto parts =
-        body_rows(index,
-                  *bodies[index],
-                  places_in(*bodies[index], side, contact.name),
-                  side);
-      for (unsigned int k = 0; k < rows.size(); ++k)
-        rows[k].parts.push_back(parts[k]);
-    };
-    add(contact.first_body, contact.first);
-    if (contact.second_body)
-      add(*contact.second_body, contact.second);
-    return rows;
   }
 
 

@@ -377,18 +377,6 @@ namespace lamella
   ContactInterface
   make_interface(const ContactPair &contact, const Bodies &bodies);
 
-  /**
-   * The rows of @p contact on @p bodies, the same bodies (same numbers, same
-   * geometry) in another discretisation: the same places, weights, gaps and
-   * penalties, so forces of the one are forces of the other. Places are located
-   * anew, in the ply that they were in if it is there. Nothing is searched or
-   * paired.
-   *
-   * Throws InputError if one of the places is not in the body there.
-   */
-  std::vector<GapRow>
-  rows_on(const ContactInterface &contact, const Bodies &bodies);
-
   /// make_interface() with places up to @p reach [length] apart, whatever the
   /// search distance; the names of the surfaces are taken for checked. Throws
   /// InputError as make_interface() does.

@@ -18,7 +18,7 @@ namespace lamella
    * function needs no more of a body than that; B of the DoFs is W times the
    * displacement rows of Body::rows(). So the same body in another
    * discretisation can be given the same gaps, and be loaded with the same
-   * contact forces (rows_on()).
+   * contact forces; a body that has moved, gaps about where it is now.
    *
    * For pairs of points a row has one place and its weight is -n on First or n
    * on Second; for weighted gaps the places are the trace nodes of the facets
