@@ -381,13 +381,4 @@ namespace lamella
     return result;
   }
 
-
-
-  LocalErrors
-  Localisation::energy_errors() const
-  {
-    BlockVector error = fine.results().last().state.u;
-    error -= on_fine(coarse.results().last().state.u);
-    return of_elements(error);
-  }
 } // namespace lamella

@@ -47,12 +47,6 @@ namespace lamella
     std::optional<LocalErrors>
     errors(const NamedQuantity &goal, const double change) const;
 
-    /// What elements do to the energy of the error e = u_h - u_H, whatever the
-    /// goal: r . (e - I e), node by node as above. It is what marking by the
-    /// residual alone goes by; `contact` and `remainder` are left zero.
-    LocalErrors
-    energy_errors() const;
-
   private:
     /// J'_u, and J'_lambda of the active rows.
     struct Derivative

@@ -97,13 +97,6 @@ namespace lamella
                                        alpha - first_mode() + n_rigid);
     }
 
-    /// Its inverse: the field that is the dense one @p dense.
-    unsigned int
-    dense_field(const unsigned int dense) const
-    {
-      return dense < n_rigid ? dense : dense - n_rigid + first_mode();
-    }
-
     /// Coarse fields are eliminated before others (SectionField::level); modes
     /// are warping.
     unsigned int
