@@ -151,14 +151,12 @@ namespace lamella
                              const std::vector<HeldSection> &held)
   {
     std::vector<unsigned int> result;
-    if (rules.clamps != FieldRules::Clamps::tractions)
-      for (const HeldSection &one : held)
-        {
-          const auto &zones = zones_of(one);
-          result.insert(result.end(), zones.begin(), zones.end());
-        }
-    if (!touch.is_free &&
-        (result.empty() || rules.clamps == FieldRules::Clamps::both))
+    for (const HeldSection &one : held)
+      {
+        const auto &zones = zones_of(one);
+        result.insert(result.end(), zones.begin(), zones.end());
+      }
+    if (!touch.is_free && result.empty())
       result.push_back(group_of(touch));
     return result;
   }

@@ -92,6 +92,19 @@ namespace
 
 
 
+  /// Where tractions of the warpings stand in for them.
+  FieldRules
+  without_end_fields()
+  {
+    EndFieldRules ends;
+    ends.most_dofs = 0.;
+    FieldRules rules;
+    rules.ends = std::make_shared<EndFields>(ends);
+    return rules;
+  }
+
+
+
   /// An axis of B4 that is graded to both of its ends.
   BodyDescription
   graded(const std::string &theory, const std::string &section)
@@ -377,10 +390,9 @@ BOOST_AUTO_TEST_CASE(responses_stay_near_what_they_answer)
     BOOST_TEST(beam_of(sv).dofs().fields(node).size() == 12);
 
   // Those to tractions: end fields have reaches of their own.
-  FieldRules rules;
-  rules.clamps      = FieldRules::Clamps::tractions;
-  const Bodies six  = chosen(description("SV-6"), {clamp()}, {patch()}, rules);
-  const Beam  &beam = beam_of(six);
+  const Bodies six =
+    chosen(description("SV-6"), {clamp()}, {patch()}, without_end_fields());
+  const Beam        &beam = beam_of(six);
   const unsigned int near = fields_at(beam, 10.5), far = fields_at(beam, 5.),
                      held = fields_at(beam, 0.);
   BOOST_TEST_MESSAGE("fields near, far, at the clamp " << near << " " << far
@@ -614,18 +626,13 @@ BOOST_AUTO_TEST_CASE(end_fields_against_all_fields)
   // A laminate that couples bending and twist, with end fields and with the
   // tractions of its warpings against all of its fields: the stresses from half
   // a height off the clamp on, over the largest there.
-  const auto solve = [](const std::string       &theory,
-                        const FieldRules::Clamps clamps) {
-    FieldRules rules;
-    rules.clamps = clamps;
+  const auto solve = [](const std::string &theory, const FieldRules &rules) {
     Bodies bodies =
       chosen(graded(theory, "coupled"), {clamp()}, {patch()}, rules);
     return solve_linear(std::move(bodies[0]), {clamp()}, {patch()});
   };
-  using Clamps           = FieldRules::Clamps;
-  const Solved full      = solve("LE-2", Clamps::end_fields),
-               ends      = solve("SV-6", Clamps::end_fields),
-               tractions = solve("SV-6", Clamps::tractions);
+  const Solved full = solve("LE-2", {}), ends = solve("SV-6", {}),
+               tractions = solve("SV-6", without_end_fields());
   const auto error       = [&](const Solved &solved) {
     double worst = 0., largest = 0.;
     for (const double y : {0.5, 0.8, 1.2, 2., 3.1, 19.3})

@@ -2,8 +2,10 @@
 
 // The room `adapt`: what of a theory a scene wants where. It owns the choice of
 // the fields that each node of a beam carries, made from what touches the
-// bodies: it asks conditions and contacts and makes bodies anew. It never
-// solves and never looks at a solution.
+// bodies: it asks conditions and contacts and makes bodies anew. What it solves
+// are sections (their states and responses) and short pieces of a beam at an
+// end (end_fields()); it never solves the scene and never looks at a solution
+// of it.
 
 #ifndef lamella_adapt_node_fields_h
 #define lamella_adapt_node_fields_h
@@ -39,18 +41,10 @@ namespace lamella
     /// Responses reach this many H beyond the elements that are touched, and
     /// those to tractions of a clamp this many times the larger extent.
     double reach = 2., reach_of_clamp = 1.5;
-    /// What stands in for a support that holds a section as a whole: end
-    /// fields, each up to where its zone ends (EndFieldRules); the tractions
-    /// S_10 w and S_11 w of the six warpings w as load vectors; or both. Where
-    /// there are no end fields tractions stand in.
-    enum class Clamps
-    {
-      end_fields,
-      tractions,
-      both
-    };
-    Clamps clamps = Clamps::end_fields;
-    /// Who makes these: models of one scene that share it have them made once.
+    /// Who makes what stands in for a support that holds a section as a whole:
+    /// end fields, each up to where its zone ends (EndFieldRules); where there
+    /// are none, the tractions S_10 w and S_11 w of the six warpings w as load
+    /// vectors. Models of one scene that share it have them made once.
     std::shared_ptr<EndFields> ends = std::make_shared<EndFields>();
     /// A body keeps all fields of its section where its nodes would carry more
     /// than this share of them on average, or where its axis has no more nodes
