@@ -2,20 +2,12 @@
 
 #include <lamella/base/entry.h>
 #include <lamella/base/patterns.h>
-#include <lamella/conditions/hold.h>
-#include <lamella/conditions/parameters.h>
-#include <lamella/contact/parameters.h>
-#include <lamella/material/parameters.h>
-#include <lamella/material/plausibility.h>
-#include <lamella/scene/scene.h>
 #include <lamella/scene/size_check.h>
 #include <lamella/scene/stacks.h>
-#include <lamella/scene/theory_notes.h>
-#include <lamella/shape/parameters.h>
+#include <lamella/scene/subsection_kinds.h>
 #include <lamella/shape/properties.h>
 
 #include <algorithm>
-#include <filesystem>
 #include <regex>
 #include <set>
 #include <sstream>
@@ -29,30 +21,6 @@ namespace lamella
 
   namespace
   {
-    /// The lists of names that a scene begins with, and the subsection of each.
-    const std::vector<std::pair<std::string, std::string>> &
-    kinds()
-    {
-      static const std::vector<std::pair<std::string, std::string>> all{
-        {"Materials", "Material"},
-        {"Sections", "Section"},
-        {"Bodies", "Body"},
-        {"Supports", "Support"},
-        {"Loads", "Load"},
-        {"Obstacles", "Obstacle"},
-        {"Contacts", "Contact"},
-        {"Probes", "Probe"},
-        {"Lines", "Line"},
-        {"Cuts", "Cut"},
-        {"Measures", "Measure"}};
-      return all;
-    }
-
-    /// The names in each of these lists.
-    using NameLists = std::map<std::string, std::vector<std::string>>;
-
-
-
     void
     declare_scene(ParameterHandler &prm)
     {
@@ -93,25 +61,12 @@ namespace lamella
         "What is sought after the load factors: `first failure`, the load "
         "factor at which the smallest reserve factor of subsection Strength is "
         "1, to 0.1 %, contact solved anew at each trial.");
-      for (const auto &[list, kind] : kinds())
-        prm.declare_entry(list,
+      for (const SubsectionKind &kind : subsection_kinds())
+        prm.declare_entry(kind.list,
                           "",
                           Anything(),
                           "Names between commas; each has a subsection '" +
-                            kind + " NAME'.");
-    }
-
-
-
-    void
-    declare_references(ParameterHandler &prm)
-    {
-      prm.declare_entry(
-        "References",
-        "",
-        Anything(),
-        "Values to print beside the resultant, quantity: value: "
-        "source, between '|'. Quantities: fx, fy, fz.");
+                            kind.kind + " NAME'.");
     }
 
 
@@ -120,34 +75,11 @@ namespace lamella
     declare_all(ParameterHandler &prm, const NameLists &names)
     {
       declare_scene(prm);
-      for (const auto &[list, kind] : kinds())
-        for (const std::string &name : names.at(list))
+      for (const SubsectionKind &kind : subsection_kinds())
+        for (const std::string &name : names.at(kind.list))
           {
-            prm.enter_subsection(kind + " " + name);
-            if (kind == "Material")
-              MaterialParameters::declare(prm);
-            else if (kind == "Section")
-              SectionParameters::declare(prm);
-            else if (kind == "Body")
-              BodyParameters::declare(prm);
-            else if (kind == "Support")
-              SupportParameters::declare(prm);
-            else if (kind == "Load")
-              LoadParameters::declare(prm);
-            else if (kind == "Obstacle")
-              ObstacleParameters::declare(prm);
-            else if (kind == "Contact")
-              ContactParameters::declare(prm);
-            else if (kind == "Probe")
-              ProbeParameters::declare(prm);
-            else if (kind == "Line")
-              LineParameters::declare(prm);
-            else if (kind == "Cut")
-              CutParameters::declare(prm);
-            else if (kind == "Measure")
-              MeasureParameters::declare(prm);
-            if (kind == "Support" || kind == "Contact")
-              declare_references(prm);
+            prm.enter_subsection(kind.kind + " " + name);
+            kind.declare(prm);
             prm.leave_subsection();
           }
       prm.enter_subsection("Goals");
@@ -174,12 +106,12 @@ namespace lamella
       text.fill(prm, /*top_level_only=*/true);
       const Entries in(prm, "");
       NameLists     names;
-      for (const auto &[list, kind] : kinds())
+      for (const SubsectionKind &kind : subsection_kinds())
         {
-          const Entry entry = in[list];
-          names[list]       = entry.items();
+          const Entry entry = in[kind.list];
+          names[kind.list]  = entry.items();
           std::set<std::string> seen;
-          for (const std::string &name : names[list])
+          for (const std::string &name : names[kind.list])
             {
               if (!std::regex_match(name, form))
                 entry.refuse("'" + name + "' is not a name",
@@ -202,176 +134,29 @@ namespace lamella
 
 
 
-    SectionShape
-    parse_section(ParameterHandler               &prm,
-                  const Entries                  &in,
-                  const std::vector<std::string> &materials,
-                  const std::string              &folder)
-    {
-      const SectionShape shape =
-        SectionParameters::parse(in, materials, folder);
-      // The resolved scene must find the mesh from its own folder, too.
-      if (const auto *file = std::get_if<SectionFile>(&shape))
-        prm.set("File", std::filesystem::absolute(file->path).string());
-      return shape;
-    }
-
-
-
-    /// Throws InputError if the last of @p contacts pairs the same surfaces as
-    /// another: their penalties would add up.
+    /// Reads the subsections of @p kind. Throws InputError if a name of its
+    /// list has none.
     void
-    check_contact_is_new(const std::vector<ContactPair> &contacts)
+    resolve_kind(const SubsectionKind &kind,
+                 const SceneText      &text,
+                 SceneReading         &reading)
     {
-      const auto same = [](const Region &a, const Region &b) {
-        return a.body == b.body && a.surface == b.surface;
-      };
-      const ContactPair &last = contacts.back();
-      for (auto other = contacts.begin(); other + 1 != contacts.end(); ++other)
-        if (other->obstacle == last.obstacle &&
-            ((same(other->first, last.first) &&
-              (last.obstacle != nullptr || same(other->second, last.second))) ||
-             (last.obstacle == nullptr && same(other->first, last.second) &&
-              same(other->second, last.first))))
-          throw InputError("Contact " + last.name,
-                           "",
-                           "pairs the same surfaces as Contact " + other->name,
-                           "Keep one of the two.");
-    }
-
-
-
-    /// Enters the subsections of a scene one after the other.
-    class Subsections
-    {
-    public:
-      Subsections(ParameterHandler &prm,
-                  const NameLists  &names,
-                  const SceneText  &text)
-        : prm(prm)
-        , names(names)
-        , text(text)
-      {}
-
-      /// Calls @p parse with each name of @p list and the entries of its
-      /// subsection `KIND NAME`. Throws InputError if a name has none.
-      template <typename Parse>
-      void
-      each(const std::string &list, const std::string &kind, const Parse &parse)
-      {
-        for (const std::string &name : names.at(list))
-          {
-            const std::string path = kind + " " + name;
-            if (!text.has_subsection(path))
-              throw InputError(list,
-                               joined(names.at(list)),
-                               "there is no 'subsection " + path +
-                                 "' for the name in the list",
-                               "Add it, or remove the name.");
-            prm.enter_subsection(path);
-            parse(name, Entries(prm, path));
-            prm.leave_subsection();
-          }
-      }
-
-    private:
-      ParameterHandler &prm;
-      const NameLists  &names;
-      const SceneText  &text;
-    };
-
-
-
-    /// Materials, sections and bodies.
-    void
-    resolve_bodies(ParameterHandler &prm,
-                   Subsections      &subsections,
-                   const NameLists  &names,
-                   const SceneText  &text,
-                   Scene            &scene)
-    {
-      const Entry theory = Entries(prm, "")["Theory"];
-      subsections.each("Materials", "Material", [&](const auto &name, auto in) {
-        scene.materials[name] = MaterialParameters::parse(in, scene.units);
-        // That of the paper's half-cylinders has no unit.
-        if (in["Library"].text() != "hertz-200")
-          if (const std::string doubt =
-                doubt_of_moduli(name, scene.materials[name], scene.units);
-              !doubt.empty())
-            scene.warnings.push_back(doubt);
-      });
-      subsections.each("Sections", "Section", [&](const auto &name, auto in) {
-        scene.sections[name] =
-          parse_section(prm, in, names.at("Materials"), text.folder());
-        scene.divisions[name] =
-          in["Cells divided"].whole(0, SectionParameters::most_divisions);
-      });
-      subsections.each("Bodies", "Body", [&](const auto &name, auto) {
-        scene.bodies.push_back(
-          BodyParameters::parse(prm, name, theory, names.at("Sections")));
-      });
-      const std::vector<std::string> notes = notes_on_choices(scene);
-      scene.warnings.insert(scene.warnings.end(), notes.begin(), notes.end());
-    }
-
-
-
-    /// The supports that `Hold` of bodies stands for.
-    void
-    add_holds(Scene &scene)
-    {
-      for (unsigned int b = 0; b < scene.bodies.size(); ++b)
+      const std::vector<std::string> &names = reading.names.at(kind.list);
+      for (const std::string &name : names)
         {
-          if (!scene.bodies[b].is_held)
-            continue;
-          Support support;
-          support.name = name_of_hold(scene.bodies[b].name);
-          support.hold = Hold{b};
-          if (!scene.support_references
-                 .emplace(support.name, std::vector<Reference>())
-                 .second)
-            throw InputError("Support " + support.name,
-                             "",
-                             "that is what Hold of the body '" +
-                               scene.bodies[b].name +
-                               "' is called among the supports",
-                             "Rename the support.");
-          scene.supports.push_back(support);
+          const std::string path = kind.kind + " " + name;
+          if (!text.has_subsection(path))
+            throw InputError(kind.list,
+                             joined(names),
+                             "there is no 'subsection " + path +
+                               "' for the name in the list",
+                             "Add it, or remove the name.");
+          reading.prm.enter_subsection(path);
+          kind.resolve(reading, name, Entries(reading.prm, path));
+          reading.prm.leave_subsection();
         }
-    }
-
-
-
-    /// Supports, loads, obstacles and contacts.
-    void
-    resolve_conditions(Subsections                    &subsections,
-                       const std::vector<std::string> &bodies,
-                       Scene                          &scene)
-    {
-      const std::vector<std::string> resultant{"fx", "fy", "fz"};
-      subsections.each("Supports", "Support", [&](const auto &name, auto in) {
-        scene.supports.push_back(SupportParameters::parse(in, name, bodies));
-        scene.support_references[name] =
-          parse_references(in["References"], resultant);
-      });
-      add_holds(scene);
-      subsections.each("Loads", "Load", [&](const auto &name, auto in) {
-        scene.loads.push_back(LoadParameters::parse(in, name, bodies));
-        if (name == name_of_weight && scene.gravity.norm() > 0.)
-          in.refuse("Gravity is what the weight of the bodies is called among "
-                    "the loads",
-                    "Rename the load.");
-      });
-      subsections.each("Obstacles", "Obstacle", [&](const auto &name, auto in) {
-        scene.obstacles.push_back(ObstacleParameters::parse(in, name));
-      });
-      subsections.each("Contacts", "Contact", [&](const auto &name, auto in) {
-        scene.contacts.push_back(
-          ContactParameters::parse(in, name, bodies, scene.obstacles));
-        check_contact_is_new(scene.contacts);
-        scene.contact_references[name] =
-          parse_references(in["References"], resultant);
-      });
+      if (kind.finish != nullptr)
+        kind.finish(reading.scene);
     }
 
 
@@ -393,27 +178,13 @@ namespace lamella
 
 
 
-    /// Probes, lines, cuts, what is looked at for failure, and the trade of
-    /// what these and the resultants give.
+    /// What is looked at for failure, goals, and the trade of what these, the
+    /// probes and the resultants give.
     void
     resolve_requests(ParameterHandler               &prm,
-                     Subsections                    &subsections,
                      const std::vector<std::string> &bodies,
                      Scene                          &scene)
     {
-      subsections.each("Probes", "Probe", [&](const auto &name, auto in) {
-        scene.probes.push_back(ProbeParameters::parse(in, name, bodies));
-      });
-      subsections.each("Lines", "Line", [&](const auto &name, auto in) {
-        scene.lines.push_back(LineParameters::parse(in, name, bodies));
-      });
-      subsections.each("Cuts", "Cut", [&](const auto &name, auto in) {
-        scene.cuts.push_back(CutParameters::parse(in, name, bodies));
-      });
-      subsections.each("Measures", "Measure", [&](const auto &name, auto in) {
-        scene.measures.push_back(
-          MeasureParameters::parse(in, name, scene.probes));
-      });
       prm.enter_subsection("Strength");
       scene.strength =
         StrengthParameters::parse(Entries(prm, "Strength"), bodies);
@@ -443,7 +214,6 @@ namespace lamella
 
 
 
-    /// The second pass, over what @p prm has parsed.
     /// Weight is a force in the volume, of which the integration of
     /// equilibrium through the thickness does not know.
     void
@@ -465,6 +235,7 @@ namespace lamella
 
 
 
+    /// The second pass, over what @p prm has parsed.
     Scene
     resolve(ParameterHandler &prm,
             const NameLists  &names,
@@ -478,10 +249,10 @@ namespace lamella
       scene.solve     = SolveParameters::parse(in);
       scene.write_vtu = in["Write VTU"].truth();
 
-      Subsections subsections(prm, names, text);
-      resolve_bodies(prm, subsections, names, text, scene);
-      resolve_conditions(subsections, names.at("Bodies"), scene);
-      resolve_requests(prm, subsections, names.at("Bodies"), scene);
+      SceneReading reading{prm, names, text.folder(), in["Theory"], scene};
+      for (const SubsectionKind &kind : subsection_kinds())
+        resolve_kind(kind, text, reading);
+      resolve_requests(prm, names.at("Bodies"), scene);
       scene.find_first_failure =
         finds_first_failure(in["Find"], scene.strength);
       check_sizes(scene);
@@ -499,10 +270,10 @@ namespace lamella
     listed(SceneText text)
     {
       NameLists names = read_names(text);
-      for (const auto &[list, kind] : kinds())
+      for (const SubsectionKind &kind : subsection_kinds())
         {
-          text.drop_unlisted(list, kind, names.at(list));
-          text.check_listed(list, kind, names.at(list));
+          text.drop_unlisted(kind.list, kind.kind, names.at(kind.list));
+          text.check_listed(kind.list, kind.kind, names.at(kind.list));
         }
       return {std::move(text), std::move(names)};
     }
@@ -608,8 +379,8 @@ namespace lamella
   parameter_documentation()
   {
     NameLists names;
-    for (const auto &[list, kind] : kinds())
-      names[list] = {"NAME"};
+    for (const SubsectionKind &kind : subsection_kinds())
+      names[kind.list] = {"NAME"};
     ParameterHandler prm;
     declare_all(prm, names);
     std::ostringstream text;

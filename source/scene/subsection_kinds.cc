@@ -1,0 +1,288 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <lamella/conditions/hold.h>
+#include <lamella/conditions/parameters.h>
+#include <lamella/contact/parameters.h>
+#include <lamella/material/parameters.h>
+#include <lamella/material/plausibility.h>
+#include <lamella/scene/subsection_kinds.h>
+#include <lamella/scene/theory_notes.h>
+#include <lamella/shape/parameters.h>
+
+#include <filesystem>
+
+namespace lamella
+{
+  using dealii::ParameterHandler;
+  using dealii::Patterns::Anything;
+
+  namespace
+  {
+    // ---- materials, sections and bodies
+
+    void
+    resolve_material(SceneReading      &reading,
+                     const std::string &name,
+                     const Entries     &in)
+    {
+      Scene &scene          = reading.scene;
+      scene.materials[name] = MaterialParameters::parse(in, scene.units);
+      // That of the paper's half-cylinders has no unit.
+      if (in["Library"].text() != "hertz-200")
+        if (const std::string doubt =
+              doubt_of_moduli(name, scene.materials[name], scene.units);
+            !doubt.empty())
+          scene.warnings.push_back(doubt);
+    }
+
+
+
+    void
+    resolve_section(SceneReading      &reading,
+                    const std::string &name,
+                    const Entries     &in)
+    {
+      const SectionShape shape =
+        SectionParameters::parse(in,
+                                 reading.names.at("Materials"),
+                                 reading.folder);
+      // The resolved scene must find the mesh from its own folder, too.
+      if (const auto *file = std::get_if<SectionFile>(&shape))
+        reading.prm.set("File", std::filesystem::absolute(file->path).string());
+      reading.scene.sections[name] = shape;
+      reading.scene.divisions[name] =
+        in["Cells divided"].whole(0, SectionParameters::most_divisions);
+    }
+
+
+
+    void
+    resolve_body(SceneReading      &reading,
+                 const std::string &name,
+                 const Entries &)
+    {
+      reading.scene.bodies.push_back(BodyParameters::parse(
+        reading.prm, name, reading.theory, reading.names.at("Sections")));
+    }
+
+
+
+    void
+    add_notes_on_choices(Scene &scene)
+    {
+      const std::vector<std::string> notes = notes_on_choices(scene);
+      scene.warnings.insert(scene.warnings.end(), notes.begin(), notes.end());
+    }
+
+
+
+    // ---- supports, loads, obstacles and contacts
+
+    void
+    declare_references(ParameterHandler &prm)
+    {
+      prm.declare_entry(
+        "References",
+        "",
+        Anything(),
+        "Values to print beside the resultant, quantity: value: "
+        "source, between '|'. Quantities: fx, fy, fz.");
+    }
+
+
+
+    std::vector<Reference>
+    references_of_resultant(const Entries &in)
+    {
+      return parse_references(in["References"], {"fx", "fy", "fz"});
+    }
+
+
+
+    void
+    declare_support(ParameterHandler &prm)
+    {
+      SupportParameters::declare(prm);
+      declare_references(prm);
+    }
+
+
+
+    void
+    resolve_support(SceneReading      &reading,
+                    const std::string &name,
+                    const Entries     &in)
+    {
+      reading.scene.supports.push_back(
+        SupportParameters::parse(in, name, reading.names.at("Bodies")));
+      reading.scene.support_references[name] = references_of_resultant(in);
+    }
+
+
+
+    /// The supports that `Hold` of bodies stands for.
+    void
+    add_holds(Scene &scene)
+    {
+      for (unsigned int b = 0; b < scene.bodies.size(); ++b)
+        {
+          if (!scene.bodies[b].is_held)
+            continue;
+          Support support;
+          support.name = name_of_hold(scene.bodies[b].name);
+          support.hold = Hold{b};
+          if (!scene.support_references
+                 .emplace(support.name, std::vector<Reference>())
+                 .second)
+            throw InputError("Support " + support.name,
+                             "",
+                             "that is what Hold of the body '" +
+                               scene.bodies[b].name +
+                               "' is called among the supports",
+                             "Rename the support.");
+          scene.supports.push_back(support);
+        }
+    }
+
+
+
+    void
+    resolve_load(SceneReading      &reading,
+                 const std::string &name,
+                 const Entries     &in)
+    {
+      reading.scene.loads.push_back(
+        LoadParameters::parse(in, name, reading.names.at("Bodies")));
+      if (name == name_of_weight && reading.scene.gravity.norm() > 0.)
+        in.refuse("Gravity is what the weight of the bodies is called among "
+                  "the loads",
+                  "Rename the load.");
+    }
+
+
+
+    void
+    resolve_obstacle(SceneReading      &reading,
+                     const std::string &name,
+                     const Entries     &in)
+    {
+      reading.scene.obstacles.push_back(ObstacleParameters::parse(in, name));
+    }
+
+
+
+    void
+    declare_contact(ParameterHandler &prm)
+    {
+      ContactParameters::declare(prm);
+      declare_references(prm);
+    }
+
+
+
+    /// Throws InputError if the last of @p contacts pairs the same surfaces as
+    /// another: their penalties would add up.
+    void
+    check_contact_is_new(const std::vector<ContactPair> &contacts)
+    {
+      const auto same = [](const Region &a, const Region &b) {
+        return a.body == b.body && a.surface == b.surface;
+      };
+      const ContactPair &last = contacts.back();
+      for (auto other = contacts.begin(); other + 1 != contacts.end(); ++other)
+        if (other->obstacle == last.obstacle &&
+            ((same(other->first, last.first) &&
+              (last.obstacle != nullptr || same(other->second, last.second))) ||
+             (last.obstacle == nullptr && same(other->first, last.second) &&
+              same(other->second, last.first))))
+          throw InputError("Contact " + last.name,
+                           "",
+                           "pairs the same surfaces as Contact " + other->name,
+                           "Keep one of the two.");
+    }
+
+
+
+    void
+    resolve_contact(SceneReading      &reading,
+                    const std::string &name,
+                    const Entries     &in)
+    {
+      Scene &scene = reading.scene;
+      scene.contacts.push_back(ContactParameters::parse(
+        in, name, reading.names.at("Bodies"), scene.obstacles));
+      check_contact_is_new(scene.contacts);
+      scene.contact_references[name] = references_of_resultant(in);
+    }
+
+
+
+    // ---- probes, lines, cuts and measures
+
+    void
+    resolve_probe(SceneReading      &reading,
+                  const std::string &name,
+                  const Entries     &in)
+    {
+      reading.scene.probes.push_back(
+        ProbeParameters::parse(in, name, reading.names.at("Bodies")));
+    }
+
+
+
+    void
+    resolve_line(SceneReading      &reading,
+                 const std::string &name,
+                 const Entries     &in)
+    {
+      reading.scene.lines.push_back(
+        LineParameters::parse(in, name, reading.names.at("Bodies")));
+    }
+
+
+
+    void
+    resolve_cut(SceneReading      &reading,
+                const std::string &name,
+                const Entries     &in)
+    {
+      reading.scene.cuts.push_back(
+        CutParameters::parse(in, name, reading.names.at("Bodies")));
+    }
+
+
+
+    void
+    resolve_measure(SceneReading      &reading,
+                    const std::string &name,
+                    const Entries     &in)
+    {
+      reading.scene.measures.push_back(
+        MeasureParameters::parse(in, name, reading.scene.probes));
+    }
+  } // namespace
+
+
+
+  const std::vector<SubsectionKind> &
+  subsection_kinds()
+  {
+    static const std::vector<SubsectionKind> all{
+      {"Materials", "Material", MaterialParameters::declare, resolve_material},
+      {"Sections", "Section", SectionParameters::declare, resolve_section},
+      {"Bodies",
+       "Body",
+       BodyParameters::declare,
+       resolve_body,
+       add_notes_on_choices},
+      {"Supports", "Support", declare_support, resolve_support, add_holds},
+      {"Loads", "Load", LoadParameters::declare, resolve_load},
+      {"Obstacles", "Obstacle", ObstacleParameters::declare, resolve_obstacle},
+      {"Contacts", "Contact", declare_contact, resolve_contact},
+      {"Probes", "Probe", ProbeParameters::declare, resolve_probe},
+      {"Lines", "Line", LineParameters::declare, resolve_line},
+      {"Cuts", "Cut", CutParameters::declare, resolve_cut},
+      {"Measures", "Measure", MeasureParameters::declare, resolve_measure}};
+    return all;
+  }
+} // namespace lamella
