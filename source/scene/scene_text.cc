@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <lamella/base/patterns.h>
-#include <lamella/scene/scene_text.h>
+#include <lamella/scene/scene_lines.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -12,19 +12,6 @@ namespace lamella
 {
   namespace
   {
-    /// @p text with runs of white space as single spaces.
-    std::string
-    collapsed(const std::string &text)
-    {
-      std::istringstream words(text);
-      std::string        word, result;
-      while (words >> word)
-        result += (result.empty() ? "" : " ") + word;
-      return result;
-    }
-
-
-
     /// Everything up to the last slash: the subsection of an entry.
     std::string
     parent(const std::string &path)
@@ -70,85 +57,8 @@ namespace lamella
 
 
 
-    std::string
-    place(const std::string &file, const unsigned int line)
-    {
-      return file + ":" + std::to_string(line) + ": ";
-    }
-
-
-
     /// Longer than any scene: a device or a file of results.
     constexpr std::size_t longest_scene = 1 << 24;
-
-
-
-    /// The number of bytes of the character at @p i of @p text in UTF-8; 0 if
-    /// there is none, or one that controls a terminal.
-    std::size_t
-    length_of_character(const std::string &text, const std::size_t i)
-    {
-      const auto byte = [&text](const std::size_t k) {
-        return k < text.size() ? static_cast<unsigned char>(text[k]) : 0u;
-      };
-      const unsigned int first = byte(i);
-      if (first < 0x80)
-        return first >= 0x20 ? first != 0x7f :
-                               first == '\t' || first == '\n' || first == '\r';
-      const std::size_t n = first >= 0xc2 && first < 0xe0 ? 2 :
-                            first >= 0xe0 && first < 0xf0 ? 3 :
-                            first >= 0xf0 && first < 0xf5 ? 4 :
-                                                            0;
-      for (std::size_t k = 1; k < n; ++k)
-        if ((byte(i + k) & 0xc0) != 0x80)
-          return 0;
-      return n;
-    }
-
-
-
-    /// Throws InputError, beginning with @p file, for bytes that no text of a
-    /// scene has; returns it without the mark that some editors put before
-    /// UTF-8.
-    std::string
-    checked_bytes(const std::string &text, const std::string &file)
-    {
-      const auto begins = [&text](const char *mark) {
-        return text.rfind(mark, 0) == 0;
-      };
-      if (begins("\xff\xfe") || begins("\xfe\xff"))
-        throw InputError("the file is text in UTF-16. Save it as UTF-8 (or "
-                         "ASCII).")
-          .at(file + ": ");
-      const std::string result = begins("\xef\xbb\xbf") ? text.substr(3) : text;
-      for (std::size_t i = 0; i < result.size();)
-        {
-          const std::size_t n = length_of_character(result, i);
-          if (n == 0)
-            throw InputError(
-              "the line has a byte that no text in UTF-8 has there. Save the "
-              "file as UTF-8 (or ASCII), or write the line anew.")
-              .at(
-                place(file,
-                      1 +
-                        std::count(result.begin(), result.begin() + i, '\n')));
-          i += n;
-        }
-      return result;
-    }
-
-
-
-    /// Where the comment of @p line begins, npos if it has none: at a '#' that
-    /// no backslash stands before.
-    std::size_t
-    begin_of_comment(const std::string &line)
-    {
-      for (std::size_t i = 0; i < line.size(); ++i)
-        if (line[i] == '#' && (i == 0 || line[i - 1] != '\\'))
-          return i;
-      return std::string::npos;
-    }
 
 
 
@@ -169,45 +79,6 @@ namespace lamella
 
 
 
-    /// Makes @p line whole with those of @p lines that continue it, counted in
-    /// @p number, takes its comment off and returns whether it had one. Throws
-    /// InputError, beginning with @p place, if the comment ends with a
-    /// backslash.
-    bool
-    complete(std::string       &line,
-             std::istream      &lines,
-             unsigned int      &number,
-             const std::string &place)
-    {
-      line = trimmed(line);
-      while (!line.empty() && line.back() == '\\')
-        {
-          if (begin_of_comment(line) != std::string::npos)
-            throw InputError(
-              "a comment ends with a backslash, which would make the next line "
-              "a part of it. Remove the backslash, or write something behind "
-              "it.")
-              .at(place);
-          std::string next;
-          std::getline(lines, next);
-          ++number;
-          next = trimmed(next);
-          if ((next.compare(0, 4, "set ") == 0 &&
-               next.find('=') != std::string::npos) ||
-              next.compare(0, 11, "subsection ") == 0)
-            throw InputError("the line ends with a backslash, which makes the "
-                             "next, '" +
-                             next + "', a part of it. Remove the backslash.")
-              .at(place);
-          line = line.substr(0, line.size() - 1) + next;
-        }
-      const std::size_t comment = begin_of_comment(line);
-      line = replaced(trimmed(line.substr(0, comment)), "\\#", "#");
-      return comment != std::string::npos;
-    }
-
-
-
     void
     refuse_repetition(const std::vector<SceneText::Item> &items,
                       const std::string                  &kind,
@@ -219,7 +90,7 @@ namespace lamella
             throw InputError(kind + " " + a->path +
                              " was given already in line " +
                              std::to_string(a->line) + ". Keep one of the two.")
-              .at(place(file, b->line));
+              .at(place_in(file, b->line));
     }
 
 
@@ -502,79 +373,10 @@ namespace lamella
 
 
 
-  void
-  SceneText::scan(const std::string &text,
-                  const std::string &file,
-                  std::vector<Item> &entries,
-                  std::vector<Item> &subsections)
-  {
-    std::istringstream        lines(text);
-    std::string               line;
-    std::vector<std::string>  path;
-    std::vector<unsigned int> opened;
-    unsigned int              number = 0;
-    const auto                full   = [&path](const std::string &name) {
-      return joined(path, "/") + (path.empty() ? "" : "/") + name;
-    };
-    while (std::getline(lines, line))
-      {
-        const unsigned int first       = ++number;
-        const std::string  here        = lamella::place(file, first);
-        const bool         has_comment = complete(line, lines, number, here);
-        const std::string  word = line.substr(0, line.find_first_of(" \t"));
-        const std::string  rest = collapsed(line.substr(word.size()));
-        if (word.empty())
-          continue;
-        if ((word == "subsection" || word == "set") &&
-            rest.substr(0, rest.find('=')).find('/') != std::string::npos)
-          throw InputError("'" + line +
-                           "' has a '/' in a name. Open subsections one in the "
-                           "other; '/' stands between them with --set only.")
-            .at(here);
-        if (word == "subsection" && !rest.empty())
-          {
-            subsections.push_back({full(rest), "", first});
-            path.push_back(rest);
-            opened.push_back(first);
-          }
-        else if (word == "end" && rest.empty() && !path.empty())
-          {
-            path.pop_back();
-            opened.pop_back();
-          }
-        else if (const auto equals = rest.find('=');
-                 word == "set" && equals != std::string::npos &&
-                 !trimmed(rest.substr(0, equals)).empty())
-          {
-            entries.push_back({full(trimmed(rest.substr(0, equals))),
-                               trimmed(rest.substr(equals + 1)),
-                               first});
-            if (entries.back().value.empty() && has_comment)
-              throw InputError(entries.back().path,
-                               "",
-                               "the value is empty, since '#' begins a comment",
-                               "Write the value before it, or '\\#' for a '#' "
-                               "of the value, or leave the entry out.")
-                .at(here);
-          }
-        else
-          throw InputError("'" + line +
-                           "' is not understood. A line is 'subsection NAME', "
-                           "'set ENTRY = VALUE' or the 'end' of an open "
-                           "subsection; '#' begins a comment.")
-            .at(here);
-      }
-    if (!path.empty())
-      throw InputError("subsection " + path.back() + " has no 'end'.")
-        .at(lamella::place(file, opened.back()));
-  }
-
-
-
   std::string
   SceneText::place(const Item &entry) const
   {
-    return entry.line == 0 ? "--set: " : lamella::place(file, entry.line);
+    return entry.line == 0 ? "--set: " : place_in(file, entry.line);
   }
 
 
