@@ -1,0 +1,258 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+// The entries of thin walls.
+
+#include <lamella/base/arithmetic.h>
+#include <lamella/base/text.h>
+#include <lamella/material/layup.h>
+#include <lamella/shape/shape_reader.h>
+
+#include <numeric>
+
+namespace lamella
+{
+  namespace
+  {
+    /// Throws InputError unless @p walls, as @p entry gives them, leave some of
+    /// @p extension, which is @p named so.
+    void
+    check_walls_fit(const std::vector<double> &walls,
+                    const double               extension,
+                    const std::string         &named,
+                    const Entry               &entry)
+    {
+      const double sum = std::accumulate(walls.begin(), walls.end(), 0.);
+      if (!(sum < extension))
+        entry.refuse("the walls take " + to_text(sum) + " of the " + named +
+                       " " + to_text(extension) + " and must leave some of it",
+                     "Make the walls thinner or the section larger.");
+    }
+
+
+
+    /// The pieces of @p entry for @p n walls, between '|': one for all or one a
+    /// wall. Empty ones if it is empty.
+    std::vector<std::string>
+    one_a_wall(const Entry &entry, const std::vector<std::string> &walls)
+    {
+      const std::vector<std::string> items = entry.items('|');
+      if (items.size() > 1 && items.size() != walls.size())
+        entry.refuse("there are " + std::to_string(items.size()) +
+                       " pieces for " +
+                       (walls.size() == 1 ? "one wall" :
+                                            std::to_string(walls.size()) +
+                                              " walls (" + joined(walls) + ")"),
+                     "Give one for all walls or one a wall between '|'.");
+      return std::vector<std::string>(
+        items.size() == walls.size() ?
+          items :
+          std::vector<std::string>(walls.size(),
+                                   items.empty() ? "" : items[0]));
+    }
+
+
+
+    /// The thicknesses of @p n plies of a wall that is as thick as @p wall:
+    /// those of @p piece of @p entry, or equal ones.
+    std::vector<double>
+    ply_thicknesses(const Entry       &entry,
+                    const std::string &piece,
+                    const unsigned int n,
+                    const double       wall,
+                    const std::string &named)
+    {
+      if (piece.empty())
+        return std::vector<double>(n, wall / n);
+      std::vector<double> values;
+      for (const std::string &item : split(piece, ','))
+        {
+          values.push_back(entry.number(item));
+          if (!(values.back() > 0.))
+            entry.refuse("a ply's thickness must be positive");
+        }
+      values           = one_a_ply(values, n, entry);
+      const double sum = std::accumulate(values.begin(), values.end(), 0.);
+      // Decimal fractions of a wall, as 0.333, are meant to add up.
+      if (!(std::abs(sum - wall) <= arithmetic::as_written * wall))
+        entry.refuse("the " + std::to_string(n) + " plies of " + named +
+                       " add up to " + to_text(sum) +
+                       ", and not to its thickness " + to_text(wall),
+                     "Give thicknesses that add up to it, or leave them out "
+                     "for equal shares.");
+      for (double &value : values)
+        value *= wall / sum;
+      return values;
+    }
+
+
+
+    /// The layups of @p walls, which are as thick as @p thicknesses; none if
+    /// there is no Wall layup.
+    std::vector<WallLayup>
+    read_layups(const ShapeReader              &reader,
+                const std::vector<std::string> &walls,
+                const std::vector<double>      &thicknesses)
+    {
+      const Entries &in    = reader.in;
+      const Entry    entry = in["Wall layup"], t = in["Wall ply thicknesses"],
+                  m = in["Wall ply materials"];
+      if (entry.is_empty())
+        return {};
+      const std::vector<std::string> codes     = one_a_wall(entry, walls),
+                                     of_plies  = one_a_wall(t, walls),
+                                     materials = one_a_wall(m, walls);
+      std::vector<WallLayup> layups;
+      for (unsigned int w = 0; w < walls.size(); ++w)
+        {
+          const std::vector<double> angles =
+            parse_layup(Entry(entry.path(), codes[w]));
+          const std::string named =
+            walls.size() == 1 ? "the wall" : "the wall '" + walls[w] + "'";
+          const std::vector<double> thickness = ply_thicknesses(
+            t, of_plies[w], angles.size(), thicknesses[w], named);
+          std::vector<std::string> names =
+            materials[w].empty() ?
+              std::vector<std::string>{reader.fabric().material} :
+              split(materials[w], ',');
+          for (const std::string &name : names)
+            reader.material(m, name);
+          names = one_a_ply(names, angles.size(), m);
+          layups.emplace_back();
+          for (unsigned int p = 0; p < angles.size(); ++p)
+            layups.back().push_back({{names[p], angles[p]}, thickness[p]});
+        }
+      return layups;
+    }
+
+
+
+    /// Throws InputError if entries are given that exclude each other, where
+    /// there is a Wall layup (@p has_layup) or none.
+    void
+    check_layup_entries(const ShapeReader &reader, const bool has_layup)
+    {
+      const Entries &in = reader.in;
+      if (has_layup && in["Fibre angle"].text() != "0")
+        in["Fibre angle"].refuse(
+          "with Wall layup plies have their angles there, in the plane of each "
+          "wall",
+          "Remove one of the two.");
+      if (has_layup && in["Cells per wall"].text() != "1")
+        in["Cells per wall"].refuse(
+          "with Wall layup cells are counted by plies", "Use Cells per ply.");
+      if (!in["Wall ply materials"].is_empty() && !in["Material"].is_empty())
+        in["Material"].refuse("Wall ply materials leave nothing that uses it",
+                              "Remove one of the two.");
+      for (const auto &[name, fallback] :
+           {std::pair<const char *, const char *>{"Wall ply thicknesses", ""},
+            {"Wall ply materials", ""},
+            {"Cells per ply", "1"}})
+        if (!has_layup && in[name].text() != fallback)
+          in[name].refuse("it belongs to Wall layup, which is not given",
+                          "Give Wall layup, as in 45/-45, or remove it.");
+      if (has_layup && reader.counts("Cells per ply").size() != 1)
+        in["Cells per ply"].refuse("walls take one number, for all plies");
+    }
+
+
+
+    /// The thicknesses of the walls of @p result, of whose form they are; and
+    /// the entries that gave those of the webs and of the flanges.
+    std::pair<std::string, std::string>
+    read_thicknesses(const ShapeReader &reader, ThinWalled &result)
+    {
+      const Entries &in        = reader.in;
+      std::string    web_entry = "Wall thickness", flange_entry = web_entry;
+      if (result.form == ShapeKind::box)
+        {
+          std::vector<double> walls = reader.lengths("Wall thickness");
+          if (walls.size() == 1)
+            walls.resize(4, walls[0]);
+          if (walls.size() != 4)
+            in["Wall thickness"].refuse(
+              "give one, or four between commas: left, right, bottom, top");
+          result.webs    = {walls[0], walls[1]};
+          result.flanges = {walls[2], walls[3]};
+          return {web_entry, flange_entry};
+        }
+      const auto [n_webs, n_flanges] = count_of_walls(result.form);
+      if (!in["Web thickness"].is_empty())
+        web_entry = "Web thickness";
+      if (!in["Flange thickness"].is_empty())
+        flange_entry = "Flange thickness";
+      result.webs    = reader.lengths(web_entry);
+      result.flanges = reader.lengths(flange_entry);
+      if (result.flanges.size() == 1)
+        result.flanges.resize(n_flanges, result.flanges[0]);
+      for (const auto &[walls, n, entry] :
+           {std::make_tuple(&result.webs, n_webs, &web_entry),
+            std::make_tuple(&result.flanges, n_flanges, &flange_entry)})
+        if (walls->size() != n)
+          in[*entry].refuse("a section " + name_of(result.form) + " takes one" +
+                            (n == 2 ? " or two (bottom, top)" : ""));
+      return {web_entry, flange_entry};
+    }
+  } // namespace
+
+
+
+  Tube
+  ShapeReader::tube() const
+  {
+    Tube result;
+    result.width        = in["Width"].positive();
+    result.height       = in["Height"].positive();
+    result.cells_around = in["Cells around"].whole(8, most_in_line);
+    if (result.cells_around % 4 != 0)
+      in["Cells around"].refuse("must be a multiple of 4, as 16 or 24");
+    const std::vector<double> thickness = lengths("Wall thickness");
+    if (thickness.size() != 1)
+      in["Wall thickness"].refuse("a tube has one wall");
+    const double shorter = std::min(result.width, result.height),
+                 longer  = std::max(result.width, result.height),
+                 radius  = 0.5 * shorter * (shorter / longer);
+    if (!(thickness[0] < radius))
+      in["Wall thickness"].refuse(
+        "must be below the smallest radius of curvature of the tube's "
+        "outside, " +
+          to_text(radius),
+        "Make the wall thinner, or use Shape = ellipse for a solid section.");
+
+    const bool has_layup = !in["Wall layup"].is_empty();
+    if (!has_layup && (!in["Wall ply thicknesses"].is_empty() ||
+                       !in["Wall ply materials"].is_empty()))
+      check_layup_entries(*this, false);
+    if (has_layup)
+      check_layup_entries(*this, true);
+    result.cells_per_ply = counts("Cells per ply").at(0);
+    result.layup         = has_layup ?
+                             read_layups(*this, {"tube"}, thickness).at(0) :
+                             WallLayup{{{fabric().material, 0.}, thickness[0]}};
+    return result;
+  }
+
+
+
+  ThinWalled
+  ShapeReader::walls(const ShapeKind form) const
+  {
+    ThinWalled result;
+    result.form             = form;
+    result.width            = in["Width"].positive();
+    result.height           = in["Height"].positive();
+    result.cells_per_wall   = count("Cells per wall");
+    result.cells_along_wall = count("Cells along wall");
+    if (in["Wall ply materials"].is_empty())
+      result.fabric = fabric();
+
+    const auto [web_entry, flange_entry] = read_thicknesses(*this, result);
+    check_walls_fit(result.webs, result.width, "width", in[web_entry]);
+    check_walls_fit(result.flanges, result.height, "height", in[flange_entry]);
+    check_layup_entries(*this, !in["Wall layup"].is_empty());
+    std::vector<double> walls = result.webs;
+    walls.insert(walls.end(), result.flanges.begin(), result.flanges.end());
+    result.layups        = read_layups(*this, names_of_walls(form), walls);
+    result.cells_per_ply = counts("Cells per ply").at(0);
+    return result;
+  }
+} // namespace lamella
