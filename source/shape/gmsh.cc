@@ -6,6 +6,7 @@
 
 #include <lamella/base/arithmetic.h>
 #include <lamella/shape/curve_normals.h>
+#include <lamella/shape/gmsh_checks.h>
 #include <lamella/shape/gmsh_file.h>
 #include <lamella/shape/properties.h>
 #include <lamella/shape/shapes.h>
@@ -232,20 +233,9 @@ namespace lamella
 
 
 
-    /// What Triangulation takes, and which elements of the file it is from.
-    struct Mesh
-    {
-      std::vector<Point<2>>                  vertices;
-      std::vector<CellData<2>>               cells;
-      SubCellData                            rest;
-      std::vector<const GmshFile::Element *> elements, lines;
-    };
-
-
-
     /// @p group_of_tag: tag of a physical surface -> ply, of a physical line ->
     /// boundary.
-    Mesh
+    GmshMesh
     make_mesh(const GmshFile                          &file,
               const std::map<int, unsigned int>       &ply_of_tag,
               const std::map<int, types::boundary_id> &id_of_tag,
@@ -253,7 +243,7 @@ namespace lamella
     {
       // Around a cell in the file, rows from below in deal.II.
       constexpr std::array<unsigned int, 4> place_in_cell{{0, 1, 3, 2}};
-      Mesh                                  mesh;
+      GmshMesh                              mesh;
       for (const GmshFile::Node &node : file.nodes)
         mesh.vertices.emplace_back(node.position[0], node.position[1]);
       for (const GmshFile::Element &element : file.elements)
@@ -300,198 +290,10 @@ namespace lamella
 
 
 
-    /// A corner of a cell: the vertices before and after it, counter-clockwise.
-    struct Corner
-    {
-      unsigned int vertex, next;
-      Tensor<1, 2> to_next, to_last;
-    };
-
-    std::array<Corner, 4>
-    corners_of(const Mesh &mesh, const unsigned int cell)
-    {
-      constexpr std::array<unsigned int, 4> around{{0, 1, 3, 2}};
-      std::array<Corner, 4>                 corners;
-      for (unsigned int i = 0; i < 4; ++i)
-        {
-          const auto        &v    = mesh.cells[cell].vertices;
-          const unsigned int here = v[around[i]], next = v[around[(i + 1) % 4]],
-                             last = v[around[(i + 3) % 4]];
-          corners[i]              = {here,
-                                     next,
-                                     mesh.vertices[next] - mesh.vertices[here],
-                                     mesh.vertices[last] - mesh.vertices[here]};
-        }
-      return corners;
-    }
-
-    double
-    area_between(const Tensor<1, 2> &a, const Tensor<1, 2> &b)
-    {
-      return a[0] * b[1] - a[1] * b[0];
-    }
-
-
-
-    /// Throws InputError if a cell is not convex. check_section_mesh() would,
-    /// too, but does not know the line.
-    void
-    check_cells_are_convex(const Mesh &mesh, const Entry &entry)
-    {
-      for (unsigned int c = 0; c < mesh.cells.size(); ++c)
-        for (const Corner &corner : corners_of(mesh, c))
-          if (!(area_between(corner.to_next, corner.to_last) >
-                arithmetic::flat * corner.to_next.norm() *
-                  corner.to_last.norm()))
-            {
-              Tensor<1, 2> centre;
-              for (const unsigned int v : mesh.cells[c].vertices)
-                centre += mesh.vertices[v] / 4.;
-              refuse_line(
-                entry,
-                mesh.elements[c]->line,
-                "a cell is folded or has no area, at " +
-                  to_text(Point<2>(centre)) +
-                  " (an inner angle of 180 degrees or more)",
-                "Mesh it anew; in Gmsh, 'Mesh.RecombinationAlgorithm = 3' or "
-                "transfinite surfaces make better cells.");
-            }
-    }
-
-
-
-    /// Throws InputError if the cells go around some vertex more than once:
-    /// cells whose numbers are mixed up may cover others without a common side.
-    void
-    check_angles(const Mesh &mesh, const Entry &entry)
-    {
-      std::vector<double> angle(mesh.vertices.size(), 0.);
-      for (unsigned int c = 0; c < mesh.cells.size(); ++c)
-        for (const Corner &corner : corners_of(mesh, c))
-          {
-            double &sum = angle[corner.vertex];
-            sum += std::atan2(area_between(corner.to_next, corner.to_last),
-                              corner.to_next * corner.to_last);
-            if (sum > 2. * numbers::PI * (1. + arithmetic::flat))
-              refuse_line(
-                entry,
-                mesh.elements[c]->line,
-                "this cell lies over others at " +
-                  to_text(mesh.vertices[corner.vertex]),
-                "Let each surface be drawn once, and mesh the section anew.");
-          }
-    }
-
-
-
-    /// A side of a cell, from the vertex of the lower number to the other.
-    using Side = std::pair<unsigned int, unsigned int>;
-
-    Side
-    side_between(const unsigned int a, const unsigned int b)
-    {
-      return {std::min(a, b), std::max(a, b)};
-    }
-
-    std::string
-    ends(const Mesh &mesh, const Side &side)
-    {
-      return "from " + to_text(mesh.vertices[side.first]) + " to " +
-             to_text(mesh.vertices[side.second]);
-    }
-
-
-
-    /**
-     * How many cells each side has. Throws InputError if these are more than
-     * two, or both on the same side of it; deal.II would take either for a
-     * mesh.
-     */
-    std::map<Side, unsigned int>
-    count_cells_at_sides(const Mesh &mesh, const Entry &entry)
-    {
-      struct Found
-      {
-        unsigned int cell, first_vertex, count;
-      };
-      std::map<Side, Found>        found;
-      std::map<Side, unsigned int> count;
-      for (unsigned int c = 0; c < mesh.cells.size(); ++c)
-        for (const Corner &corner : corners_of(mesh, c))
-          {
-            const Side side = side_between(corner.vertex, corner.next);
-            const auto [it, is_new] =
-              found.insert({side, {c, corner.vertex, 1}});
-            ++count[side];
-            // All cells run counter-clockwise, so that two of them pass the
-            // side between them in opposite directions.
-            if (!is_new && (++it->second.count > 2 ||
-                            it->second.first_vertex == corner.vertex))
-              refuse_line(
-                entry,
-                mesh.elements[c]->line,
-                "this cell and that of line " +
-                  std::to_string(mesh.elements[it->second.cell]->line) +
-                  " lie one over the other at the side " + ends(mesh, side),
-                "Let each surface be drawn once and be in one physical "
-                "surface, and mesh it anew.");
-          }
-      return count;
-    }
-
-
-
-    /// Leaves of @p mesh's lines those that are sides at the boundary. Throws
-    /// InputError if one runs inside, or is two boundaries.
-    void
-    sift_lines(Mesh &mesh, const Entry &entry)
-    {
-      const auto                   count = count_cells_at_sides(mesh, entry);
-      std::map<Side, unsigned int> seen;
-      std::vector<CellData<1>>     lines;
-      for (unsigned int l = 0; l < mesh.lines.size(); ++l)
-        {
-          const CellData<1> &line = mesh.rest.boundary_lines[l];
-          const Side side  = side_between(line.vertices[0], line.vertices[1]);
-          const auto cells = count.find(side);
-          const unsigned int in_file = mesh.lines[l]->line;
-          if (cells == count.end() && line.boundary_id != 0)
-            refuse_line(
-              entry,
-              in_file,
-              "this part of a physical line is no side of a cell",
-              "Only lines of the section's boundary can be physical ones: "
-              "remove this one, or mesh the section anew.");
-          // Lines of no name beside the section: auxiliary ones.
-          if (cells == count.end())
-            continue;
-          if (cells->second > 1)
-            refuse_line(
-              entry,
-              in_file,
-              "a line of the mesh runs inside the section, " + ends(mesh, side),
-              "Only lines of its boundary can be physical ones: remove this "
-              "one, or Mesh.SaveAll.");
-          const auto [it, is_new] = seen.insert({side, l});
-          if (!is_new)
-            refuse_line(entry,
-                        in_file,
-                        "the side " + ends(mesh, side) +
-                          " is in a physical line already, in line " +
-                          std::to_string(mesh.lines[it->second]->line) +
-                          " of the file",
-                        "Let each curve be in one.");
-          lines.push_back(line);
-        }
-      mesh.rest.boundary_lines = lines;
-    }
-
-
-
     /// Throws InputError if @p file's scale takes lengths, or fourth powers of
     /// them, out of the range of doubles.
     void
-    check_scale(const Mesh &mesh, const SectionFile &file)
+    check_scale(const GmshMesh &mesh, const SectionFile &file)
     {
       double extent = 0.;
       for (const Point<2> &x : mesh.vertices)
@@ -584,7 +386,7 @@ namespace lamella
     auto       section = std::make_shared<SectionMesh>();
     const auto plies   = make_plies(read, file, materials, entry, *section);
     const auto names   = make_boundaries(read, entry, *section);
-    Mesh       parts   = make_mesh(read, plies, names, entry);
+    GmshMesh   parts   = make_mesh(read, plies, names, entry);
     check_cells_are_convex(parts, entry);
     sift_lines(parts, entry);
     check_angles(parts, entry);

@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <lamella/base/arithmetic.h>
+#include <lamella/base/text.h>
+#include <lamella/shape/gmsh_checks.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+
+namespace lamella
+{
+  using namespace dealii;
+
+  namespace
+  {
+    /// A corner of a cell: the vertices before and after it, counter-clockwise.
+    struct Corner
+    {
+      unsigned int vertex, next;
+      Tensor<1, 2> to_next, to_last;
+    };
+
+    std::array<Corner, 4>
+    corners_of(const GmshMesh &mesh, const unsigned int cell)
+    {
+      constexpr std::array<unsigned int, 4> around{{0, 1, 3, 2}};
+      std::array<Corner, 4>                 corners;
+      for (unsigned int i = 0; i < 4; ++i)
+        {
+          const auto        &v    = mesh.cells[cell].vertices;
+          const unsigned int here = v[around[i]], next = v[around[(i + 1) % 4]],
+                             last = v[around[(i + 3) % 4]];
+          corners[i]              = {here,
+                                     next,
+                                     mesh.vertices[next] - mesh.vertices[here],
+                                     mesh.vertices[last] - mesh.vertices[here]};
+        }
+      return corners;
+    }
+
+    double
+    area_between(const Tensor<1, 2> &a, const Tensor<1, 2> &b)
+    {
+      return a[0] * b[1] - a[1] * b[0];
+    }
+  } // namespace
+
+
+
+  void
+  check_cells_are_convex(const GmshMesh &mesh, const Entry &entry)
+  {
+    for (unsigned int c = 0; c < mesh.cells.size(); ++c)
+      for (const Corner &corner : corners_of(mesh, c))
+        if (!(area_between(corner.to_next, corner.to_last) >
+              arithmetic::flat * corner.to_next.norm() * corner.to_last.norm()))
+          {
+            Tensor<1, 2> centre;
+            for (const unsigned int v : mesh.cells[c].vertices)
+              centre += mesh.vertices[v] / 4.;
+            refuse_line(
+              entry,
+              mesh.elements[c]->line,
+              "a cell is folded or has no area, at " +
+                to_text(Point<2>(centre)) +
+                " (an inner angle of 180 degrees or more)",
+              "Mesh it anew; in Gmsh, 'Mesh.RecombinationAlgorithm = 3' or "
+              "transfinite surfaces make better cells.");
+          }
+  }
+
+
+
+  void
+  check_angles(const GmshMesh &mesh, const Entry &entry)
+  {
+    std::vector<double> angle(mesh.vertices.size(), 0.);
+    for (unsigned int c = 0; c < mesh.cells.size(); ++c)
+      for (const Corner &corner : corners_of(mesh, c))
+        {
+          double &sum = angle[corner.vertex];
+          sum += std::atan2(area_between(corner.to_next, corner.to_last),
+                            corner.to_next * corner.to_last);
+          if (sum > 2. * numbers::PI * (1. + arithmetic::flat))
+            refuse_line(
+              entry,
+              mesh.elements[c]->line,
+              "this cell lies over others at " +
+                to_text(mesh.vertices[corner.vertex]),
+              "Let each surface be drawn once, and mesh the section anew.");
+        }
+  }
+
+
+
+  namespace
+  {
+    /// A side of a cell, from the vertex of the lower number to the other.
+    using Side = std::pair<unsigned int, unsigned int>;
+
+    Side
+    side_between(const unsigned int a, const unsigned int b)
+    {
+      return {std::min(a, b), std::max(a, b)};
+    }
+
+    std::string
+    ends(const GmshMesh &mesh, const Side &side)
+    {
+      return "from " + to_text(mesh.vertices[side.first]) + " to " +
+             to_text(mesh.vertices[side.second]);
+    }
+
+
+
+    /**
+     * How many cells each side has. Throws InputError if these are more than
+     * two, or both on the same side of it; deal.II would take either for a
+     * mesh.
+     */
+    std::map<Side, unsigned int>
+    count_cells_at_sides(const GmshMesh &mesh, const Entry &entry)
+    {
+      struct Found
+      {
+        unsigned int cell, first_vertex, count;
+      };
+      std::map<Side, Found>        found;
+      std::map<Side, unsigned int> count;
+      for (unsigned int c = 0; c < mesh.cells.size(); ++c)
+        for (const Corner &corner : corners_of(mesh, c))
+          {
+            const Side side = side_between(corner.vertex, corner.next);
+            const auto [it, is_new] =
+              found.insert({side, {c, corner.vertex, 1}});
+            ++count[side];
+            // All cells run counter-clockwise, so that two of them pass the
+            // side between them in opposite directions.
+            if (!is_new && (++it->second.count > 2 ||
+                            it->second.first_vertex == corner.vertex))
+              refuse_line(
+                entry,
+                mesh.elements[c]->line,
+                "this cell and that of line " +
+                  std::to_string(mesh.elements[it->second.cell]->line) +
+                  " lie one over the other at the side " + ends(mesh, side),
+                "Let each surface be drawn once and be in one physical "
+                "surface, and mesh it anew.");
+          }
+      return count;
+    }
+  } // namespace
+
+
+
+  void
+  sift_lines(GmshMesh &mesh, const Entry &entry)
+  {
+    const auto                   count = count_cells_at_sides(mesh, entry);
+    std::map<Side, unsigned int> seen;
+    std::vector<CellData<1>>     lines;
+    for (unsigned int l = 0; l < mesh.lines.size(); ++l)
+      {
+        const CellData<1> &line = mesh.rest.boundary_lines[l];
+        const Side side  = side_between(line.vertices[0], line.vertices[1]);
+        const auto cells = count.find(side);
+        const unsigned int in_file = mesh.lines[l]->line;
+        if (cells == count.end() && line.boundary_id != 0)
+          refuse_line(
+            entry,
+            in_file,
+            "this part of a physical line is no side of a cell",
+            "Only lines of the section's boundary can be physical ones: "
+            "remove this one, or mesh the section anew.");
+        // Lines of no name beside the section: auxiliary ones.
+        if (cells == count.end())
+          continue;
+        if (cells->second > 1)
+          refuse_line(
+            entry,
+            in_file,
+            "a line of the mesh runs inside the section, " + ends(mesh, side),
+            "Only lines of its boundary can be physical ones: remove this "
+            "one, or Mesh.SaveAll.");
+        const auto [it, is_new] = seen.insert({side, l});
+        if (!is_new)
+          refuse_line(entry,
+                      in_file,
+                      "the side " + ends(mesh, side) +
+                        " is in a physical line already, in line " +
+                        std::to_string(mesh.lines[it->second]->line) +
+                        " of the file",
+                      "Let each curve be in one.");
+        lines.push_back(line);
+      }
+    mesh.rest.boundary_lines = lines;
+  }
+} // namespace lamella
