@@ -392,66 +392,6 @@ namespace lamella
 
 
 
-  std::vector<HeldSection>
-  held_sections(const std::vector<Touch> &touches,
-                const unsigned int        t,
-                const Axis               &axis)
-  {
-    const double y         = touches[t].begin,
-                 tolerance = arithmetic::same_place * axis.length();
-    HeldSection held;
-    held.element = touches[t].element;
-    for (const Touch &touch : touches)
-      if ((touch.holds_section || touch.is_free) &&
-          std::abs(touch.begin - y) < tolerance)
-        {
-          held.rows.insert(held.rows.end(),
-                           touch.held.begin(),
-                           touch.held.end());
-          held.by.push_back(touch.name);
-        }
-    std::vector<HeldSection> result;
-    for (const bool forward : {true, false})
-      if (forward ? y < axis.length() - tolerance : y > tolerance)
-        {
-          held.goes_forward = forward;
-          result.push_back(held);
-        }
-    return result;
-  }
-
-
-
-  bool
-  HeldSection::is_as_long_as(const HeldSection &other) const
-  {
-    return std::abs(element - other.element) <= arithmetic::alike * element;
-  }
-
-
-
-  bool
-  alike(const HeldSection &a, const HeldSection &b)
-  {
-    if (a.goes_forward != b.goes_forward || a.rows.size() != b.rows.size() ||
-        !a.is_as_long_as(b))
-      return false;
-    const auto same = [](const Row &r, const Row &s) {
-      return std::equal(r.entries().begin(),
-                        r.entries().end(),
-                        s.entries().begin(),
-                        s.entries().end(),
-                        [](const Row::Entry &e, const Row::Entry &f) {
-                          return e.first == f.first &&
-                                 std::abs(e.second - f.second) <
-                                   arithmetic::alike;
-                        });
-    };
-    return std::equal(a.rows.begin(), a.rows.end(), b.rows.begin(), same);
-  }
-
-
-
   namespace
   {
     /// The zones of @p found, as end_fields() says.
@@ -498,21 +438,6 @@ namespace lamella
           zones.push_back(std::move(zone));
         }
       return zones;
-    }
-
-
-
-    /// What a mirror across the axis makes of the field @p alpha: -1 where it
-    /// is along the axis, 1 across; 0 where it is both.
-    int
-    parity(const Section &section, const unsigned int alpha)
-    {
-      const auto &terms = section.field(alpha).terms;
-      const auto  along =
-        std::count_if(terms.begin(), terms.end(), [](const auto &term) {
-          return term.component == 1;
-        });
-      return along == 0 ? 1 : (along == int(terms.size()) ? -1 : 0);
     }
   } // namespace
 
@@ -566,42 +491,5 @@ namespace lamella
               nodes += piece->axis().n_nodes();
       }
     return nodes;
-  }
-
-
-
-  std::vector<EndZone>
-  mirrored(const std::vector<EndZone> &zones,
-           const Section              &section,
-           const HeldSection          &held)
-  {
-    std::vector<int> sign(section.n_fields());
-    for (unsigned int a = 0; a < sign.size(); ++a)
-      sign[a] = parity(section, a);
-    if (std::count(sign.begin(), sign.end(), 0) > 0)
-      return {};
-    for (const Row &row : held.rows)
-      for (const auto &[field, weight] : row.entries())
-        if (sign[field] != sign[row.entries()[0].first])
-          return {};
-    // A mirror image has the opposite S_01 and the same S_00 and S_11.
-    for (const auto &[p, q, opposite] :
-         {std::array<int, 3>{{0, 0, 1}}, {{1, 1, 1}}, {{0, 1, -1}}})
-      {
-        const Matrix &S = section.S(p, q);
-        const double  nothing =
-          arithmetic::rounding_of_results * S.linfty_norm();
-        for (unsigned int a = 0; a < sign.size(); ++a)
-          for (auto entry = S.begin(a); entry != S.end(a); ++entry)
-            if (sign[a] * sign[entry->column()] != opposite &&
-                std::abs(entry->value()) > nothing)
-              return {};
-      }
-    std::vector<EndZone> result = zones;
-    for (EndZone &zone : result)
-      for (unsigned int j = 0; j < zone.fields.n(); ++j)
-        for (unsigned int a = 0; a < sign.size(); ++a)
-          zone.fields(a, j) *= sign[a];
-    return result;
   }
 } // namespace lamella

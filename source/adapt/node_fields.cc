@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <lamella/adapt/fields_of_section.h>
+#include <lamella/adapt/theory_pieces.h>
+#include <lamella/adapt/touch_notes.h>
 #include <lamella/base/arithmetic.h>
 #include <lamella/base/independent_rows.h>
 #include <lamella/base/text.h>
@@ -26,6 +28,14 @@ namespace lamella
 
 
 
+    const Beam &
+    beam_of(const Bodies &bodies, const unsigned int body)
+    {
+      return dynamic_cast<const Beam &>(*bodies[body]);
+    }
+
+
+
     /// What touches a body, with the groups that each belongs to, and where its
     /// stresses are asked for.
     struct TouchedBody
@@ -35,117 +45,6 @@ namespace lamella
       std::vector<std::pair<double, double>> asked;
       std::vector<std::vector<unsigned int>> groups;
     };
-
-
-
-    /// Of the pieces by hand that hold @p y the theories.
-    std::vector<Theory>
-    theories_at(const double y, const TheoryPieces &pieces, const double length)
-    {
-      const double        tolerance = arithmetic::same_place * length;
-      std::vector<Theory> result;
-      for (unsigned int k = 0; k < pieces.theories.size(); ++k)
-        {
-          const double begin = k == 0 ? 0. : pieces.breaks[k - 1],
-                       end =
-                         k < pieces.breaks.size() ? pieces.breaks[k] : length;
-          if (y > begin - tolerance && y < end + tolerance)
-            result.push_back(pieces.theories[k]);
-        }
-      return result;
-    }
-
-
-
-    /// The list of LE-@p degree: all of the section's fields, or those of lower
-    /// degree that lead them.
-    std::vector<unsigned int>
-    list_of_degree(const Section &section, const unsigned int degree)
-    {
-      std::vector<unsigned int> list;
-      for (unsigned int alpha = 0; alpha < section.n_fields(); ++alpha)
-        if (degree >= section.element().degree() ||
-            section.field_degree(alpha) <= degree)
-          list.push_back(alpha);
-      return list;
-    }
-
-
-
-    /// Of the pieces at a node what they want of it together.
-    struct Wanted
-    {
-      /// The highest degree of LE, or 0; and whether there is SV, or nothing
-      /// but SV without responses.
-      unsigned int degree = 0;
-      bool         any_SV = false, plain = true;
-    };
-
-    Wanted
-    wanted_by(const std::vector<Theory> &theories)
-    {
-      Wanted wanted;
-      for (const Theory &theory : theories)
-        if (theory.kind == Theory::Kind::LE)
-          wanted.degree = std::max(wanted.degree, theory.order);
-        else
-          wanted.any_SV = true;
-      for (const Theory &theory : theories)
-        wanted.plain = wanted.plain && theory.order == 0;
-      return wanted;
-    }
-
-
-
-    /// Notes the contacts surface to surface that reach nodes of LE of a lower
-    /// degree than the section's: they have a row for each node of its trace.
-    void
-    note_coarse_rows(const Beam                          &beam,
-                     const unsigned int                   body,
-                     const TheoryPieces                  &pieces,
-                     const std::vector<ContactInterface> &contacts,
-                     std::vector<std::string>            &notes)
-    {
-      std::vector<bool> is_coarse;
-      for (const double y : beam.axis().nodes())
-        {
-          const Wanted wanted =
-            wanted_by(theories_at(y, pieces, beam.axis().length()));
-          is_coarse.push_back(!wanted.any_SV &&
-                              wanted.degree <
-                                beam.section().element().degree());
-        }
-      const auto reaches = [&](const GapRow &row) {
-        for (const BodyRow &part : row.parts)
-          for (const auto &[dof, weight] : part.row.entries())
-            if (part.body == body && is_coarse[beam.dofs().node_of(dof)])
-              return true;
-        return false;
-      };
-      for (const ContactInterface &contact : contacts)
-        if (contact.discretisation == Discretisation::surface_to_surface &&
-            std::any_of(contact.rows.begin(), contact.rows.end(), reaches))
-          notes.push_back(
-            "body " + beam.name() + ": rows of contact " + contact.name +
-            " outnumber what nodes of LE of a lower degree can deform; where "
-            "it closes there its force is right and single pressures are not "
-            "to be used. Let the piece of the highest degree reach further, or "
-            "use Discretisation = node to surface");
-    }
-
-
-
-    /// The lists of a body whose pieces are all LE.
-    std::vector<std::vector<unsigned int>>
-    lists_by_degree(const Beam &beam, const TheoryPieces &pieces)
-    {
-      std::vector<std::vector<unsigned int>> lists;
-      for (const double y : beam.axis().nodes())
-        lists.push_back(list_of_degree(
-          beam.section(),
-          wanted_by(theories_at(y, pieces, beam.axis().length())).degree));
-      return lists;
-    }
 
 
 
@@ -223,28 +122,6 @@ namespace lamella
 
 
 
-    /// As in "SV-6 (of LE-2), 12 to 111 fields a node".
-    std::string
-    label_of(const BodyDescription                        &body,
-             const std::vector<std::vector<unsigned int>> &lists)
-    {
-      std::size_t least = lists[0].size(), most = least;
-      for (const auto &list : lists)
-        {
-          least = std::min(least, list.size());
-          most  = std::max(most, list.size());
-        }
-      std::string names;
-      for (const Theory &theory : body.pieces.theories)
-        names += (names.empty() ? "" : ", ") + theory.name();
-      return (names.empty() ? body.theory.name() : names) + ", " +
-             std::to_string(least) +
-             (most > least ? " to " + std::to_string(most) : "") +
-             " fields a node";
-    }
-
-
-
     /// Why nothing can be won on @p beam, before any field is sought; nothing
     /// if something may be.
     std::string
@@ -285,25 +162,6 @@ namespace lamella
         return "a node would carry " + std::to_string(mean) + " of " +
                std::to_string(all) + " fields";
       return "";
-    }
-
-
-
-    /// Replaces the body @p description, whose pieces are all LE, by one with
-    /// the leading fields of each degree.
-    void
-    replace_by_degrees(const BodyDescription &description,
-                       std::unique_ptr<Body> &body)
-    {
-      const auto &beam  = dynamic_cast<const Beam &>(*body);
-      const auto  lists = lists_by_degree(beam, description.pieces);
-      body              = std::make_unique<Beam>(beam.name(),
-                                    std::make_shared<FieldSpace>(
-                                      beam.fields().shared_section()),
-                                    beam.shared_axis(),
-                                    beam.place(),
-                                    lists,
-                                    label_of(description, lists));
     }
 
 
@@ -456,50 +314,50 @@ namespace lamella
 
 
 
-    /// Notes what touches @p body, which is @p beam, of SV, and has no fields.
-    void
-    note_missing_fields(const Beam               &beam,
-                        const TouchedBody        &body,
-                        std::vector<std::string> &notes)
+    /// What heat does to all of the bodies @p touched, and their weights: what
+    /// loads sections all along.
+    std::pair<std::vector<Beam::SectionHeat>, std::vector<Vector>>
+    loads_all_along(const Bodies                   &bodies,
+                    const std::vector<TouchedBody> &touched,
+                    const Tensor<1, 3>             &gravity)
     {
-      for (const Touch &touch : body.touches)
-        if (touch.presses)
-          notes.push_back("body " + beam.name() + ": SV has no fields that " +
-                          touch.name +
-                          " can dent: forces are those of a beam, pressures "
-                          "and stresses there are not to be used. Use SV-N, "
-                          "SV-6 say");
-        else if (touch.heats)
-          notes.push_back("body " + beam.name() +
-                          ": SV has no fields for heat that varies along the "
-                          "axis: stresses are not to be used where it does. "
-                          "Use SV-N, SV-6 say");
+      std::vector<Beam::SectionHeat> heat;
+      std::vector<Vector>            weights;
+      for (const TouchedBody &body : touched)
+        {
+          const Beam &beam = beam_of(bodies, body.number);
+          for (const Beam::SectionHeat &one : spanning_heat(beam))
+            heat.push_back(one);
+          if (gravity.norm() > 0.)
+            weights.push_back(beam.section_weight(gravity));
+        }
+      return {heat, weights};
     }
 
 
 
-    /// Notes what holds sections of @p body, which is @p beam and heated, in
-    /// part: end fields do not know what heat does there.
+    /// Notes what became of @p body, which is @p beam: @p why it keeps all
+    /// fields of its section, or what has no fields.
     void
-    note_heat_of_guides(const Beam               &beam,
-                        const TouchedBody        &body,
-                        std::vector<std::string> &notes)
+    note_choice(const Beam               &beam,
+                const TouchedBody        &body,
+                const BodyDescription    &description,
+                const FieldRules         &rules,
+                const std::string        &why,
+                std::vector<std::string> &notes)
     {
-      if (!beam.is_heated())
-        return;
-      for (unsigned int t = 0; t < body.touches.size(); ++t)
-        if (body.touches[t].holds_section)
-          {
-            const auto held = held_sections(body.touches, t, beam.axis());
-            if (held[0].rows.size() < beam.section().n_fields() &&
-                held[0].by[0] == body.touches[t].name)
-              notes.push_back(
-                "body " + beam.name() + " is heated, and " +
-                body.touches[t].name +
-                " holds its section in part: SV-N has no fields for what heat "
-                "does there, and stresses within a height or two of it are not "
-                "to be used. Use LE-N, or Theories with LE-N there");
-          }
+      const Theory &theory = description.theory;
+      if (!why.empty())
+        notes.push_back(
+          "body " + beam.name() + ": with " + theory.name() + " " + why +
+          (is_unsolved(beam, rules) ? "; its nodes" :
+                                      "; nothing is won there, and its nodes") +
+          " carry all fields of the section (" +
+          beam.section().theory().name() + ")");
+      if (theory.order == 0 && description.pieces.empty())
+        note_missing_fields(beam, body.touches, notes);
+      else if (why.empty())
+        note_heat_of_guides(beam, body.touches, notes);
     }
 
 
@@ -513,25 +371,16 @@ namespace lamella
             const FieldRules                   &rules,
             std::vector<std::string>           &notes)
     {
-      const auto beam_of = [&](const unsigned int body) -> const Beam & {
-        return dynamic_cast<const Beam &>(*bodies[body]);
-      };
-      const Theory &theory = descriptions[touched[0].number].theory;
-      const auto section = beam_of(touched[0].number).fields().shared_section();
-      std::vector<Beam::SectionHeat> heat;
-      std::vector<Vector>            weights;
-      for (const TouchedBody &body : touched)
-        {
-          const Beam &beam = beam_of(body.number);
-          for (const Beam::SectionHeat &one : spanning_heat(beam))
-            heat.push_back(one);
-          if (gravity.norm() > 0.)
-            weights.push_back(beam.section_weight(gravity));
-        }
-      FieldsOfSection fields(section, theory, rules, heat, weights);
+      const auto [heat, weights] = loads_all_along(bodies, touched, gravity);
+      FieldsOfSection fields(
+        beam_of(bodies, touched[0].number).fields().shared_section(),
+        descriptions[touched[0].number].theory,
+        rules,
+        heat,
+        weights);
       for (TouchedBody &body : touched)
         {
-          const Beam &beam = beam_of(body.number);
+          const Beam &beam = beam_of(bodies, body.number);
           body.groups      = groups_of(
             beam,
             body,
@@ -543,29 +392,18 @@ namespace lamella
       std::vector<std::vector<std::vector<unsigned int>>> lists;
       for (const TouchedBody &body : touched)
         {
-          const Beam            &beam        = beam_of(body.number);
+          const Beam            &beam        = beam_of(bodies, body.number);
           const BodyDescription &description = descriptions[body.number];
           lists.emplace_back();
           const std::string why =
             choose_lists(beam, body, description, fields, rules, lists.back());
-          if (!why.empty())
-            notes.push_back("body " + beam.name() + ": with " + theory.name() +
-                            " " + why +
-                            (is_unsolved(beam, rules) ?
-                               "; its nodes" :
-                               "; nothing is won there, and its nodes") +
-                            " carry all fields of the section (" +
-                            section->theory().name() + ")");
-          if (theory.order == 0 && description.pieces.empty())
-            note_missing_fields(beam, body, notes);
-          else if (!lists.back().empty())
-            note_heat_of_guides(beam, body, notes);
+          note_choice(beam, body, description, rules, why, notes);
         }
       const auto space = fields.space();
       for (unsigned int k = 0; k < touched.size(); ++k)
         if (!lists[k].empty())
           {
-            const Beam &beam = beam_of(touched[k].number);
+            const Beam &beam = beam_of(bodies, touched[k].number);
             bodies[touched[k].number] =
               std::make_unique<Beam>(beam.name(),
                                      space,
@@ -583,36 +421,6 @@ namespace lamella
   {
     return std::any_of(descriptions.begin(), descriptions.end(), is_chosen);
   }
-
-  std::vector<StressPlace>
-  stress_places(const Bodies             &bodies,
-                const std::vector<Probe> &probes,
-                const std::vector<Line>  &lines,
-                const std::vector<Cut>   &cuts)
-  {
-    std::vector<StressPlace> places;
-    const auto               add = [&](const unsigned int           body,
-                         const std::vector<Point<3>> &corners) {
-      const auto *beam = dynamic_cast<const Beam *>(bodies[body].get());
-      if (beam == nullptr)
-        return;
-      std::vector<double> along;
-      for (const Point<3> &corner : corners)
-        along.push_back(beam->place().to_body(corner)[1]);
-      const auto [least, greatest] =
-        std::minmax_element(along.begin(), along.end());
-      places.push_back({body, *least, *greatest});
-    };
-    for (const Probe &probe : probes)
-      add(probe.body, box_corners(probe.position, probe.box));
-    for (const Line &line : lines)
-      add(line.body, {line.from, line.to});
-    for (const Cut &cut : cuts)
-      places.push_back({cut.body, cut.position, cut.position});
-    return places;
-  }
-
-
 
   std::vector<std::string>
   choose_fields(Bodies                              &bodies,
@@ -636,7 +444,7 @@ namespace lamella
       if (is_chosen(descriptions[b]) &&
           descriptions[b].theory.kind == Theory::Kind::SV)
         {
-          const auto &beam = dynamic_cast<const Beam &>(*bodies[b]);
+          const Beam &beam = beam_of(bodies, b);
           auto all = find_touches(beam, b, bodies, supports, loads, contacts);
           for (const Touch &end : heated_free_ends(beam, all))
             all.push_back(end);
@@ -646,11 +454,8 @@ namespace lamella
     std::vector<std::string> notes;
     for (unsigned int b = 0; b < descriptions.size(); ++b)
       if (descriptions[b].theory.hierarchical)
-        note_coarse_rows(dynamic_cast<const Beam &>(*bodies[b]),
-                         b,
-                         descriptions[b].pieces,
-                         contacts,
-                         notes);
+        note_coarse_rows(
+          beam_of(bodies, b), b, descriptions[b].pieces, contacts, notes);
     for (auto &[key, of_section] : touched)
       replace(bodies, descriptions, gravity, of_section, rules, notes);
     // Not before all touches are found, which the fields of whole sections say.

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+// Where along beams a scene asks for stresses (node_fields.h).
+
+#include <lamella/adapt/node_fields.h>
+#include <lamella/body/beam.h>
+#include <lamella/recover/box_points.h>
+
+#include <algorithm>
+
+namespace lamella
+{
+  using namespace dealii;
+
+  std::vector<StressPlace>
+  stress_places(const Bodies             &bodies,
+                const std::vector<Probe> &probes,
+                const std::vector<Line>  &lines,
+                const std::vector<Cut>   &cuts)
+  {
+    std::vector<StressPlace> places;
+    const auto               add = [&](const unsigned int           body,
+                         const std::vector<Point<3>> &corners) {
+      const auto *beam = dynamic_cast<const Beam *>(bodies[body].get());
+      if (beam == nullptr)
+        return;
+      std::vector<double> along;
+      for (const Point<3> &corner : corners)
+        along.push_back(beam->place().to_body(corner)[1]);
+      const auto [least, greatest] =
+        std::minmax_element(along.begin(), along.end());
+      places.push_back({body, *least, *greatest});
+    };
+    for (const Probe &probe : probes)
+      add(probe.body, box_corners(probe.position, probe.box));
+    for (const Line &line : lines)
+      add(line.body, {line.from, line.to});
+    for (const Cut &cut : cuts)
+      places.push_back({cut.body, cut.position, cut.position});
+    return places;
+  }
+} // namespace lamella

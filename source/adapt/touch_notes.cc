@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <lamella/adapt/end_fields.h>
+#include <lamella/adapt/touch_notes.h>
+
+namespace lamella
+{
+  void
+  note_missing_fields(const Beam               &beam,
+                      const std::vector<Touch> &touches,
+                      std::vector<std::string> &notes)
+  {
+    for (const Touch &touch : touches)
+      if (touch.presses)
+        notes.push_back("body " + beam.name() + ": SV has no fields that " +
+                        touch.name +
+                        " can dent: forces are those of a beam, pressures "
+                        "and stresses there are not to be used. Use SV-N, "
+                        "SV-6 say");
+      else if (touch.heats)
+        notes.push_back("body " + beam.name() +
+                        ": SV has no fields for heat that varies along the "
+                        "axis: stresses are not to be used where it does. "
+                        "Use SV-N, SV-6 say");
+  }
+
+
+
+  void
+  note_heat_of_guides(const Beam               &beam,
+                      const std::vector<Touch> &touches,
+                      std::vector<std::string> &notes)
+  {
+    if (!beam.is_heated())
+      return;
+    for (unsigned int t = 0; t < touches.size(); ++t)
+      if (touches[t].holds_section)
+        {
+          const auto held = held_sections(touches, t, beam.axis());
+          if (held[0].rows.size() < beam.section().n_fields() &&
+              held[0].by[0] == touches[t].name)
+            notes.push_back(
+              "body " + beam.name() + " is heated, and " + touches[t].name +
+              " holds its section in part: SV-N has no fields for what heat "
+              "does there, and stresses within a height or two of it are not "
+              "to be used. Use LE-N, or Theories with LE-N there");
+        }
+  }
+} // namespace lamella
