@@ -912,4 +912,30 @@ BOOST_AUTO_TEST_CASE(entries_of_supports_and_loads)
                         of("Load a/Force"));
 }
 
+
+
+BOOST_AUTO_TEST_CASE(what_regions_cover)
+{
+  const auto on = [](const std::string &surface) {
+    return Region{0, Region::Kind::surface, surface, {}};
+  };
+  for (const bool at_start : {true, false})
+    {
+      BOOST_TEST(on("all").covers_end(at_start));
+      BOOST_TEST(on("ends").covers_end(at_start));
+      BOOST_TEST(on("start").covers_end(at_start) == at_start);
+      BOOST_TEST(on("end").covers_end(at_start) != at_start);
+      BOOST_TEST(!on("top").covers_end(at_start));
+      // Not a surface, whatever else it is.
+      BOOST_TEST(!Region({0, Region::Kind::body, "", {}}).covers_end(at_start));
+    }
+  BOOST_TEST(on("top").covers("top"));
+  BOOST_TEST(!on("top").covers("all"));
+  BOOST_TEST(!on("ends").covers("top"));
+  BOOST_TEST(on("all").covers("top"));
+  BOOST_TEST(on("ends").is_several_surfaces());
+  BOOST_TEST(on("all").is_several_surfaces());
+  BOOST_TEST(!on("start").is_several_surfaces());
+}
+
 BOOST_AUTO_TEST_SUITE_END()
