@@ -136,6 +136,42 @@ namespace lamella
 
 
 
+    /// The physical surfaces of @p mesh.
+    std::vector<std::string>
+    surfaces_of(const GmshFile &mesh)
+    {
+      std::vector<std::string> surfaces;
+      for (const auto &[key, group] : mesh.names)
+        if (key.first == 2)
+          surfaces.push_back(group.name);
+      return surfaces;
+    }
+
+
+
+    /// Throws InputError if there is no physical surface, or none of a name of
+    /// Parts; @p material is one that there is.
+    void
+    check_parts(const GmshFile    &mesh,
+                const SectionFile &file,
+                const std::string &material,
+                const Entry       &entry)
+    {
+      const std::vector<std::string> surfaces = surfaces_of(mesh);
+      if (surfaces.empty())
+        entry.refuse("the mesh has no named physical surface",
+                     "In Gmsh, 'Physical Surface(\"" + material +
+                       "\") = {1};' says of what it is made.");
+      for (const auto &[part, fabric] : file.parts)
+        if (std::find(surfaces.begin(), surfaces.end(), part) == surfaces.end())
+          throw InputError(file.what + "/Parts",
+                           "",
+                           "the mesh has no physical surface '" + part + "'",
+                           "It has " + joined(surfaces) + ".");
+    }
+
+
+
     /// What the physical surfaces are made of, tag -> number in @p section's
     /// plies, which it fills.
     std::map<int, unsigned int>
@@ -145,23 +181,10 @@ namespace lamella
                const Entry       &entry,
                SectionMesh       &section)
     {
-      std::vector<std::string> surfaces, known;
-      for (const auto &[key, name] : mesh.names)
-        if (key.first == 2)
-          surfaces.push_back(name.name);
+      std::vector<std::string> known;
       for (const auto &[name, material] : materials)
         known.push_back(name);
-      if (surfaces.empty())
-        entry.refuse("the mesh has no named physical surface",
-                     "In Gmsh, 'Physical Surface(\"" + known[0] +
-                       "\") = {1};' says of what it is made.");
-      for (const auto &[part, fabric] : file.parts)
-        if (std::find(surfaces.begin(), surfaces.end(), part) == surfaces.end())
-          throw InputError(file.what + "/Parts",
-                           "",
-                           "the mesh has no physical surface '" + part + "'",
-                           "It has " + joined(surfaces) + ".");
-
+      check_parts(mesh, file, known[0], entry);
       std::map<int, unsigned int> ply_of_tag;
       for (const auto &[key, group] : mesh.names)
         if (key.first == 2)
@@ -233,6 +256,36 @@ namespace lamella
 
 
 
+    /// The cell that @p element is. Throws InputError if it is in no physical
+    /// surface.
+    CellData<2>
+    cell_of(const GmshFile::Element           &element,
+            const std::vector<Point<2>>       &vertices,
+            const std::map<int, unsigned int> &ply_of_tag,
+            const Entry                       &entry)
+    {
+      // Around a cell in the file, rows from below in deal.II.
+      constexpr std::array<unsigned int, 4> place_in_cell{{0, 1, 3, 2}};
+      CellData<2>                           cell;
+      Tensor<1, 2>                          centre;
+      for (unsigned int i = 0; i < 4; ++i)
+        {
+          cell.vertices[place_in_cell[i]] = element.nodes[i];
+          centre += vertices[element.nodes[i]] / 4.;
+        }
+      const auto ply = ply_of_tag.find(element.group);
+      if (ply == ply_of_tag.end())
+        refuse_line(entry,
+                    element.line,
+                    "the cell at " + to_text(Point<2>(centre)) +
+                      " is in no named physical surface, so nothing says of "
+                      "what it is made");
+      cell.material_id = ply->second;
+      return cell;
+    }
+
+
+
     /// @p group_of_tag: tag of a physical surface -> ply, of a physical line ->
     /// boundary.
     GmshMesh
@@ -241,31 +294,14 @@ namespace lamella
               const std::map<int, types::boundary_id> &id_of_tag,
               const Entry                             &entry)
     {
-      // Around a cell in the file, rows from below in deal.II.
-      constexpr std::array<unsigned int, 4> place_in_cell{{0, 1, 3, 2}};
-      GmshMesh                              mesh;
+      GmshMesh mesh;
       for (const GmshFile::Node &node : file.nodes)
         mesh.vertices.emplace_back(node.position[0], node.position[1]);
       for (const GmshFile::Element &element : file.elements)
         if (element.type == GmshFile::quadrilateral)
           {
-            CellData<2>  cell;
-            Tensor<1, 2> centre;
-            for (unsigned int i = 0; i < 4; ++i)
-              {
-                cell.vertices[place_in_cell[i]] = element.nodes[i];
-                centre += mesh.vertices[element.nodes[i]] / 4.;
-              }
-            const auto ply = ply_of_tag.find(element.group);
-            if (ply == ply_of_tag.end())
-              refuse_line(
-                entry,
-                element.line,
-                "the cell at " + to_text(Point<2>(centre)) +
-                  " is in no named physical surface, so nothing says of what "
-                  "it is made");
-            cell.material_id = ply->second;
-            mesh.cells.push_back(cell);
+            mesh.cells.push_back(
+              cell_of(element, mesh.vertices, ply_of_tag, entry));
             mesh.elements.push_back(&element);
           }
         else if (element.type == GmshFile::line_type)
@@ -325,6 +361,36 @@ namespace lamella
 
 
 
+    /// The plane that @p part says, of @p section; @p where is the entry.
+    PlyPlane
+    plane_of(const PartPlane   &part,
+             const SectionMesh &section,
+             const std::string &where)
+    {
+      PlyPlane plane = plane_towards(part.direction);
+      if (part.curve.empty())
+        return plane;
+      std::vector<std::string> curves;
+      for (const auto &[id, name] : section.boundaries)
+        curves.push_back(name);
+      const std::vector<std::string> followed = split(part.curve, ' ');
+      for (const std::string &curve : followed)
+        if (std::find(curves.begin(), curves.end(), curve) == curves.end())
+          throw InputError(where,
+                           "",
+                           "the mesh has no physical line '" + curve +
+                             "' on its boundary",
+                           "It has " + joined(curves) + ".");
+      const auto   normals = std::make_shared<CurveNormals>(section, followed);
+      const double sign    = part.outwards ? 1. : -1.;
+      plane.normal_at      = [normals, sign](const Point<2> &x) {
+        return sign * normals->at(x);
+      };
+      return plane;
+    }
+
+
+
     /// Gives the plies of @p section the planes that @p file says for the
     /// physical surfaces of @p mesh.
     void
@@ -333,13 +399,8 @@ namespace lamella
                    const std::map<int, unsigned int> &ply_of_tag,
                    SectionMesh                       &section)
     {
-      const std::string        where = file.what + "/Ply planes";
-      std::vector<std::string> parts, curves;
-      for (const auto &[key, group] : mesh.names)
-        if (key.first == 2)
-          parts.push_back(group.name);
-      for (const auto &[id, name] : section.boundaries)
-        curves.push_back(name);
+      const std::string              where = file.what + "/Ply planes";
+      const std::vector<std::string> parts = surfaces_of(mesh);
       for (const auto &[part, direction] : file.planes)
         {
           if (std::find(parts.begin(), parts.end(), part) == parts.end())
@@ -347,26 +408,7 @@ namespace lamella
                              "",
                              "the mesh has no physical surface '" + part + "'",
                              "It has " + joined(parts) + ".");
-          PlyPlane plane = plane_towards(direction.direction);
-          if (!direction.curve.empty())
-            {
-              const std::vector<std::string> followed =
-                split(direction.curve, ' ');
-              for (const std::string &curve : followed)
-                if (std::find(curves.begin(), curves.end(), curve) ==
-                    curves.end())
-                  throw InputError(where,
-                                   "",
-                                   "the mesh has no physical line '" + curve +
-                                     "' on its boundary",
-                                   "It has " + joined(curves) + ".");
-              const auto normals =
-                std::make_shared<CurveNormals>(section, followed);
-              const double sign = direction.outwards ? 1. : -1.;
-              plane.normal_at   = [normals, sign](const Point<2> &x) {
-                return sign * normals->at(x);
-              };
-            }
+          const PlyPlane plane = plane_of(direction, section, where);
           for (const auto &[key, group] : mesh.names)
             if (key.first == 2 && group.name == part)
               section.plies[ply_of_tag.at(key.second)].plane = plane;

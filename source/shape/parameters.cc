@@ -82,9 +82,9 @@ namespace lamella
 
 
 
-    /// Of laminates, and the extensions of most shapes.
+    /// Extensions of most shapes; the plies of laminates.
     std::vector<Declaration>
-    entries_of_laminates()
+    entries_of_extensions_and_plies()
     {
       return {
         {"Width",
@@ -120,7 +120,16 @@ namespace lamella
          List(cells()),
          "LBWT",
          "Laminate: cells through the thickness, one number for all plies or "
-         "one a ply. Walls with a Wall layup: one number for all plies."},
+         "one a ply. Walls with a Wall layup: one number for all plies."}};
+    }
+
+
+
+    /// The pieces of laminates across; what fills the other shapes.
+    std::vector<Declaration>
+    entries_of_pieces_and_fabric()
+    {
+      return {
         {"Cells across",
          "1",
          List(cells()),
@@ -132,16 +141,7 @@ namespace lamella
          numbers(),
          "L",
          "Laminate: positions x across the width that end a piece of the mesh, "
-         "ascending [length]."}};
-    }
-
-
-
-    /// Of half discs and ellipses, and what fills a shape.
-    std::vector<Declaration>
-    entries_of_solid_shapes()
-    {
-      return {
+         "ascending [length]."},
         {"Material",
          "",
          Anything(),
@@ -153,7 +153,16 @@ namespace lamella
          number(),
          "DEBW",
          "All shapes but laminate, tube and file: degrees, 0 along +y, positive "
-         "from +y towards +x, about z in all walls. Not with a Wall layup."},
+         "from +y towards +x, about z in all walls. Not with a Wall layup."}};
+    }
+
+
+
+    /// Half discs and ellipses; and how often cells are divided.
+    std::vector<Declaration>
+    entries_of_discs_and_ellipses()
+    {
+      return {
         {"Radius",
          "",
          optional(positive()),
@@ -191,7 +200,7 @@ namespace lamella
 
 
 
-    /// Of thin walls: what they are made of.
+    /// How thick walls are, and their layups.
     std::vector<Declaration>
     entries_of_walls()
     {
@@ -223,7 +232,16 @@ namespace lamella
          "for who looks at the wall from outside with +y pointing up. One layup "
          "for all walls, or one a wall between '|': webs from left to right, "
          "then flanges from bottom to top. Without: one material at Fibre angle, "
-         "or at 0 degrees in a tube."},
+         "or at 0 degrees in a tube."}};
+    }
+
+
+
+    /// The plies of walls, and their cells.
+    std::vector<Declaration>
+    entries_of_wall_plies()
+    {
+      return {
         {"Wall ply thicknesses",
          "",
          Anything(),
@@ -236,16 +254,7 @@ namespace lamella
          Anything(),
          "BWT",
          "Thin-walled: of the plies of Wall layup, likewise; Material by "
-         "default."}};
-    }
-
-
-
-    /// Of the cells of thin walls, and of files.
-    std::vector<Declaration>
-    entries_of_meshes()
-    {
-      return {
+         "default."},
         {"Cells per wall",
          "1",
          cells(),
@@ -260,7 +269,16 @@ namespace lamella
          "24",
          cells(),
          "T",
-         "Tube: cells around it, a multiple of 4, from 8."},
+         "Tube: cells around it, a multiple of 4, from 8."}};
+    }
+
+
+
+    /// Meshes by Gmsh.
+    std::vector<Declaration>
+    entries_of_files()
+    {
+      return {
         {"File",
          "",
          Anything(),
@@ -296,10 +314,12 @@ namespace lamella
     {
       static const std::vector<Declaration> all = [] {
         std::vector<Declaration> entries;
-        for (const auto &some : {entries_of_laminates(),
-                                 entries_of_solid_shapes(),
+        for (const auto &some : {entries_of_extensions_and_plies(),
+                                 entries_of_pieces_and_fabric(),
+                                 entries_of_discs_and_ellipses(),
                                  entries_of_walls(),
-                                 entries_of_meshes()})
+                                 entries_of_wall_plies(),
+                                 entries_of_files()})
           entries.insert(entries.end(), some.begin(), some.end());
         return entries;
       }();

@@ -96,6 +96,37 @@ namespace lamella
 
 
 
+  namespace
+  {
+    /// The cells of @p rings, @p n in each, into @p mesh.
+    void
+    make_cells(const EllipseFoot &outside,
+               const Rings       &rings,
+               const unsigned int n,
+               Triangulation<2>  &mesh)
+    {
+      std::vector<Point<2>>    vertices;
+      std::vector<CellData<2>> cells;
+      for (unsigned int j = 0; j < rings.depths.size(); ++j)
+        for (unsigned int k = 0; k < n; ++k)
+          vertices.push_back(vertex_of(outside, rings.depths[j], k, n));
+      for (unsigned int j = 0; j < rings.plies.size(); ++j)
+        for (unsigned int k = 0; k < n; ++k)
+          {
+            cells.emplace_back();
+            const unsigned int next  = (k + 1) % n;
+            cells.back().vertices[0] = j * n + k;
+            cells.back().vertices[1] = j * n + next;
+            cells.back().vertices[2] = (j + 1) * n + k;
+            cells.back().vertices[3] = (j + 1) * n + next;
+            cells.back().material_id = rings.plies[j];
+          }
+      mesh.create_triangulation(vertices, cells, SubCellData());
+    }
+  } // namespace
+
+
+
   std::shared_ptr<const SectionMesh>
   make_section_mesh(const Tube &tube, const Materials &materials)
   {
@@ -103,26 +134,8 @@ namespace lamella
     const double      a = 0.5 * tube.width, b = 0.5 * tube.height;
     const EllipseFoot outside(Point<2>(a, b), a, b);
     const Rings       rings = rings_of(tube);
-
-    std::vector<Point<2>>    vertices;
-    std::vector<CellData<2>> cells;
-    const unsigned int       n = tube.cells_around;
-    for (unsigned int j = 0; j < rings.depths.size(); ++j)
-      for (unsigned int k = 0; k < n; ++k)
-        vertices.push_back(vertex_of(outside, rings.depths[j], k, n));
-    for (unsigned int j = 0; j < rings.plies.size(); ++j)
-      for (unsigned int k = 0; k < n; ++k)
-        {
-          cells.emplace_back();
-          const unsigned int next  = (k + 1) % n;
-          cells.back().vertices[0] = j * n + k;
-          cells.back().vertices[1] = j * n + next;
-          cells.back().vertices[2] = (j + 1) * n + k;
-          cells.back().vertices[3] = (j + 1) * n + next;
-          cells.back().material_id = rings.plies[j];
-        }
-    Triangulation<2> &mesh = section->mesh;
-    mesh.create_triangulation(vertices, cells, SubCellData());
+    Triangulation<2> &mesh  = section->mesh;
+    make_cells(outside, rings, tube.cells_around, mesh);
     mesh.set_all_manifold_ids(0);
     mesh.set_manifold(0, WallManifold(outside));
     for (const auto &cell : mesh.active_cell_iterators())
