@@ -33,15 +33,72 @@ namespace lamella
 
 
 
+  namespace
+  {
+    /// Where @p f is largest between @p a and @p b, by the golden section: its
+    /// value, and the place.
+    template <typename Function>
+    std::pair<double, double>
+    largest_between(double a, double b, const Function &f)
+    {
+      constexpr double golden = 0.6180339887498949;
+      double           x = b - golden * (b - a), y = a + golden * (b - a);
+      double           at_x = f(x), at_y = f(y);
+      while (b - a > 1e-10)
+        if (at_x > at_y)
+          {
+            b    = y;
+            y    = x;
+            at_y = at_x;
+            x    = b - golden * (b - a);
+            at_x = f(x);
+          }
+        else
+          {
+            a    = x;
+            x    = y;
+            at_x = at_y;
+            y    = a + golden * (b - a);
+            at_y = f(y);
+          }
+      return {at_x, x};
+    }
+
+
+
+    /// Where @p at, which ends beyond 1, first is 1 between 0 and @p end: steps
+    /// in which an exposure that does not rise all along is looked through, and
+    /// halvings until doubles have no more digits.
+    template <typename Function>
+    double
+    root_before(const Function &at, const double end)
+    {
+      constexpr unsigned int n_steps = 64, n_halvings = 60;
+      double                 low = 0., high = end;
+      for (unsigned int i = 1; i <= n_steps && high == end; ++i)
+        if (at(end * i / n_steps) >= 1.)
+          high = end * i / n_steps;
+        else
+          low = end * i / n_steps;
+      for (unsigned int i = 0; i < n_halvings; ++i)
+        {
+          const double middle            = 0.5 * (low + high);
+          (at(middle) < 1. ? low : high) = middle;
+        }
+      return 0.5 * (low + high);
+    }
+  } // namespace
+
+
+
   std::pair<double, double>
   FailureSurface::action_plane(const Voigt &stress) const
   {
     // All planes stand in half a turn. Maxima are wider than two steps; of
     // those that are near the largest each is refined by the golden section.
-    constexpr unsigned int n      = 36;
-    constexpr double       step   = numbers::PI / n;
-    constexpr double       golden = 0.6180339887498949;
-    constexpr double       near   = 0.9;
+    constexpr unsigned int n    = 36;
+    constexpr double       step = numbers::PI / n;
+    constexpr double       near = 0.9;
 
     std::array<double, n> f;
     for (unsigned int i = 0; i < n; ++i)
@@ -54,29 +111,14 @@ namespace lamella
         if (f[i] < near * largest || f[i] < f[(i + 1) % n] ||
             f[i] < f[(i + n - 1) % n])
           continue;
-        double a = (i - 1.) * step, b = (i + 1.) * step;
-        double x = b - golden * (b - a), y = a + golden * (b - a);
-        double at_x = exposure(stress, x), at_y = exposure(stress, y);
-        while (b - a > 1e-10)
-          if (at_x > at_y)
-            {
-              b    = y;
-              y    = x;
-              at_y = at_x;
-              x    = b - golden * (b - a);
-              at_x = exposure(stress, x);
-            }
-          else
-            {
-              a    = x;
-              x    = y;
-              at_x = at_y;
-              y    = a + golden * (b - a);
-              at_y = exposure(stress, y);
-            }
+        const auto refined = largest_between((i - 1.) * step,
+                                             (i + 1.) * step,
+                                             [&](const double angle) {
+                                               return exposure(stress, angle);
+                                             });
         // The grid has planes that rounding must not miss, as that at 0.
         for (const auto &[value, angle] :
-             {std::make_pair(f[i], i * step), std::make_pair(at_x, x)})
+             {std::make_pair(f[i], i * step), refined})
           if (value > best.first * (1. + arithmetic::rounding))
             best = {value, angle};
       }
@@ -91,12 +133,8 @@ namespace lamella
   FailureSurface::assess_planes(const Voigt &mechanical,
                                 const Voigt &residual) const
   {
-    // Steps in which an exposure that does not rise all along is looked through
-    // for the first root, and halvings until doubles have no more digits.
-    constexpr unsigned int n_steps = 64, n_halvings = 60;
-    constexpr double       nothing = 1e-6;
-
-    const auto at = [&](const double R) {
+    constexpr double nothing = 1e-6;
+    const auto       at      = [&](const double R) {
       return action_plane(R * mechanical + residual).first;
     };
     const auto [f, angle] = action_plane(mechanical + residual);
@@ -114,18 +152,7 @@ namespace lamella
         double end = (1. + action_plane(-residual).first) / alone;
         while (at(end) < 1.)
           end *= 2.;
-        double low = 0., high = end;
-        for (unsigned int i = 1; i <= n_steps && high == end; ++i)
-          if (at(end * i / n_steps) >= 1.)
-            high = end * i / n_steps;
-          else
-            low = end * i / n_steps;
-        for (unsigned int i = 0; i < n_halvings; ++i)
-          {
-            const double middle            = 0.5 * (low + high);
-            (at(middle) < 1. ? low : high) = middle;
-          }
-        result.reserve = 0.5 * (low + high);
+        result.reserve = root_before(at, end);
       }
     if (result.reserve)
       R = *result.reserve;
