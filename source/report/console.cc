@@ -245,32 +245,42 @@ namespace lamella
 
 
 
+  namespace
+  {
+    void
+    print_checks(std::ostream &out, const Checks &checks)
+    {
+      out << "  force balance " << to_text(checks.force_balance, 2)
+          << ", moment balance " << to_text(checks.moment_balance, 2)
+          << ", residual " << to_text(checks.residual, 2) << ", energy balance "
+          << to_text(checks.energy_balance, 2) << ", largest rotation "
+          << to_text(checks.max_rotation, 3) << " rad\n  stiffening by large "
+          << "deflections " << to_text(100. * checks.beyond.stiffening, 2)
+          << " %, buckling at "
+          << (checks.beyond.buckling_factor ?
+                to_text(*checks.beyond.buckling_factor, 4) +
+                  " times these loads" :
+                "more than 100 times these loads, or never")
+          << "\n";
+      if (checks.stabilisation_energy > 0.)
+        out << "  stabilising springs hold "
+            << to_text(100. * checks.stabilisation_share, 2)
+            << " % of the energy\n";
+    }
+  } // namespace
+
+
+
   void
   print_summary(std::ostream &out, const Results &results)
   {
-    const StepResults &step   = results.last();
-    const Checks      &checks = step.checks;
+    const StepResults &step = results.last();
     out << "\nForces and checks at the last load step:\n";
     print_resultants(out, results);
     for (unsigned int m = 0; m < step.measures.size(); ++m)
       out << "  measure " << results.measures[m] << ": "
           << to_text(step.measures[m], 6) << "\n";
-    out << "  force balance " << to_text(checks.force_balance, 2)
-        << ", moment balance " << to_text(checks.moment_balance, 2)
-        << ", residual " << to_text(checks.residual, 2) << ", energy balance "
-        << to_text(checks.energy_balance, 2) << ", largest rotation "
-        << to_text(checks.max_rotation, 3) << " rad\n  stiffening by large "
-        << "deflections " << to_text(100. * checks.beyond.stiffening, 2)
-        << " %, buckling at "
-        << (checks.beyond.buckling_factor ?
-              to_text(*checks.beyond.buckling_factor, 4) +
-                " times these loads" :
-              "more than 100 times these loads, or never")
-        << "\n";
-    if (checks.stabilisation_energy > 0.)
-      out << "  stabilising springs hold "
-          << to_text(100. * checks.stabilisation_share, 2)
-          << " % of the energy\n";
+    print_checks(out, step.checks);
     for (unsigned int l = 0; l < results.lines.size(); ++l)
       if (step.jumps[l].interfaces > 0)
         out << "  line " << results.lines[l]

@@ -159,6 +159,31 @@ namespace lamella
 
 
 
+  namespace
+  {
+    /// What the linear model leaves out, if that is worth a word.
+    void
+    print_what_no_refinement_mends(std::ostream &out, const Results &results)
+    {
+      const BeyondLinear &beyond = results.last().checks.beyond;
+      constexpr double    less   = 1e-2;
+      if (beyond.stiffening > less || beyond.buckling_factor)
+        {
+          out << "  All of these are of the linear model, which no refinement "
+                 "mends:";
+          if (beyond.stiffening > less)
+            out << " stiffening by large deflections "
+                << to_text(100. * beyond.stiffening, 2) << " %";
+          if (beyond.buckling_factor)
+            out << (beyond.stiffening > less ? "," : "") << " buckling at "
+                << to_text(*beyond.buckling_factor, 3) << " times these loads";
+          out << ".\n";
+        }
+    }
+  } // namespace
+
+
+
   void
   print_goals(std::ostream &out, const Results &results)
   {
@@ -194,19 +219,6 @@ namespace lamella
                     "kind, ");
     no_bar.print(out, "No bar for ", " yet: ", " yet: ");
     wanting.print(out, "", " wants ", " want ");
-    const BeyondLinear &beyond = results.last().checks.beyond;
-    constexpr double    less   = 1e-2;
-    if (beyond.stiffening > less || beyond.buckling_factor)
-      {
-        out << "  All of these are of the linear model, which no refinement "
-               "mends:";
-        if (beyond.stiffening > less)
-          out << " stiffening by large deflections "
-              << to_text(100. * beyond.stiffening, 2) << " %";
-        if (beyond.buckling_factor)
-          out << (beyond.stiffening > less ? "," : "") << " buckling at "
-              << to_text(*beyond.buckling_factor, 3) << " times these loads";
-        out << ".\n";
-      }
+    print_what_no_refinement_mends(out, results);
   }
 } // namespace lamella

@@ -13,6 +13,33 @@ namespace lamella
 {
   using namespace dealii;
 
+  namespace
+  {
+    /// The side @p f of @p cell as points between semicolons, from its first
+    /// vertex to the other or, unless it goes @p forwards, back.
+    std::string
+    side_points(const Triangulation<2>::active_cell_iterator &cell,
+                const unsigned int                            f,
+                const bool                                    forwards,
+                const MappingQ<2>                            &mapping)
+    {
+      const bool curved =
+        cell->face(f)->manifold_id() != numbers::flat_manifold_id;
+      const unsigned int n = curved ? 8 : 1;
+      std::string        side;
+      for (unsigned int i = 0; i <= n; ++i)
+        {
+          const double   t    = double(forwards ? i : n - i) / n;
+          const Point<2> unit = f < 2 ? Point<2>(f, t) : Point<2>(t, f - 2);
+          const Point<2> x    = mapping.transform_unit_to_real_cell(cell, unit);
+          side += (i == 0 ? "," : ";") + csv(x[0]) + " " + csv(x[1]);
+        }
+      return side;
+    }
+  } // namespace
+
+
+
   std::string
   section_table(const SectionMesh &section)
   {
@@ -36,18 +63,7 @@ namespace lamella
             names += ",";
             if (face->at_boundary())
               names += section.boundaries.at(face->boundary_id());
-            const bool curved =
-              face->manifold_id() != numbers::flat_manifold_id;
-            const unsigned int n = curved ? 8 : 1;
-            for (unsigned int i = 0; i <= n; ++i)
-              {
-                const double   t = double(forwards ? i : n - i) / n;
-                const Point<2> unit =
-                  f < 2 ? Point<2>(f, t) : Point<2>(t, f - 2);
-                const Point<2> x =
-                  mapping.transform_unit_to_real_cell(cell, unit);
-                sides += (i == 0 ? "," : ";") + csv(x[0]) + " " + csv(x[1]);
-              }
+            sides += side_points(cell, f, forwards, mapping);
           }
         const Tensor<1, 2> normal = ply.plane.at(
           mapping.transform_unit_to_real_cell(cell, Point<2>(0.5, 0.5)));

@@ -240,6 +240,24 @@ namespace lamella
 
 
 
+    /// How stresses and tractions jump at the ply interfaces of lines.
+    void
+    add_jumps(const Results &results, const StepResults &last, Json &json)
+    {
+      json["interface_jumps"]              = Json::object();
+      json["interface_jumps_of_tractions"] = Json::object();
+      for (unsigned int l = 0; l < results.lines.size(); ++l)
+        if (last.jumps[l].interfaces > 0)
+          {
+            const auto &[name, jump] =
+              std::tie(results.lines[l], last.jumps[l]);
+            json["interface_jumps"][name]              = jump.of_stress;
+            json["interface_jumps_of_tractions"][name] = jump.of_traction;
+          }
+    }
+
+
+
     /// Resultants and checks of the last load step.
     void
     add_last_step(const Results &results, Json &json)
@@ -274,16 +292,7 @@ namespace lamella
           json["first_failure"]["load_factor"] = first->failing;
           json["first_failure"]["safe"]        = first->safe;
         }
-      json["interface_jumps"]              = Json::object();
-      json["interface_jumps_of_tractions"] = Json::object();
-      for (unsigned int l = 0; l < results.lines.size(); ++l)
-        if (last.jumps[l].interfaces > 0)
-          {
-            const auto &[name, jump] =
-              std::tie(results.lines[l], last.jumps[l]);
-            json["interface_jumps"][name]              = jump.of_stress;
-            json["interface_jumps_of_tractions"][name] = jump.of_traction;
-          }
+      add_jumps(results, last, json);
       add_closures(results, last.closures, json);
     }
   } // namespace

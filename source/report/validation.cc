@@ -164,6 +164,46 @@ namespace lamella
 
 
 
+  namespace
+  {
+    /// A, B and D of a laminate of the height @p h.
+    void
+    print_matrices(std::ostream            &out,
+                   const LaminateStiffness &stiffness,
+                   const double             h,
+                   const Units             &units)
+    {
+      // What is left of sums that cancel, over what they are made of.
+      const double A = stiffness.A.norm();
+      struct Part
+      {
+        const char                 *letter;
+        const dealii::Tensor<2, 3> *matrix;
+        double                      scale;
+        int                         lengths;
+      };
+      for (const Part &part : {Part{"A", &stiffness.A, A, -1},
+                               Part{"B", &stiffness.B, A * h, 0},
+                               Part{"D", &stiffness.D, A * h * h, 1}})
+        for (unsigned int r = 0; r < 3; ++r)
+          {
+            out << "  " << (r == 0 ? part.letter : " ");
+            for (unsigned int c = 0; c < 3; ++c)
+              {
+                const double value = (*part.matrix)[r][c];
+                out << std::setw(14)
+                    << (std::abs(value) <
+                            arithmetic::rounding_of_sums * part.scale ?
+                          0. :
+                          value);
+              }
+            out << (r == 0 ? unit(units, part.lengths) : "") << "\n";
+          }
+    }
+  } // namespace
+
+
+
   void
   print_laminate(std::ostream           &out,
                  const std::string      &name,
@@ -184,32 +224,7 @@ namespace lamella
     out
       << "  Classical lamination theory about the mid-plane, order yy, xx, xy "
          "(y along the beam):\n";
-    // What is left of sums that cancel, over what they are made of.
-    const double h = plies.back().top, A = stiffness.A.norm();
-    struct Part
-    {
-      const char                 *letter;
-      const dealii::Tensor<2, 3> *matrix;
-      double                      scale;
-      int                         lengths;
-    };
-    for (const Part &part : {Part{"A", &stiffness.A, A, -1},
-                             Part{"B", &stiffness.B, A * h, 0},
-                             Part{"D", &stiffness.D, A * h * h, 1}})
-      for (unsigned int r = 0; r < 3; ++r)
-        {
-          out << "  " << (r == 0 ? part.letter : " ");
-          for (unsigned int c = 0; c < 3; ++c)
-            {
-              const double value = (*part.matrix)[r][c];
-              out << std::setw(14)
-                  << (std::abs(value) <
-                          arithmetic::rounding_of_sums * part.scale ?
-                        0. :
-                        value);
-            }
-          out << (r == 0 ? unit(units, part.lengths) : "") << "\n";
-        }
+    print_matrices(out, stiffness, plies.back().top, units);
     out << "  EA " << stiffness.EA << unit(units, 0) << ", EI " << stiffness.EI
         << unit(units, 2) << ", GA " << stiffness.GA << unit(units, 0)
         << ", kGA " << shear_stiffness(plies, width) << unit(units, 0)
