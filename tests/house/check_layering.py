@@ -31,8 +31,8 @@ ARROWS = {
     "scene": ("base", "material", "shape", "section", "body", "conditions", "contact", "solve",
               "recover"),
     "run": ("base", "conditions", "contact", "solve", "recover", "adapt", "report", "scene"),
-    "estimate": ("base", "axis", "body", "solve", "recover", "adapt", "report", "scene", "run"),
-    "trade": ("base", "section", "solve", "recover", "report", "scene", "run", "estimate"),
+    "estimate": ("base", "axis", "body", "recover", "adapt", "report", "scene", "run"),
+    "trade": ("base", "section", "recover", "report", "scene", "run", "estimate"),
     "export": ("base", "body", "contact", "recover", "adapt", "scene"),
 }
 ROOMS = tuple(ARROWS)
