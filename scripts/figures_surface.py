@@ -2,7 +2,6 @@
 """The outer surface of the bodies from the last step's VTU, for scripts/plot: where it
 was, how it has moved, and the stresses on it."""
 
-import base64
 import struct
 import xml.etree.ElementTree as ElementTree
 import zlib
@@ -41,19 +40,25 @@ class Surface:
 # ---- reading
 
 
-def decode(text, kind):
-    """The numbers of a base64 array in blocks of zlib, the VTK XML format."""
-    text = "".join(text.split())
-    n_blocks = struct.unpack("<I", base64.b64decode(text[:8])[:4])[0]
-    header_bytes = 4 * (3 + n_blocks)
-    header_text = 4 * ((header_bytes + 2) // 3)
-    sizes = struct.unpack(f"<{3 + n_blocks}I", base64.b64decode(
-        text[:header_text])[:header_bytes])[3:]
-    packed, data = base64.b64decode(text[header_text:]), []
-    for size in sizes:
-        data.append(zlib.decompress(packed[:size]))
-        packed = packed[size:]
-    return np.frombuffer(b"".join(data), kind)
+def arrays_of(path, wanted):
+    """Of a VTU file with raw appended arrays those with names that are wanted, and how
+    many cells it has."""
+    head, _, data = path.read_bytes().partition(b'<AppendedData encoding="raw">\n_')
+    piece = ElementTree.fromstring(head + b"</VTKFile>").find(".//Piece")
+    return {array.get("Name"): decode(data, int(array.get("offset")),
+                                      TYPES[array.get("type")])
+            for array in piece.iter("DataArray") if array.get("Name") in wanted
+            }, int(piece.get("NumberOfCells"))
+
+
+def decode(data, offset, kind):
+    """The numbers of an array in blocks of zlib."""
+    n_blocks, = struct.unpack_from("<I", data, offset)
+    begin, blocks = offset + 4 * (3 + n_blocks), []
+    for size in struct.unpack_from(f"<{n_blocks}I", data, offset + 12):
+        blocks.append(zlib.decompress(data[begin:begin + size]))
+        begin += size
+    return np.frombuffer(b"".join(blocks), kind)
 
 
 def last_files(folder):
@@ -73,40 +78,37 @@ def last_files(folder):
 
 
 def blocks(path):
-    """(fields, bodies, plies) of the cells with equally many points. Fields are
-    positions, displacements and, where the file has them, stresses, on each cell's grid
-    of n x n x n: (cells, n, n, n, 6 or 12)."""
-    piece = ElementTree.parse(path).getroot().find(".//Piece")
-    if piece is None or int(piece.get("NumberOfCells")) == 0:
+    """(fields, bodies, plies) of the cells of equal degrees. Fields are positions,
+    displacements and, where the file has them, stresses, on each cell's grid:
+    (cells, n, n, n, 6 or 12), the n of any two directions may differ."""
+    arrays, n_cells = arrays_of(path, ("points", "displacement", "body", "ply", "offsets",
+                                       "HigherOrderDegrees", *STRESSES))
+    if n_cells == 0:
         return
-    arrays = {array.get("Name") or "points":
-              decode(array.text, TYPES[array.get("type")])
-              for array in piece.iter("DataArray")
-              if array.get("Name") in (None, "displacement", "body", "ply", "offsets",
-                                       *STRESSES)}
     points = arrays["points"].reshape(-1, 3).astype(float)
     moved = arrays["displacement"].reshape(-1, 3).astype(float)
     fields = np.column_stack([points - moved, moved] + [
         arrays[name] for name in STRESSES if name in arrays])
-    plies = arrays.get("ply", np.zeros(len(points)))
+    plies = arrays.get("ply", np.zeros(n_cells))
+    degrees = arrays["HigherOrderDegrees"].reshape(-1, 3).astype(int)
     ends = arrays["offsets"]
-    sizes = np.diff(ends, prepend=0)
-    # Points stand cell by cell, those of a cell line by line, layer by layer.
-    for size in np.unique(sizes):
-        n = int(round(size ** (1 / 3)))
-        first = (ends - size)[sizes == size]
-        index = first[:, None] + np.arange(size)
-        yield (fields[index].reshape(len(first), n, n, n, -1),
-               arrays["body"][index[:, 0]].astype(int), plies[index[:, 0]].astype(int))
+    # Points stand cell by cell, those of a cell along the axis, across, and upwards.
+    for kind in np.unique(degrees, axis=0):
+        mask = np.all(degrees == kind, axis=1)
+        n = kind + 1
+        index = (ends[mask] - n.prod())[:, None] + np.arange(n.prod())
+        yield (fields[index].reshape(mask.sum(), n[2], n[0], n[1], -1),
+               arrays["body"][mask].astype(int), plies[mask].astype(int))
 
 
 # ---- the outer surface
 
 
 def faces_of(cells):
-    """The six sides of each cell of (cells, n, n, n, fields): (6 cells, n, n, fields)."""
-    return np.concatenate([cells[:, 0], cells[:, -1], cells[:, :, 0], cells[:, :, -1],
-                           cells[:, :, :, 0], cells[:, :, :, -1]])
+    """The sides of each cell of (cells, n, n, n, fields), three times two of
+    (cells, n, n, fields)."""
+    return [cells[:, 0], cells[:, -1], cells[:, :, 0], cells[:, :, -1],
+            cells[:, :, :, 0], cells[:, :, :, -1]]
 
 
 def surface_of(results):
@@ -121,13 +123,14 @@ def outer_surface(files):
     sides, owners = [], []
     for path in files:
         for fields, body, ply in blocks(path):
-            sides.append(faces_of(fields))
-            owners.append(np.tile(np.column_stack([body, ply]), (6, 1)))
+            for side in faces_of(fields):
+                sides.append(side)
+                owners.append(np.column_stack([body, ply]))
     if not sides:
         return None
     size = max(np.abs(side[..., :3]).max() for side in sides)
     corners = np.concatenate([
-        side[:, ::side.shape[1] - 1, ::side.shape[1] - 1, :3].reshape(-1, 4, 3)
+        side[:, ::side.shape[1] - 1, ::side.shape[2] - 1, :3].reshape(-1, 4, 3)
         for side in sides])
     middles = np.round(corners.mean(axis=1) / size, 5)
     keys = np.column_stack([np.concatenate(owners)[:, 0], middles])
@@ -139,14 +142,15 @@ def outer_surface(files):
         mask = outside[begin:begin + len(side)]
         begin += len(side)
         pieces.append((quadrilaterals(side[mask]),
-                       np.repeat(owner[mask], (side.shape[1] - 1) ** 2, axis=0)))
+                       np.repeat(owner[mask], (side.shape[1] - 1) * (side.shape[2] - 1),
+                                 axis=0)))
     fields, owner = (np.concatenate(part) for part in zip(*pieces))
     return Surface(fields[..., :3], fields[..., 3:6],
                    fields[..., 6:] if fields.shape[2] == 12 else None, *owner.T)
 
 
 def quadrilaterals(faces):
-    """Those between neighbouring points of (faces, n, n, fields)."""
+    """Those between neighbouring points of (faces, n, m, fields)."""
     quads = np.stack([faces[:, :-1, :-1], faces[:, 1:, :-1], faces[:, 1:, 1:],
                       faces[:, :-1, 1:]], axis=3)
     return quads.reshape(-1, 4, faces.shape[3])

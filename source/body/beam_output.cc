@@ -6,6 +6,10 @@
 #include <lamella/body/beam.h>
 #include <lamella/body/fields.h>
 
+#include <algorithm>
+#include <array>
+#include <numeric>
+
 namespace lamella
 {
   using namespace dealii;
@@ -83,44 +87,213 @@ namespace lamella
 
 
 
-  std::vector<OutputCell>
-  Beam::sample_axis_cell(const unsigned int         axis_cell,
-                         const std::vector<double> &etas,
-                         const unsigned int         n,
-                         const Vector              &u) const
+  std::vector<std::vector<double>>
+  Beam::coefficients_of_element(const unsigned int cell, const Vector &u) const
   {
-    std::vector<std::pair<double, AxisState>> states;
-    for (const double eta : etas)
+    const auto                      &nodes = beam_axis->nodes_of_cell(cell);
+    std::vector<std::vector<double>> q;
+    for (unsigned int i = 0; i < nodes.size(); ++i)
       {
-        const AxisPoint point = beam_axis->evaluate(axis_cell, eta);
-        states.emplace_back(point.y, axis_state(point, u));
+        q.emplace_back(space->n_fields(), 0.);
+        for (unsigned int k = 0; k < dof_map.fields(nodes[i]).size(); ++k)
+          q[i][dof_map.fields(nodes[i])[k]] = u[dof_map.first(nodes[i]) + k];
+        if (i > 0)
+          for (unsigned int k = 0; k < dof_map.fields(nodes[0]).size(); ++k)
+            q[i][dof_map.fields(nodes[0])[k]] -= u[dof_map.first(nodes[0]) + k];
       }
+    for (std::vector<double> &coefficients : q)
+      space->expand(coefficients);
+    return q;
+  }
 
-    std::vector<OutputCell> cells(beam_section->n_cells());
-    for (unsigned int cell = 0; cell < cells.size(); ++cell)
+
+
+  Beam::AxisStates
+  Beam::axis_states(const unsigned int         cell,
+                    const std::vector<double> &etas,
+                    const Vector              &u) const
+  {
+    const auto         q = coefficients_of_element(cell, u);
+    const unsigned int m = etas.size(), n_fields = beam_section->n_fields();
+    AxisStates         states;
+    for (std::vector<double> *part :
+         {&states.value, &states.shear_value, &states.derivative})
+      part->assign(n_fields * m, 0.);
+    for (unsigned int j = 0; j < m; ++j)
       {
-        const Triad axes = beam_section->ply_axes(
-          cell, beam_section->element().map(cell, {0.5, 0.5}).position);
-        cells[cell].ply        = beam_section->cell_ply(cell);
-        cells[cell].fibre      = placement.vector_to_scene(axes[0]);
-        cells[cell].ply_normal = placement.vector_to_scene(axes[2]);
-        for (unsigned int k = 0; k <= n; ++k)
+        const AxisPoint point = beam_axis->evaluate(cell, etas[j]);
+        states.y.push_back(point.y);
+        const auto all = [](const std::vector<double> &N) {
+          return std::accumulate(N.begin(), N.end(), 0.);
+        };
+        for (unsigned int i = 0; i < q.size(); ++i)
           {
-            std::vector<SectionPoint> row;
-            for (unsigned int i = 0; i <= n; ++i)
-              row.push_back(
-                beam_section->evaluate(cell, {double(i) / n, double(k) / n}));
-            for (const auto &[y, state] : states)
-              for (const SectionPoint &point : row)
-                {
-                  cells[cell].positions.push_back(placement.to_scene(
-                    {point.position[0], y, point.position[1]}));
-                  cells[cell].samples.push_back(
-                    field_sample(point_state(point, state),
-                                 point,
-                                 cells[cell].positions.back()));
-                }
+            const double N = i == 0 ? all(point.N) : point.N[i],
+                         N_shear =
+                           i == 0 ? all(point.N_shear) : point.N_shear[i],
+                         dN = i == 0 ? 0. : point.dN[i];
+            for (unsigned int alpha = 0; alpha < n_fields; ++alpha)
+              {
+                states.value[alpha * m + j] += N * q[i][alpha];
+                states.shear_value[alpha * m + j] += N_shear * q[i][alpha];
+                states.derivative[alpha * m + j] += dN * q[i][alpha];
+              }
           }
+      }
+    return states;
+  }
+
+
+
+  struct Beam::GridPoint
+  {
+    /// A number that is not zero in what makes kinematics of coefficients: it
+    /// multiplies that of field @p alpha and counts for component @p row, of
+    /// which 0 to 2 are displacements and 3 to 8 strains.
+    struct Entry
+    {
+      unsigned int alpha, row;
+      double       factor;
+    };
+    unsigned int cell;
+    Point<2>     position;
+    ElasticLaw   law;
+    SampleTurns  turns;
+    /// Of value, shear_value and derivative.
+    std::array<std::vector<Entry>, 3> entries;
+  };
+
+
+
+  std::vector<Beam::GridPoint>
+  Beam::grid_points(const unsigned int section_cell,
+                    const unsigned int n_xi,
+                    const unsigned int n_eta) const
+  {
+    std::vector<GridPoint> points;
+    for (unsigned int k = 0; k <= n_eta; ++k)
+      for (unsigned int i = 0; i <= n_xi; ++i)
+        {
+          const SectionPoint at =
+            beam_section->evaluate(section_cell,
+                                   {double(i) / n_xi, double(k) / n_eta});
+          points.push_back(
+            {section_cell,
+             at.position,
+             beam_section->law(section_cell, at.position),
+             SampleTurns(placement,
+                         beam_section->ply_axes(section_cell, at.position)),
+             {}});
+          const auto add = [&](const unsigned int part,
+                               const unsigned int a,
+                               const unsigned int row,
+                               const double       factor) {
+            if (factor != 0.)
+              points.back().entries[part].push_back(
+                {(*at.fields)[a], row, factor});
+          };
+          for (unsigned int a = 0; a < at.fields->size(); ++a)
+            {
+              for (unsigned int c = 0; c < 3; ++c)
+                add(0, a, c, at.value[a][c]);
+              for (unsigned int c = 0; c < 6; ++c)
+                {
+                  add(is_transverse_shear(c), a, 3 + c, at.in_plane[a][c]);
+                  add(2, a, 3 + c, at.along[a][c]);
+                }
+            }
+        }
+    return points;
+  }
+
+
+
+  FieldSample
+  Beam::grid_sample(const GridPoint    &point,
+                    const Tensor<1, 3> &displacement,
+                    Voigt               strain,
+                    const Point<3>     &x) const
+  {
+    if (!is_heated())
+      return point.turns.sample(displacement, strain, point.law.stress(strain));
+    const ElasticLaw law = law_at(point.cell, point.position, x);
+    strain += beam_section->completion_of_initial(point.cell,
+                                                  point.position,
+                                                  law.initial_strain());
+    return point.turns.sample(displacement, strain, law.stress(strain));
+  }
+
+
+
+  void
+  Beam::sample_grid(const std::vector<GridPoint> &points,
+                    const unsigned int            n_xi,
+                    const AxisStates             &states,
+                    OutputCell                   &cell) const
+  {
+    const unsigned int m = states.y.size();
+    cell.positions.resize(points.size() * m);
+    cell.samples.resize(points.size() * m);
+    const std::array<const double *, 3> parts{{states.value.data(),
+                                               states.shear_value.data(),
+                                               states.derivative.data()}};
+    std::vector<double>                 rows;
+    for (unsigned int p = 0; p < points.size(); ++p)
+      {
+        const GridPoint &point = points[p];
+        rows.assign(9 * m, 0.);
+        for (unsigned int part = 0; part < 3; ++part)
+          for (const GridPoint::Entry &entry : point.entries[part])
+            for (unsigned int j = 0; j < m; ++j)
+              rows[entry.row * m + j] +=
+                entry.factor * parts[part][entry.alpha * m + j];
+        for (unsigned int j = 0; j < m; ++j)
+          {
+            const unsigned int at =
+              (p / (n_xi + 1) * m + j) * (n_xi + 1) + p % (n_xi + 1);
+            cell.positions[at] = placement.to_scene(
+              {point.position[0], states.y[j], point.position[1]});
+            Tensor<1, 3> displacement;
+            Voigt        strain;
+            for (unsigned int c = 0; c < 3; ++c)
+              displacement[c] = rows[c * m + j];
+            for (unsigned int c = 0; c < 6; ++c)
+              strain[c] = rows[(3 + c) * m + j];
+            cell.samples[at] =
+              grid_sample(point, displacement, strain, cell.positions[at]);
+          }
+      }
+  }
+
+
+
+  OutputCell
+  Beam::empty_output_cell(const unsigned int section_cell) const
+  {
+    const Triad axes = beam_section->ply_axes(
+      section_cell,
+      beam_section->element().map(section_cell, {0.5, 0.5}).position);
+    OutputCell cell;
+    cell.ply        = beam_section->cell_ply(section_cell);
+    cell.fibre      = placement.vector_to_scene(axes[0]);
+    cell.ply_normal = placement.vector_to_scene(axes[2]);
+    return cell;
+  }
+
+
+
+  std::vector<OutputCell>
+  Beam::cut_axis_cell(const unsigned int axis_cell,
+                      const double       eta,
+                      const unsigned int n,
+                      const Vector      &u) const
+  {
+    const AxisStates        states = axis_states(axis_cell, {eta}, u);
+    std::vector<OutputCell> cells;
+    for (unsigned int c = 0; c < beam_section->n_cells(); ++c)
+      {
+        cells.push_back(empty_output_cell(c));
+        sample_grid(grid_points(c, n, n), n, states, cells.back());
       }
     return cells;
   }
@@ -135,12 +308,12 @@ namespace lamella
                         arithmetic::same_place_along * beam_axis->length());
     std::vector<OutputCell> cells;
     if (!places.empty())
-      cells = sample_axis_cell(places[0].first, {places[0].second}, n, u);
+      cells = cut_axis_cell(places[0].first, places[0].second, n, u);
     if (places.size() == 2)
       {
         // Between two elements the mean of both, as in a probe.
         const auto other =
-          sample_axis_cell(places[1].first, {places[1].second}, n, u);
+          cut_axis_cell(places[1].first, places[1].second, n, u);
         for (unsigned int c = 0; c < cells.size(); ++c)
           for (unsigned int k = 0; k < cells[c].samples.size(); ++k)
             {
@@ -159,17 +332,40 @@ namespace lamella
 
 
 
-  std::vector<OutputCell>
-  Beam::output_cells(const unsigned int n, const Vector &u) const
+  GridIntervals
+  Beam::picture_degrees() const
+  {
+    const CrossSectionElement &element = beam_section->element();
+    // Shapes are cubic at most.
+    const unsigned int across =
+      std::min(element.trace_degree(), std::max(element.degree(), 3u));
+    return {{across, beam_axis->degree(), across}};
+  }
+
+
+
+  void
+  Beam::for_each_output_cell(const GridIntervals   &n,
+                             const Vector          &u,
+                             const UseOfOutputCell &use) const
   {
     std::vector<double> etas;
-    for (unsigned int j = 0; j <= n; ++j)
-      etas.push_back(double(j) / n);
-    std::vector<OutputCell> cells;
+    for (unsigned int j = 0; j <= n[1]; ++j)
+      etas.push_back(double(j) / n[1]);
     const auto [begin, end] = beam_axis->own_cells();
+    std::vector<AxisStates> states;
     for (unsigned int axis_cell = begin; axis_cell < end; ++axis_cell)
-      for (OutputCell &cell : sample_axis_cell(axis_cell, etas, n, u))
-        cells.push_back(std::move(cell));
-    return cells;
+      states.push_back(axis_states(axis_cell, etas, u));
+
+    for (unsigned int c = 0; c < beam_section->n_cells(); ++c)
+      {
+        const std::vector<GridPoint> points = grid_points(c, n[0], n[2]);
+        OutputCell                   cell   = empty_output_cell(c);
+        for (unsigned int k = 0; k < states.size(); ++k)
+          {
+            sample_grid(points, n[0], states[k], cell);
+            use(k * beam_section->n_cells() + c, cell);
+          }
+      }
   }
 } // namespace lamella

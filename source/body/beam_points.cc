@@ -344,12 +344,4 @@ namespace lamella
            (std::abs(d[1]) > tolerance ? beam_axis->degree() : 0) +
            (std::abs(d[2]) > tolerance ? p : 0);
   }
-
-
-
-  unsigned int
-  Beam::degree() const
-  {
-    return std::max(beam_section->element().degree(), beam_axis->degree());
-  }
 } // namespace lamella

@@ -227,6 +227,23 @@ namespace lamella
 
 
 
+  std::vector<OutputCell>
+  Body::output_cells(const unsigned int n, const Vector &u) const
+  {
+    std::vector<OutputCell> cells;
+    for_each_output_cell({{n, n, n}},
+                         u,
+                         [&cells](const unsigned int number,
+                                  const OutputCell  &cell) {
+                           if (number >= cells.size())
+                             cells.resize(number + 1);
+                           cells[number] = cell;
+                         });
+    return cells;
+  }
+
+
+
   void
   Body::throw_with_place(const NotPositiveDefinite &error) const
   {

@@ -24,6 +24,30 @@ namespace lamella
 
 
 
+  SampleTurns::SampleTurns(const Placement &placement, const Triad &ply)
+    : axes(transpose(placement.axes))
+    , strain_to_scene(placement.strain_to_scene())
+    , stress_to_scene(transpose(strain_rotation(placement.axes)))
+    , stress_to_ply(transpose(strain_rotation(transpose(ply))))
+  {}
+
+
+
+  FieldSample
+  SampleTurns::sample(const Tensor<1, 3> &displacement,
+                      const Voigt        &strain,
+                      const Voigt        &stress) const
+  {
+    FieldSample sample;
+    sample.displacement = axes * displacement;
+    sample.strain       = strain_to_scene * strain;
+    sample.stress       = stress_to_scene * stress;
+    sample.ply_stress   = stress_to_ply * stress;
+    return sample;
+  }
+
+
+
   FieldSample
   sample_of(const Tensor<1, 3> &displacement,
             const Voigt        &strain,
@@ -31,13 +55,8 @@ namespace lamella
             const Triad        &ply,
             const ElasticLaw   &law)
   {
-    const Voigt stress = law.stress(strain);
-    FieldSample sample;
-    sample.displacement = placement.vector_to_scene(displacement);
-    sample.strain       = placement.strain_to_scene() * strain;
-    sample.stress       = transpose(strain_rotation(placement.axes)) * stress;
-    sample.ply_stress   = transpose(strain_rotation(transpose(ply))) * stress;
-    return sample;
+    return SampleTurns(placement, ply)
+      .sample(displacement, strain, law.stress(strain));
   }
 
 

@@ -55,7 +55,7 @@ namespace lamella
 
   OutputCell
   Solid::sample_grid(const unsigned int         cell,
-                     const unsigned int         n,
+                     const GridIntervals       &n,
                      const std::vector<double> &etas,
                      const Vector              &u) const
   {
@@ -66,12 +66,12 @@ namespace lamella
       cell, element.evaluate(nodes_of(cell), Point<3>(0.5, 0.5, 0.5)).position);
     result.fibre      = placement.vector_to_scene(axes[0]);
     result.ply_normal = placement.vector_to_scene(axes[2]);
-    for (unsigned int k = 0; k <= n; ++k)
+    for (unsigned int k = 0; k <= n[2]; ++k)
       for (const double eta : etas)
-        for (unsigned int i = 0; i <= n; ++i)
+        for (unsigned int i = 0; i <= n[0]; ++i)
           {
             const Location::Place place{
-              cell, Point<3>(double(i) / n, eta, double(k) / n)};
+              cell, Point<3>(double(i) / n[0], eta, double(k) / n[2])};
             result.positions.push_back(position(place));
             result.samples.push_back(sample_place(place, u));
           }
@@ -164,7 +164,7 @@ namespace lamella
         if (!between && !behind && !last)
           continue;
         cells.push_back(
-          sample_grid(cell, n, {(at - begin) / (end - begin)}, u));
+          sample_grid(cell, {{n, 0, n}}, {(at - begin) / (end - begin)}, u));
         if (!behind || begin <= tolerance)
           continue;
         const auto found = before.find(corners(all[cell], 0));
@@ -172,7 +172,8 @@ namespace lamella
           average_with_layer_before(cell, u, cells.back());
         else
           {
-            const OutputCell other = sample_grid(found->second, n, {1.}, u);
+            const OutputCell other =
+              sample_grid(found->second, {{n, 0, n}}, {1.}, u);
             for (unsigned int k = 0; k < other.samples.size(); ++k)
               cells.back().samples[k] =
                 mean_of({other.samples[k], cells.back().samples[k]});
@@ -183,17 +184,16 @@ namespace lamella
 
 
 
-  std::vector<OutputCell>
-  Solid::output_cells(const unsigned int n, const Vector &u) const
+  void
+  Solid::for_each_output_cell(const GridIntervals   &n,
+                              const Vector          &u,
+                              const UseOfOutputCell &use) const
   {
     std::vector<double> etas;
-    for (unsigned int j = 0; j <= n; ++j)
-      etas.push_back(double(j) / n);
-    std::vector<OutputCell> cells;
-    for (unsigned int cell = mesh.owned_cells().first;
-         cell < mesh.owned_cells().second;
-         ++cell)
-      cells.push_back(sample_grid(cell, n, etas, u));
-    return cells;
+    for (unsigned int j = 0; j <= n[1]; ++j)
+      etas.push_back(double(j) / n[1]);
+    const auto [begin, end] = mesh.owned_cells();
+    for (unsigned int cell = begin; cell < end; ++cell)
+      use(cell - begin, sample_grid(cell, n, etas, u));
   }
 } // namespace lamella

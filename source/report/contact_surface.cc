@@ -4,13 +4,11 @@
 #include <lamella/base/output_file.h>
 #include <lamella/body/surface_topology.h>
 #include <lamella/report/contact_surface.h>
-#include <lamella/report/fields_table.h>
 
 #include <deal.II/base/utilities.h>
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <map>
 #include <set>
 
@@ -145,82 +143,56 @@ namespace lamella
 
 
 
-  namespace
+  VtuGrid
+  ContactSurface::grid(const BlockVector             &u,
+                       const std::vector<ContactRow> &rows) const
   {
-    // Of VTK's list of cell types.
-    constexpr unsigned int vtk_vertex = 1, vtk_quad = 9;
+    VtuGrid grid;
+    for (const Quadrilateral &quad : quads)
+      grid.add_cell(VtuGrid::quadrilateral, quad);
+    for (const unsigned int k : alone)
+      grid.add_cell(VtuGrid::vertex, std::array<unsigned int, 1>{{k}});
 
-    /// Writes a <DataArray>; @p values prints its numbers.
-    void
-    write_array(std::ostream                              &out,
-                const std::string                         &type,
-                const std::string                         &name,
-                const unsigned int                         n_components,
-                const std::function<void(std::ostream &)> &values)
-    {
-      out << "<DataArray type=\"" << type << "\" Name=\"" << name
-          << "\" NumberOfComponents=\"" << n_components
-          << "\" format=\"ascii\">\n";
-      values(out);
-      out << "\n</DataArray>\n";
-    }
-
-
-
-    void
-    write_vectors(std::ostream                            &out,
-                  const std::string                       &name,
-                  const std::vector<dealii::Tensor<1, 3>> &vectors)
-    {
-      write_array(out, "Float64", name, 3, [&vectors](std::ostream &to) {
-        for (const Tensor<1, 3> &v : vectors)
-          to << csv(v[0]) << " " << csv(v[1]) << " " << csv(v[2]) << "\n";
-      });
-    }
-
-
-
-    void
-    write_scalars(std::ostream              &out,
-                  const std::string         &name,
-                  const std::vector<double> &scalars)
-    {
-      write_array(out, "Float64", name, 1, [&scalars](std::ostream &to) {
-        for (const double value : scalars)
-          to << csv(value) << " ";
-      });
-    }
-
-
-
-    void
-    write_cells(std::ostream &out, const ContactSurface &surface)
-    {
-      const auto &quads = surface.quadrilaterals();
-      const auto &alone = surface.lone_points();
-      out << "<Cells>\n";
-      write_array(out, "Int32", "connectivity", 1, [&](std::ostream &to) {
-        for (const ContactSurface::Quadrilateral &quad : quads)
-          to << quad[0] << " " << quad[1] << " " << quad[2] << " " << quad[3]
-             << "\n";
-        for (const unsigned int k : alone)
-          to << k << "\n";
-      });
-      write_array(out, "Int32", "offsets", 1, [&](std::ostream &to) {
-        for (unsigned int i = 1; i <= quads.size(); ++i)
-          to << 4 * i << " ";
-        for (unsigned int i = 1; i <= alone.size(); ++i)
-          to << 4 * quads.size() + i << " ";
-      });
-      write_array(out, "UInt8", "types", 1, [&](std::ostream &to) {
-        for (unsigned int i = 0; i < quads.size(); ++i)
-          to << vtk_quad << " ";
-        for (unsigned int i = 0; i < alone.size(); ++i)
-          to << vtk_vertex << " ";
-      });
-      out << "</Cells>\n";
-    }
-  } // namespace
+    const Bodies                              &bodies = structure.bodies();
+    std::vector<double>                        positions;
+    std::map<std::string, std::vector<double>> vectors, scalars;
+    const auto append = [](std::vector<double> &to, const Tensor<1, 3> &v) {
+      for (unsigned int c = 0; c < 3; ++c)
+        to.push_back(v[c]);
+    };
+    for (unsigned int k = 0; k < rows.size(); ++k)
+      {
+        const ContactInterface::Point &point     = rows[k].point;
+        const auto                     displaced = [&](const unsigned int b,
+                                   const Location    &where) {
+          return bodies[b]->sample(where, u.block(b)).displacement;
+        };
+        const Tensor<1, 3> shift =
+          displaced(contact.first_body, first_places[k]);
+        const Point<3> position = point.first + shift;
+        append(positions, position);
+        append(vectors["displacement"], shift);
+        append(vectors["normal"], point.normal);
+        append(vectors["separation"],
+               contact.second_body ?
+                 point.second +
+                   displaced(*contact.second_body, second_places[k]) -
+                   position :
+                 rows[k].gap * point.normal);
+        scalars["area"].push_back(point.area);
+        scalars["initial_gap"].push_back(rows[k].initial_gap);
+        scalars["gap"].push_back(rows[k].gap);
+        scalars["force"].push_back(rows[k].force);
+        scalars["pressure"].push_back(rows[k].force / point.area);
+        scalars["status"].push_back(rows[k].touches() ? 1. : 0.);
+      }
+    grid.points.values = positions;
+    for (const auto &[name, values] : vectors)
+      grid.at_points.push_back({name, 3, values});
+    for (const auto &[name, values] : scalars)
+      grid.at_points.push_back({name, 1, values});
+    return grid;
+  }
 
 
 
@@ -230,51 +202,10 @@ namespace lamella
                             const BlockVector             &u,
                             const std::vector<ContactRow> &rows) const
   {
-    const Bodies             &bodies = structure.bodies();
-    std::vector<Tensor<1, 3>> positions, displacements, normals, separations;
-    std::map<std::string, std::vector<double>> scalars;
-    for (unsigned int k = 0; k < rows.size(); ++k)
-      {
-        const ContactInterface::Point &point     = rows[k].point;
-        const auto                     displaced = [&](const unsigned int b,
-                                   const Location    &where) {
-          return bodies[b]->sample(where, u.block(b)).displacement;
-        };
-        displacements.push_back(displaced(contact.first_body, first_places[k]));
-        positions.push_back(point.first + displacements.back());
-        normals.push_back(point.normal);
-        separations.push_back(
-          contact.second_body ?
-            point.second + displaced(*contact.second_body, second_places[k]) -
-              Point<3>(positions.back()) :
-            rows[k].gap * point.normal);
-        scalars["area"].push_back(point.area);
-        scalars["initial_gap"].push_back(rows[k].initial_gap);
-        scalars["gap"].push_back(rows[k].gap);
-        scalars["force"].push_back(rows[k].force);
-        scalars["pressure"].push_back(rows[k].force / point.area);
-        scalars["status"].push_back(rows[k].touches() ? 1. : 0.);
-      }
-
     const std::string name = "contact_" + contact.name + "_" +
                              Utilities::int_to_string(step, 4) + ".vtu";
-    OutputFile    output(directory + "/" + name);
-    std::ostream &file = output.stream();
-    file << "<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" "
-            "version=\"0.1\" byte_order=\"LittleEndian\">\n"
-            "<UnstructuredGrid>\n<Piece NumberOfPoints=\""
-         << positions.size() << "\" NumberOfCells=\""
-         << quads.size() + alone.size() << "\">\n<Points>\n";
-    write_vectors(file, "points", positions);
-    file << "</Points>\n";
-    write_cells(file, *this);
-    file << "<PointData Scalars=\"pressure\">\n";
-    write_vectors(file, "displacement", displacements);
-    write_vectors(file, "normal", normals);
-    write_vectors(file, "separation", separations);
-    for (const auto &[field, values] : scalars)
-      write_scalars(file, field, values);
-    file << "</PointData>\n</Piece>\n</UnstructuredGrid>\n</VTKFile>\n";
+    OutputFile output(directory + "/" + name);
+    write_vtu_file(output.stream(), grid(u, rows));
     if (!output.put_in_place())
       fail_to_write(directory + "/" + name);
     return name;

@@ -4,10 +4,15 @@
 #include <lamella/base/processes.h>
 #include <lamella/body/fields.h>
 #include <lamella/report/vtu.h>
+#include <lamella/report/vtu_file.h>
 
 #include <deal.II/base/data_out_base.h>
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
 #include <sstream>
+#include <utility>
 
 namespace lamella
 {
@@ -15,112 +20,251 @@ namespace lamella
 
   namespace
   {
-    /// The output cells of all bodies as patches of deal.II.
-    class BodiesOutput : public DataOutInterface<3, 3>
+    // Binary digits that are kept of what is largest in a file, those of a
+    // float, and in an element: an eighth of a step of 256 colours over it.
+    constexpr int digits_of_file = 24, digits_of_element = 11;
+
+    using Range = std::pair<std::size_t, std::size_t>;
+
+
+
+    double
+    largest_of(const std::vector<float> &values, const Range &range)
+    {
+      float largest = 0.f;
+      for (std::size_t k = range.first; k < range.second; ++k)
+        largest = std::max(largest, std::abs(values[k]));
+      return largest;
+    }
+
+
+
+    /// The power of two of which @p largest has 2^(digits - 1) to 2^digits.
+    double
+    unit_of(const double largest, const int digits)
+    {
+      int exponent;
+      std::frexp(largest, &exponent);
+      return std::max<double>(std::ldexp(1., exponent - digits),
+                              std::numeric_limits<float>::min());
+    }
+
+
+
+    /// Rounds to multiples of @p unit. Numbers become short, and a file of them
+    /// half as long; the sides of elements on which a field is continuous still
+    /// agree.
+    void
+    round_to(const double unit, std::vector<float> &values, const Range &range)
+    {
+      // Of numbers near it, the spacing of doubles is the unit.
+      const double shift = std::ldexp(1.5 * unit, 52);
+      for (std::size_t k = range.first; k < range.second; ++k)
+        values[k] = (values[k] + shift) - shift;
+    }
+
+
+
+    void
+    round_vectors(std::vector<float> &values)
+    {
+      const Range all{0, values.size()};
+      round_to(unit_of(largest_of(values, all), digits_of_file), values, all);
+    }
+
+
+
+    /// Of the @p n components from @p first on each for itself in each element,
+    /// whose points end at @p ends, but no finer than the largest of all asks
+    /// for.
+    void
+    round_fields(std::vector<std::vector<float>> &fields,
+                 const unsigned int               first,
+                 const unsigned int               n,
+                 const std::vector<std::int32_t> &ends)
+    {
+      double largest = 0.;
+      for (unsigned int c = first; c < first + n; ++c)
+        largest =
+          std::max(largest, largest_of(fields[c], {0, fields[c].size()}));
+      const double finest = unit_of(largest, digits_of_file);
+      for (unsigned int c = first; c < first + n; ++c)
+        {
+          Range element{0, 0};
+          for (const std::int32_t end : ends)
+            {
+              element = {element.second, end};
+              const double unit =
+                unit_of(largest_of(fields[c], element), digits_of_element);
+              round_to(std::max(unit, finest), fields[c], element);
+            }
+        }
+    }
+
+
+
+    /// The output cells of all bodies, each with points of its own.
+    class BodiesPicture
     {
     public:
       /// With reserve factors by @p strength, unless it is null.
-      explicit BodiesOutput(const StrengthSweep *strength)
+      explicit BodiesPicture(const StrengthSweep *strength)
         : strength(strength)
-        , dataset_names(make_names(strength != nullptr))
+        , fields(3 * 6 + (strength != nullptr ? 1 : 0))
       {}
 
       void
       add(const Body &body, const unsigned int number, const Vector &u)
       {
         // Cells of a degree that readers draw; expansions may be higher.
-        const unsigned int n = std::min(body.degree(), 4u);
-        for (const OutputCell &cell : body.output_cells(n, u))
+        GridIntervals n = body.picture_degrees();
+        for (unsigned int &degree : n)
+          degree = std::min(degree, 4u);
+        const Lattice     lattice     = lattice_of(n);
+        const std::size_t first_cell  = grid.types.size(),
+                          size        = lattice.points.size();
+        const std::size_t first_point = positions.size() / 3;
+        body.for_each_output_cell(
+          n, u, [&](const unsigned int k, const OutputCell &cell) {
+            add_to_cells(first_cell + k, n, cell, number);
+            add_to_points(first_point + k * size, lattice, cell, number);
+          });
+        // By their numbers elements that are neighbours in the section follow
+        // each other, and what they share is near in the file.
+        for (std::size_t k = 0; first_cell + k < plies.size(); ++k)
           {
-            DataOutBase::Patch<3, 3> patch;
-            patch.reference_cell       = ReferenceCells::Hexahedron;
-            patch.patch_index          = patches.size();
-            patch.n_subdivisions       = n;
-            patch.points_are_available = true;
-            patch.data.reinit(dataset_names.size() + 3, cell.samples.size());
-            for (unsigned int k = 0; k < cell.samples.size(); ++k)
-              fill_point(patch, cell, number, k);
-            for (unsigned int v = 0; v < 8; ++v)
-              {
-                const unsigned int corner = n * (v % 2) +
-                                            (n + 1) * n * (v / 2 % 2) +
-                                            (n + 1) * (n + 1) * n * (v / 4);
-                patch.vertices[v] =
-                  cell.positions[corner] + cell.samples[corner].displacement;
-              }
-            patches.push_back(patch);
+            std::vector<std::int32_t> corners;
+            for (const unsigned int p : lattice.vtk_order)
+              corners.push_back(first_point + k * size + p);
+            grid.add_cell(VtuGrid::lagrange_hexahedron, corners);
           }
       }
 
+      /// What there is to be drawn; no more can be added.
+      VtuGrid
+      take()
+      {
+        round_vectors(positions);
+        round_vectors(displacements);
+        for (const unsigned int first : {0, 6, 12})
+          round_fields(fields, first, 6, grid.offsets);
+        grid.points.values = std::move(positions);
+        grid.at_points.push_back({"displacement", 3, std::move(displacements)});
+        // Of all names displacements come first, the jump, which is not known
+        // here, last.
+        std::vector<std::string> names(field_names().begin() + 3,
+                                       field_names().end() - 1);
+        names.push_back("inverse_reserve_factor");
+        for (unsigned int f = 0; f < fields.size(); ++f)
+          grid.at_points.push_back({names[f], 1, std::move(fields[f])});
+        grid.of_cells = {{"ply", 1, std::move(plies)},
+                         {"body", 1, std::move(bodies)},
+                         {"fibre", 3, std::move(fibres)},
+                         {VtuGrid::degrees_name, 3, std::move(degrees)}};
+        return std::move(grid);
+      }
+
     private:
+      /// The points of an element as the file has them, along the axis fastest:
+      /// neighbours share the longest runs then. Their numbers in an
+      /// OutputCell, and those of the file in the order of VTK.
+      struct Lattice
+      {
+        std::vector<unsigned int> points, vtk_order;
+      };
+
+      static Lattice
+      lattice_of(const GridIntervals &n)
+      {
+        Lattice lattice;
+        lattice.vtk_order.resize((n[0] + 1) * (n[1] + 1) * (n[2] + 1));
+        for (unsigned int k = 0; k <= n[2]; ++k)
+          for (unsigned int i = 0; i <= n[0]; ++i)
+            for (unsigned int j = 0; j <= n[1]; ++j)
+              {
+                lattice.vtk_order[vtk_hexahedron_point(n, i, j, k)] =
+                  lattice.points.size();
+                lattice.points.push_back((k * (n[1] + 1) + j) * (n[0] + 1) + i);
+              }
+        return lattice;
+      }
+
+      /// The @p count numbers of @p values from @p begin on, which are made
+      /// where there are none.
+      template <typename Number>
+      static Number *
+      part_of(std::vector<Number> &values,
+              const std::size_t    begin,
+              const std::size_t    count)
+      {
+        if (values.size() < begin + count)
+          values.resize(begin + count);
+        return values.data() + begin;
+      }
+
       void
-      fill_point(DataOutBase::Patch<3, 3> &patch,
-                 const OutputCell         &cell,
-                 const unsigned int        body,
-                 const unsigned int        k) const
+      add_to_cells(const std::size_t    k,
+                   const GridIntervals &n,
+                   const OutputCell    &cell,
+                   const unsigned int   body)
       {
-        const FieldSample  &sample = cell.samples[k];
-        std::vector<double> values = field_values(sample);
-        values.pop_back(); // the jump is not known here
-        values.push_back(cell.ply + 1);
-        values.push_back(body + 1);
-        if (strength != nullptr)
-          values.push_back(
-            strength->inverse_reserve(body, cell.ply, sample.ply_stress));
+        *part_of(plies, k, 1)  = cell.ply + 1;
+        *part_of(bodies, k, 1) = body + 1;
+        std::copy(n.begin(), n.end(), part_of(degrees, 3 * k, 3));
+        float *const fibre = part_of(fibres, 3 * k, 3);
         for (unsigned int c = 0; c < 3; ++c)
-          values.push_back(cell.fibre[c]);
-        const Point<3> x = cell.positions[k] + sample.displacement;
-        for (unsigned int c = 0; c < 3; ++c)
-          values.push_back(x[c]);
-        for (unsigned int i = 0; i < values.size(); ++i)
-          patch.data(i, k) = static_cast<float>(values[i]);
+          fibre[c] = cell.fibre[c];
       }
 
-      const std::vector<DataOutBase::Patch<3, 3>> &
-      get_patches() const override
+      void
+      add_to_points(const std::size_t  begin,
+                    const Lattice     &lattice,
+                    const OutputCell  &cell,
+                    const unsigned int body)
       {
-        return patches;
+        const unsigned int size = lattice.points.size();
+        float             *x    = part_of(positions, 3 * begin, 3 * size),
+              *u                = part_of(displacements, 3 * begin, 3 * size);
+        for (const unsigned int p : lattice.points)
+          for (unsigned int c = 0; c < 3; ++c)
+            {
+              *u++ = cell.samples[p].displacement[c];
+              *x++ = cell.positions[p][c] + cell.samples[p].displacement[c];
+            }
+        add_tensor(0, &FieldSample::strain, begin, lattice, cell);
+        add_tensor(6, &FieldSample::stress, begin, lattice, cell);
+        add_tensor(12, &FieldSample::ply_stress, begin, lattice, cell);
+        if (strength == nullptr)
+          return;
+        float *reserve = part_of(fields.back(), begin, size);
+        for (const unsigned int p : lattice.points)
+          *reserve++ = strength->inverse_reserve(body,
+                                                 cell.ply,
+                                                 cell.samples[p].ply_stress);
       }
 
-      std::vector<std::string>
-      get_dataset_names() const override
+      void
+      add_tensor(const unsigned int first,
+                 Voigt FieldSample::*part,
+                 const std::size_t   begin,
+                 const Lattice      &lattice,
+                 const OutputCell   &cell)
       {
-        return dataset_names;
+        for (unsigned int c = 0; c < 6; ++c)
+          {
+            float *value =
+              part_of(fields[first + c], begin, lattice.points.size());
+            for (const unsigned int p : lattice.points)
+              *value++ = (cell.samples[p].*part)[c];
+          }
       }
 
-      std::vector<
-        std::tuple<unsigned int,
-                   unsigned int,
-                   std::string,
-                   DataComponentInterpretation::DataComponentInterpretation>>
-      get_nonscalar_data_ranges() const override
-      {
-        const unsigned int fibre = dataset_names.size() - 3;
-        return {{0,
-                 2,
-                 "displacement",
-                 DataComponentInterpretation::component_is_part_of_vector},
-                {fibre,
-                 fibre + 2,
-                 "fibre",
-                 DataComponentInterpretation::component_is_part_of_vector}};
-      }
-
-      static std::vector<std::string>
-      make_names(const bool with_reserve)
-      {
-        std::vector<std::string> names = field_names();
-        names.pop_back();
-        names.insert(names.end(), {"ply", "body"});
-        if (with_reserve)
-          names.push_back("inverse_reserve_factor");
-        names.insert(names.end(), {"fibre_x", "fibre_y", "fibre_z"});
-        return names;
-      }
-
-      const StrengthSweep                  *strength;
-      const std::vector<std::string>        dataset_names;
-      std::vector<DataOutBase::Patch<3, 3>> patches;
+      const StrengthSweep            *strength;
+      VtuGrid                         grid;
+      std::vector<float>              positions, displacements, fibres;
+      std::vector<std::vector<float>> fields;
+      std::vector<std::int32_t>       plies, bodies;
+      std::vector<std::uint8_t>       degrees;
     };
   } // namespace
 
@@ -134,11 +278,11 @@ namespace lamella
             const BlockVector   &u,
             const StrengthSweep *strength)
   {
-    BodiesOutput output(strength);
+    BodiesPicture picture(strength);
     for (unsigned int b = 0; b < structure.bodies().size(); ++b)
-      output.add(*structure.bodies()[b], b, u.block(b));
-    output.set_flags(DataOutBase::VtkFlags(
-      factor, step, false, DataOutBase::VtkFlags::best_speed, true));
+      picture.add(*structure.bodies()[b], b, u.block(b));
+    VtuGrid grid = picture.take();
+    grid.time    = {factor, step};
 
     const std::string name = "solution_" + Utilities::int_to_string(step, 4);
     const auto        part = [&name](const unsigned int process) {
@@ -148,19 +292,11 @@ namespace lamella
     const auto write = [&directory](const std::string &file_name,
                                     const auto        &content) {
       OutputFile file(directory + "/" + file_name);
-      try
-        {
-          content(file.stream());
-        }
-      catch (const ExceptionBase &)
-        {
-          // deal.II's word for a stream that takes no more.
-          return false;
-        }
+      content(file.stream());
       return file.put_in_place();
     };
-    bool written = write(part(this_process()), [&output](std::ostream &file) {
-      output.write_vtu(file);
+    bool written = write(part(this_process()), [&grid](std::ostream &file) {
+      write_vtu_file(file, grid);
     });
     if (n_processes() > 1 && is_speaker())
       {
@@ -169,7 +305,7 @@ namespace lamella
           parts.push_back(part(p));
         written = write(name + ".pvtu",
                         [&](std::ostream &file) {
-                          output.write_pvtu_record(file, parts);
+                          write_pvtu_file(file, grid, parts);
                         }) &&
                   written;
       }
@@ -177,7 +313,6 @@ namespace lamella
       fail_to_write(directory + "/" + name + ".vtu");
     return name + (n_processes() == 1 ? ".vtu" : ".pvtu");
   }
-
 
 
   void

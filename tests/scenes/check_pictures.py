@@ -17,7 +17,6 @@ pictures: their panels, titles, labels, ticks and how much of a panel the data f
 Exit status 77 (skipped) without numpy or matplotlib.
 """
 
-import base64
 import csv
 import importlib
 import json
@@ -130,23 +129,26 @@ class Run:
         gives its ply and its six stresses."""
         points = [point for _, corners in cells for point in corners]
         shifts = [moved(point) for point in points]
-        arrays = {"": ("Float32", "f", [x + u for p, s in zip(points, shifts)
+        arrays = {"points": ("Float32", "f", [x + u for p, s in zip(points, shifts)
                                         for x, u in zip(p, s)]),
                   "displacement": ("Float32", "f", [u for s in shifts for u in s]),
-                  "body": ("Float32", "f", [b for b, _ in cells for _ in range(8)]),
-                  "offsets": ("Int32", "i", [8 * k + 8 for k in range(len(cells))])}
+                  "body": ("Int32", "i", [b for b, _ in cells]),
+                  "offsets": ("Int32", "i", [8 * k + 8 for k in range(len(cells))]),
+                  "HigherOrderDegrees": ("UInt8", "B", [1] * 3 * len(cells))}
         if stress:
             found = [stress(k // 8, point) for k, point in enumerate(points)]
-            arrays["ply"] = ("Float32", "f", [ply for ply, _ in found])
+            arrays["ply"] = ("Int32", "i", [ply for ply, _ in found[::8]])
             for c, name in enumerate(STRESSES):
                 arrays[name] = ("Float32", "f", [values[c] for _, values in found])
-        text = "".join(
-            f'<DataArray type="{kind}"' + (f' Name="{name}"' if name else "") +
-            f">{packed(values, form)}</DataArray>"
-            for name, (kind, form, values) in arrays.items())
-        (self.folder / "solution_0001.vtu").write_text(
+        text, data = "", b""
+        for name, (kind, form, values) in arrays.items():
+            text += f'<DataArray type="{kind}" Name="{name}" offset="{len(data)}"/>'
+            data += packed(values, form)
+        (self.folder / "solution_0001.vtu").write_bytes(
             f'<VTKFile><UnstructuredGrid><Piece NumberOfPoints="{len(points)}" '
-            f'NumberOfCells="{len(cells)}">{text}</Piece></UnstructuredGrid></VTKFile>')
+            f'NumberOfCells="{len(cells)}">{text}</Piece></UnstructuredGrid>'
+            '<AppendedData encoding="raw">\n_'.encode() + data
+            + b"\n</AppendedData></VTKFile>")
         (self.folder / "solution.pvd").write_text(
             '<VTKFile><Collection><DataSet file="solution_0001.vtu"/></Collection>'
             "</VTKFile>")
@@ -641,11 +643,10 @@ class Figures:
 
 
 def packed(values, form):
-    """One block of zlib, in base64, after its header: the VTK XML format."""
+    """One block of zlib after its header, as VTK's raw appended arrays are."""
     data = struct.pack(f"<{len(values)}{form}", *values)
     block = zlib.compress(data)
-    header = struct.pack("<4I", 1, len(data), len(data), len(block))
-    return (base64.b64encode(header) + base64.b64encode(block)).decode()
+    return struct.pack("<4I", 1, len(data), 0, len(block)) + block
 
 
 def brick(body, low, size):

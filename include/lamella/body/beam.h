@@ -242,8 +242,6 @@ namespace lamella
     line_breaks(const dealii::Point<3> &a,
                 const dealii::Point<3> &b) const override;
     unsigned int
-    degree() const override;
-    unsigned int
     line_degree(const dealii::Point<3> &a,
                 const dealii::Point<3> &b) const override;
 
@@ -252,8 +250,21 @@ namespace lamella
     cut(const double       position,
         const unsigned int n,
         const Vector      &u) const override;
-    std::vector<OutputCell>
-    output_cells(const unsigned int n, const Vector &u) const override;
+    /// Across the section at most 3 of a shape that is of a higher degree than
+    /// the expansion.
+    GridIntervals
+    picture_degrees() const override;
+    /**
+     * A product, too: the fields' coefficients are formed once at each place
+     * along the axis, the functions of the section once at each of its points.
+     * Numbers are (own element of the axis) times (cells of the section) plus
+     * (cell of the section). Memory: the coefficients of all places of this
+     * process.
+     */
+    void
+    for_each_output_cell(const GridIntervals   &n,
+                         const Vector          &u,
+                         const UseOfOutputCell &use) const override;
 
     /// The factors, which live as long as the beam.
     const Section &
@@ -347,6 +358,25 @@ namespace lamella
     /// added to these.
     AxisState
     axis_state(const AxisPoint &point, const Vector &u) const;
+
+    /// axis_state() at several places of one axis element: entry
+    /// alpha * y.size() + j is that of the section's field alpha at place j.
+    struct AxisStates
+    {
+      std::vector<double> y, value, shear_value, derivative;
+    };
+
+    /// In the fields of the section, modes added to these, the coefficients of
+    /// @p u at the first node of the axis element @p cell, and of each further
+    /// node the differences to them.
+    std::vector<std::vector<double>>
+    coefficients_of_element(const unsigned int cell, const Vector &u) const;
+
+    /// Those at the places @p etas in [0, 1] of the axis element @p cell.
+    AxisStates
+    axis_states(const unsigned int         cell,
+                const std::vector<double> &etas,
+                const Vector              &u) const;
 
     /// The integration points along the axis that are this process's, first and
     /// one past the last: those of Axis::own_cells().
@@ -502,14 +532,43 @@ namespace lamella
                       const unsigned int       begin,
                       Vector                  &share) const;
 
+    /// A point of the section with what samples need of it, for all places
+    /// along the axis.
+    struct GridPoint;
+
+    /// The points of a regular grid on @p section_cell, @p n_xi by @p n_eta
+    /// intervals, xi fastest.
+    std::vector<GridPoint>
+    grid_points(const unsigned int section_cell,
+                const unsigned int n_xi,
+                const unsigned int n_eta) const;
+
+    /// As field_sample(), at @p x (scene axes).
+    FieldSample
+    grid_sample(const GridPoint            &point,
+                const dealii::Tensor<1, 3> &displacement,
+                Voigt                       strain,
+                const dealii::Point<3>     &x) const;
+
+    /// Fills in the samples of @p cell, n_xi + 1 of @p points in a line, at all
+    /// places of @p states.
+    void
+    sample_grid(const std::vector<GridPoint> &points,
+                const unsigned int            n_xi,
+                const AxisStates             &states,
+                OutputCell                   &cell) const;
+
+    /// An element over @p section_cell without its samples.
+    OutputCell
+    empty_output_cell(const unsigned int section_cell) const;
+
     /// The elements of one axis element, a section cell each, with grids of
-    /// (n + 1) x m x (n + 1) samples, one layer for each of the m places @p
-    /// etas in [0, 1] along it: n + 1 of them for pictures, one for a cut.
+    /// (n + 1) x (n + 1) samples at the place @p eta in [0, 1] along it.
     std::vector<OutputCell>
-    sample_axis_cell(const unsigned int         axis_cell,
-                     const std::vector<double> &etas,
-                     const unsigned int         n,
-                     const Vector              &u) const;
+    cut_axis_cell(const unsigned int axis_cell,
+                  const double       eta,
+                  const unsigned int n,
+                  const Vector      &u) const;
 
     /// Adds to the rows @p rows of a quantity, one a component, the @p share
     /// of a point of the body that is @p axis_point times @p point.

@@ -175,11 +175,16 @@ namespace lamella
   /// A number at each point of the scene.
   using ScalarField = std::function<double(const dealii::Point<3> &)>;
 
+  /// How many intervals a grid on an element's unit cube has along each of its
+  /// coordinates: xi of the section, that of the axis, the other one of the
+  /// section (Location::Place::unit).
+  using GridIntervals = std::array<unsigned int, 3>;
+
   /**
    * An element of a body for pictures: fields on a regular grid of its unit
-   * cube, (n+1)^3 points of an element and (n+1)^2 of a cut through it. The
-   * coordinate xi of the section runs fastest, then that of the axis, then the
-   * other one of the section.
+   * cube, or on the layer of it that a cut goes through. The coordinate xi of
+   * the section runs fastest, then that of the axis, then the other one of the
+   * section.
    *
    * Elements do not share points: stresses differ from side to side, and a
    * picture should show that.
@@ -540,11 +545,6 @@ namespace lamella
     virtual std::vector<double>
     line_breaks(const dealii::Point<3> &a, const dealii::Point<3> &b) const = 0;
 
-    /// The largest polynomial degree of displacements along a coordinate of an
-    /// element: how finely pictures have to divide it.
-    virtual unsigned int
-    degree() const = 0;
-
     /// The polynomial degree of displacements along the segment from @p a to
     /// @p b within an element: on a skew line the sum of those it runs along,
     /// since the functions are products. Zero only where a equals b.
@@ -568,11 +568,29 @@ namespace lamella
     virtual std::vector<OutputCell>
     cut(const double position, const unsigned int n, const Vector &u) const = 0;
 
-    /// The elements of this process, all together those of the body, with the
-    /// fields on (n + 1)^3 points each. Nothing is averaged, and no jump is
-    /// known. @p n is at least 1.
-    virtual std::vector<OutputCell>
-    output_cells(const unsigned int n, const Vector &u) const = 0;
+    /// The degrees of the displacements within an element along each of its
+    /// unit coordinates, and of its shape where that is more: as many intervals
+    /// as a picture of it needs. At least 1.
+    virtual GridIntervals
+    picture_degrees() const = 0;
+
+    /// What is done with an element: its number among those of this process,
+    /// and what is on it, which is good until the next one.
+    using UseOfOutputCell =
+      std::function<void(const unsigned int, const OutputCell &)>;
+
+    /// Calls @p use with each element of this process once, in any order, with
+    /// the fields of @p u on a grid of @p n, each at least 1. The elements of
+    /// all processes are those of the body. Nothing is averaged, and no jump is
+    /// known. One element is in memory at a time.
+    virtual void
+    for_each_output_cell(const GridIntervals   &n,
+                         const Vector          &u,
+                         const UseOfOutputCell &use) const = 0;
+
+    /// The same elements by their numbers, with (n + 1)^3 points each.
+    std::vector<OutputCell>
+    output_cells(const unsigned int n, const Vector &u) const;
 
     /**
      * What @p asked means for this body and this number of processes, never

@@ -45,9 +45,28 @@ namespace lamella
               const Triad      &ply,
               const ElasticLaw &law);
 
-  /// All fields of a displacement (a length) and a strain (order of Eq. 4,
-  /// engineering shear strains), both in the axes of a body; the other
-  /// arguments as above. The jump is left at zero: one sample has none.
+  /// The turns of samples out of the axes of a body at a placement, into those
+  /// of the scene and of a ply: made once, they serve all points of one ply.
+  class SampleTurns
+  {
+  public:
+    SampleTurns(const Placement &placement, const Triad &ply);
+
+    /// All fields of a displacement (a length), a strain (order of Eq. 4,
+    /// engineering shear strains) and the stress that a law makes of it, all in
+    /// the axes of the body. The jump is left at zero: one sample has none.
+    FieldSample
+    sample(const dealii::Tensor<1, 3> &displacement,
+           const Voigt                &strain,
+           const Voigt                &stress) const;
+
+  private:
+    Triad         axes;
+    ElasticTensor strain_to_scene, stress_to_scene, stress_to_ply;
+  };
+
+  /// SampleTurns::sample() of one point, with the stress of @p law; the other
+  /// arguments as above.
   FieldSample
   sample_of(const dealii::Tensor<1, 3> &displacement,
             const Voigt                &strain,

@@ -134,8 +134,9 @@ namespace lamella
     std::vector<double>
     line_breaks(const dealii::Point<3> &a,
                 const dealii::Point<3> &b) const override;
+    /// Of the hexahedra.
     unsigned int
-    degree() const override
+    degree() const
     {
       return element.degree();
     }
@@ -147,8 +148,15 @@ namespace lamella
     cut(const double       position,
         const unsigned int n,
         const Vector      &u) const override;
-    std::vector<OutputCell>
-    output_cells(const unsigned int n, const Vector &u) const override;
+    GridIntervals
+    picture_degrees() const override
+    {
+      return {{degree(), degree(), degree()}};
+    }
+    void
+    for_each_output_cell(const GridIntervals   &n,
+                         const Vector          &u,
+                         const UseOfOutputCell &use) const override;
 
     const HexahedralMesh &
     hexahedra() const
@@ -251,10 +259,11 @@ namespace lamella
     node_locations(
       const std::vector<std::pair<unsigned int, unsigned int>> &faces) const;
 
-    /// Fields at the grid points of @p cell, etas along the axis.
+    /// Fields at the grid points of @p cell, @p etas along the axis; the
+    /// intervals of @p n count in the section.
     OutputCell
     sample_grid(const unsigned int         cell,
-                const unsigned int         n,
+                const GridIntervals       &n,
                 const std::vector<double> &etas,
                 const Vector              &u) const;
 

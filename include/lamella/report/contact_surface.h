@@ -5,6 +5,7 @@
 
 #include <lamella/contact/gap_rows.h>
 #include <lamella/recover/results.h>
+#include <lamella/report/vtu_file.h>
 #include <lamella/solve/structure.h>
 
 #include <array>
@@ -46,17 +47,19 @@ namespace lamella
       return alone;
     }
 
-    /**
-     * Writes @p directory/contact_NAME_STEP.vtu for ParaView: the surface on
-     * the displaced first body (subtract `displacement` for the undeformed
-     * one) with the columns of contact_NAME.csv at its points (`active` as
-     * `status`), and `separation`, the vector to the displaced partner: gap
-     * times normal where that is on a rigid obstacle. What is drawn is the
-     * contact's @p rows in the load step number @p step and the displacements
-     * @p u there, of the scene. Numbers are doubles in text. Returns the file's
-     * name without the folder. Throws InputError if it cannot be written. One
-     * process calls it.
-     */
+    /// The surface on the displaced first body (subtract `displacement` for
+    /// the undeformed one) with the columns of contact_NAME.csv at its points
+    /// (`active` as `status`), and `separation`, the vector to the displaced
+    /// partner: gap times normal where that is on a rigid obstacle. @p rows are
+    /// the contact's in a load step and @p u the displacements there, of the
+    /// scene. Numbers are doubles.
+    VtuGrid
+    grid(const BlockVector &u, const std::vector<ContactRow> &rows) const;
+
+    /// Writes grid() of the load step number @p step as
+    /// @p directory/contact_NAME_STEP.vtu for ParaView. Returns the file's name
+    /// without the folder. Throws InputError if it cannot be written. One
+    /// process calls it.
     std::string
     write_vtu(const std::string             &directory,
               const unsigned int             step,

@@ -17,14 +17,18 @@ namespace lamella
    * solution_STEP.vtu: a higher-order hexahedron for each section cell of each
    * axis element, positions displaced by u (so do not warp again; subtract
    * `displacement` for the undeformed scene), strains and stresses
-   * discontinuous between elements and so per ply, the ply's number (from 1 at
-   * the bottom), the fibre direction, the body's number (from 1). Returns the
-   * file's name without the folder. Values in a VTU are single precision:
-   * pictures, not numbers. With @p strength, which may be null, comes the
-   * largest 1/R of each point by the elements' own stresses
-   * (StrengthSweep::inverse_reserve()). Cells are of the degree of the body's
-   * expansion, 4 at most; @p factor is the time and @p step the cycle that
-   * ParaView shows.
+   * discontinuous between elements and so per ply; for each cell the ply's
+   * number (from 1 at the bottom), the fibre direction, the body's number (from
+   * 1). Returns the file's name without the folder. With @p strength, which may
+   * be null, comes the largest 1/R of each point by the elements' own stresses
+   * (StrengthSweep::inverse_reserve()). @p factor is the time and @p step the
+   * cycle that ParaView shows.
+   *
+   * Cells are of Body::picture_degrees(), 4 at most along each coordinate.
+   * Values are pictures, not numbers: single precision, displacements and
+   * positions rounded to 2^-24 of what is largest in the file, each component
+   * of strains and stresses to 2^-11 of its largest in the element, or 2^-24 of
+   * the largest component in the file if that is more.
    *
    * Several processes write solution_STEP.PROCESS.vtu each, of their elements,
    * and solution_STEP.pvtu for all of them, whose name is returned: all call
