@@ -255,8 +255,9 @@ namespace lamella
       static void
       expect_end(Part &part);
 
-      Lines                       all;
-      double                      version = 0.;
+      Lines all;
+      /// As nodes and elements stand in version 4.1; in 2.2 each by itself.
+      bool                        in_blocks = false;
       std::map<std::string, Part> parts;
       GmshFile                    file;
       /// Number of a node -> its place.
@@ -297,22 +298,23 @@ namespace lamella
           (all.current != "$MeshFormat" && all.current != "$NOD"))
         all.entry.refuse("this is not a mesh by Gmsh",
                          "Write one with 'gmsh -2 NAME.geo -o NAME.msh'.");
-      const bool old = all.current == "$NOD";
-      if (!old)
+      std::string version = "1";
+      bool        binary  = false;
+      if (all.current == "$MeshFormat")
         {
           if (!all.next())
             all.fault("the file is cut off: it ends before $EndMeshFormat");
           all.expect(3, "the format's version, 0 for text, 8");
+          version = to_text(all.number(0, "a version of the format"));
+          binary  = all.integer(1, "0 (text) or 1 (binary)", 0, 1);
         }
-      version = old ? 1. : all.number(0, "a version of the format");
-      const bool binary =
-        !old && all.integer(1, "0 (text) or 1 (binary)", 0, 1);
-      const std::set<double> known{2., 2.1, 2.2, 4., 4.1};
-      if (binary || known.count(version) == 0)
-        all.fault(std::string("the mesh is ") +
-                    (binary ? "binary" : "of version " + to_text(version)),
-                  "Write it with 'gmsh -2 NAME.geo -format msh41 -o "
-                  "NAME.msh', as text of version 4.1 (or msh22).");
+      in_blocks = version == "4.1";
+      if (binary || !(in_blocks || version == "2.2"))
+        all.fault("the mesh is " +
+                    (binary ? "binary" : "of version " + version) +
+                    "; text of 4.1 and of 2.2 is read",
+                  "Have Gmsh write it anew: 'gmsh " + all.entry.text() +
+                    " -save -format msh41 -o NEW.msh'.");
       all.integer(2, "8, the bytes of a number", 1);
       if (!all.next())
         all.fault("the file is cut off: it ends before $EndMeshFormat");
@@ -477,7 +479,7 @@ namespace lamella
     void
     MeshReader::read_entities()
     {
-      if (version < 4. || parts.count("Entities") == 0)
+      if (!in_blocks || parts.count("Entities") == 0)
         return;
       Part &part = this->part("Entities");
       go_on(part, "four counts");
@@ -496,14 +498,14 @@ namespace lamella
 
 
 
-    /// A line is the tag, a box (of points of 4.1 their place), a count of
+    /// A line is the tag, a box (of points their place), a count of
     /// physical groups, their tags, and but for points a count of what bounds
     /// it, and the tags of these.
     void
     MeshReader::read_entity(const Lines &at, const int dimension)
     {
       const std::string  name = entity_name(dimension);
-      const std::size_t  head = dimension == 0 && version > 4. ? 4 : 7;
+      const std::size_t  head = dimension == 0 ? 4 : 7;
       const std::int64_t tag = at.integer(0, "the tag of a " + name, -tags_end);
       const std::int64_t n =
         at.integer(head, "a count of physical groups", 0, at.words.size());
@@ -558,7 +560,7 @@ namespace lamella
     {
       Part &part = this->part("Nodes");
       go_on(part, "the count of nodes");
-      if (version >= 4.)
+      if (in_blocks)
         {
           read_nodes_in_blocks(part);
           return;
@@ -579,43 +581,34 @@ namespace lamella
     void
     MeshReader::read_nodes_in_blocks(Part &part)
     {
-      const bool  v41   = version > 4.;
       Lines      &lines = part.lines;
       const Lines head  = lines;
-      lines.expect(v41 ? 4 : 2, "counts of blocks and nodes");
+      lines.expect(4, "counts of blocks and nodes");
       const auto n_blocks = announced(part, 0, "blocks"),
                  n        = announced(part, 1, "nodes");
       for (std::int64_t block = 0; block < n_blocks; ++block)
         {
           go_on(part, "block " + std::to_string(block + 1));
           lines.expect(4, "a block's dimension, tag, 0 or 1, count of nodes");
-          const auto dimension =
-            lines.integer(v41 ? 0 : 1, "a dimension (0 to 3)", 0, 3);
-          lines.integer(v41 ? 1 : 0, "a tag", -tags_end, tags_end);
+          const auto dimension = lines.integer(0, "a dimension (0 to 3)", 0, 3);
+          lines.integer(1, "a tag", -tags_end, tags_end);
           // Parameters, one for each dimension, may stand behind coordinates.
           const auto parameters =
             dimension * lines.integer(2, "0 or 1 (with parameters)", 0, 1);
-          const auto count = announced(part, 3, "nodes", v41 ? 2 : 1);
-          std::vector<std::pair<std::int64_t, unsigned int>> numbers;
-          for (std::int64_t i = 0; v41 && i < count; ++i)
+          const auto                count = announced(part, 3, "nodes", 2);
+          std::vector<std::int64_t> numbers;
+          for (std::int64_t i = 0; i < count; ++i)
             {
               go_on(part, "a node's number");
               lines.expect(1, "a node's number");
-              numbers.emplace_back(lines.integer(0, "a node's number", 1),
-                                   lines.line);
+              numbers.push_back(lines.integer(0, "a node's number", 1));
             }
-          for (std::int64_t i = 0; i < count; ++i)
+          for (const std::int64_t number : numbers)
             {
               go_on(part, "a node");
-              lines.expect((v41 ? 3 : 4) + parameters,
-                           v41 ? "x, y, z, and parameters if announced" :
-                                 "a node's number, x, y, z");
-              add_node(lines,
-                       v41 ? numbers[i].first :
-                             lines.integer(0, "a node's number", 1),
-                       v41 ? 0 : 1);
-              if (v41)
-                file.nodes.back().line = lines.line;
+              lines.expect(3 + parameters,
+                           "x, y, z, and parameters if announced");
+              add_node(lines, number, 0);
             }
         }
       if (file.nodes.size() != static_cast<std::size_t>(n))
@@ -679,7 +672,7 @@ namespace lamella
       Part  &part  = this->part("Elements");
       Lines &lines = part.lines;
       go_on(part, "the count of elements");
-      if (version >= 4.)
+      if (in_blocks)
         {
           read_elements_in_blocks(part);
           return;
@@ -713,20 +706,17 @@ namespace lamella
                                                  {GmshFile::triangle, 2},
                                                  {GmshFile::quadrilateral, 2},
                                                  {GmshFile::point, 0}};
-      const bool                      v41   = version > 4.;
       Lines                          &lines = part.lines;
       const Lines                     head  = lines;
-      lines.expect(v41 ? 4 : 2, "counts of blocks and elements");
+      lines.expect(4, "counts of blocks and elements");
       const auto n_blocks = announced(part, 0, "blocks"),
                  n        = announced(part, 1, "elements");
       for (std::int64_t block = 0; block < n_blocks; ++block)
         {
           go_on(part, "block " + std::to_string(block + 1));
           lines.expect(4, "a block's dimension, tag, type, count of elements");
-          const int dimension =
-            lines.integer(v41 ? 0 : 1, "a dimension (0 to 3)", 0, 3);
-          const auto tag =
-            lines.integer(v41 ? 1 : 0, "a tag", -tags_end, tags_end);
+          const int  dimension = lines.integer(0, "a dimension (0 to 3)", 0, 3);
+          const auto tag       = lines.integer(1, "a tag", -tags_end, tags_end);
           const int  type  = lines.integer(2, "a type of element", 1, tags_end);
           const auto count = announced(part, 3, "elements");
           const auto fits  = dimensions.find(type);

@@ -72,8 +72,9 @@ namespace lamella
               const std::string &remedy = "");
 
   /**
-   * Understands @p text, a mesh in one of Gmsh's formats 2.0 to 2.2, 4.0 and
-   * 4.1, as text.
+   * Understands @p text, a mesh in Gmsh's format 4.1, which it writes since
+   * 2019, or 2.2, which most others write, as text. Any other is refused with
+   * its version and the command that makes a 4.1 of it.
    *
    * What comes back hangs together: all counts are those announced, all numbers
    * are finite, the nodes and elements numbered once, and each element's nodes
