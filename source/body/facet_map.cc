@@ -66,6 +66,28 @@ namespace lamella
 
 
 
+  FacetMap::FacetMap(const unsigned int           degree_s,
+                     const unsigned int           degree_t,
+                     const std::vector<Point<3>> &control_points)
+    : along_s(&GaussLobattoBasis::of_degree(degree_s))
+    , along_t(&GaussLobattoBasis::of_degree(degree_t))
+    , nodes(control_points)
+  {
+    AssertDimension(nodes.size(), along_s->size() * along_t->size());
+    const Point<3> &corner = nodes.front(), &on_s = nodes[degree_s],
+                   &on_t = nodes[nodes.size() - 1 - degree_s];
+    origin.position      = corner;
+    origin.d_s           = on_s - corner;
+    origin.d_t           = on_t - corner;
+    double size          = 0.;
+    for (const Point<3> &node : nodes)
+      size = std::max(size, node.distance(corner));
+    affine = is_straight() && (nodes.back() - on_s - origin.d_t).norm() <
+                                1e-12 * size + 1e-15 * corner.norm();
+  }
+
+
+
   FacetMap::Place
   FacetMap::operator()(const Point<2> &st) const
   {

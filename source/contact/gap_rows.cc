@@ -537,6 +537,26 @@ namespace lamella
 
 
 
+    /// What carries the rows of pairs of nodes, or of nodes against a surface.
+    std::shared_ptr<const CarryingSurface>
+    surface_of(const ContactInterface &interface, const Bodies &bodies)
+    {
+      std::vector<CarryingNode> nodes;
+      for (const ContactInterface::Point &point : interface.points)
+        nodes.push_back({point.node, point.normal});
+      const unsigned int body = interface.points_on_second ?
+                                  *interface.second_body :
+                                  interface.first_body;
+      return std::make_shared<const CarryingSurface>(
+        surface_of_nodes(*bodies[body],
+                         interface.carrying_surface,
+                         nodes,
+                         interface.discretisation ==
+                           Discretisation::node_to_node));
+    }
+
+
+
     void
     remove_overclosure(const ContactPair &contact, ContactInterface &interface)
     {
@@ -675,6 +695,8 @@ namespace lamella
     (interface.points_on_second ? interface.unpaired_second :
                                   interface.unpaired) = gaps.unpaired;
     add_rows(contact, bodies, gaps, interface);
+    interface.surface =
+      gaps.surface != nullptr ? gaps.surface : surface_of(interface, bodies);
     remove_overclosure(contact, interface);
     return interface;
   }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <lamella/base/arithmetic.h>
-#include <lamella/base/inverse_map.h>
+#include <lamella/contact/carrying_surface.h>
 #include <lamella/contact/mesh_surface.h>
 
 #include <deal.II/base/quadrature_lib.h>
@@ -15,10 +15,6 @@ namespace lamella
 
   namespace
   {
-    // How far outside of a facet's unit square a hit still counts: positions
-    // come out of decimal texts and rotations.
-    constexpr double outside = 1e-7;
-
     // cos 45: where normals of facets differ by more, an edge is sharp.
     constexpr double sharp = 0.7;
 
@@ -145,6 +141,7 @@ namespace lamella
     facet.trace_s        = &basis(side.trace_degree_s);
     facet.trace_t        = &basis(side.trace_degree_t);
     facet.trace_nodes    = from.trace;
+    facet.nodes_of_body  = from.grid;
     facet.normal         = middle.normal;
     facet.normal_modulus = middle.normal_modulus;
     facet.depth          = middle.depth;
@@ -384,46 +381,18 @@ namespace lamella
                           const Point<3>     &x,
                           const Tensor<1, 3> &d) const
   {
-    constexpr double accepted = arithmetic::rounding_of_results, lost = 10.;
-
     const Facet       &facet     = all_facets[number];
     const Tensor<1, 3> to_centre = facet.centre - x;
     if ((to_centre - (to_centre * d) * d).norm_square() >
         facet.radius * facet.radius)
       return {};
 
-    // Two directions across the ray, in which X(s, t) - x is to vanish.
-    unsigned int least = std::abs(d[1]) < std::abs(d[0]) ? 1 : 0;
-    least              = std::abs(d[2]) < std::abs(d[least]) ? 2 : least;
-    Tensor<1, 3> a;
-    a[least]             = 1.;
-    a                    = cross_product_3d(d, a);
-    a                    = a / a.norm();
-    const Tensor<1, 3> b = cross_product_3d(d, a);
-
-    const auto missing = [&](const Point<2> &st) {
-      const Place  place = facet.map(st);
-      const auto   r     = x - place.position;
-      Tensor<2, 2> across;
-      across[0][0] = a * place.d_s;
-      across[0][1] = a * place.d_t;
-      across[1][0] = b * place.d_s;
-      across[1][1] = b * place.d_t;
-      return std::make_pair(Tensor<1, 2>({a * r, b * r}), across);
-    };
-    // Written so that what is not a number is lost.
-    const auto is_near = [](const Point<2> &st) { return st.norm() < lost; };
-    const auto [st, change] = inverse_image(Point<2>(0.5, 0.5),
-                                            facet.map.is_affine(),
-                                            missing,
-                                            is_near);
-    if (!is_near(st) || change > accepted)
+    const auto found = place_on_line(facet.map, x, d);
+    if (!found)
       return {};
-    for (unsigned int c = 0; c < 2; ++c)
-      if (st[c] < -outside || st[c] > 1. + outside)
-        return {};
-    const Place place = facet.map(st);
-    SurfaceHit  hit;
+    const Point<2> &st    = *found;
+    const Place     place = facet.map(st);
+    SurfaceHit      hit;
     hit.position = place.position;
     hit.normal   = smooth_normal(facet, st);
     hit.distance = d * (place.position - x);

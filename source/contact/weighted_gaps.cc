@@ -87,6 +87,7 @@ namespace lamella
       /// A cell of the grid of nodes: part of a facet.
       struct Cell
       {
+        unsigned int                number;
         const MeshSurface::Facet   *facet;
         Point<2>                    low, high;
         std::array<unsigned int, 4> nodes;
@@ -101,6 +102,8 @@ namespace lamella
         double nearest = 0.;
         /// The integral over all of its cells, whatever they face.
         double full_area = 0.;
+        /// The rows that the function belongs to, and its share in them.
+        std::vector<std::pair<unsigned int, double>> rows;
       };
 
       /// A point of the carrying side.
@@ -132,6 +135,10 @@ namespace lamella
                   const Segment                   &segment,
                   const std::vector<unsigned int> &candidates,
                   const bool                       layered);
+      void
+      add_part(const Cell       &cell,
+               const ChordPlane &plane,
+               const Polygon    &corners);
       CarryingPoint
       point_above(const Cell       &cell,
                   const ChordPlane &plane,
@@ -161,12 +168,16 @@ namespace lamella
       share_out(const MeshSurface::HangingNode &hanging);
       void
       finish(const unsigned int number);
+      std::shared_ptr<const CarryingSurface>
+      carrying_surface();
 
       const Sides       &sides;
       const MeshSurface &carrying;
       std::vector<Cell>  cells;
       std::vector<Node>  nodes;
       Gaps               result;
+      /// Of each facet what faces the other side, in its unit square.
+      std::vector<std::vector<Polygon>> parts;
 
       /// Of the current cell: integrals of hat times trace function times n,
       /// those of the opposing side for one facet at a time.
@@ -190,15 +201,18 @@ namespace lamella
     Integrator::make_cells()
     {
       nodes.resize(carrying.grid_nodes().size());
-      for (const MeshSurface::Facet &facet : carrying.facets())
+      parts.resize(carrying.facets().size());
+      for (unsigned int f = 0; f < carrying.facets().size(); ++f)
         {
-          const GaussLobattoBasis &s = *facet.grid_s, &t = *facet.grid_t;
-          const auto              &numbers = facet.grid_nodes;
+          const MeshSurface::Facet &facet = carrying.facets()[f];
+          const GaussLobattoBasis  &s = *facet.grid_s, &t = *facet.grid_t;
+          const auto               &numbers = facet.grid_nodes;
           for (unsigned int j = 0; j + 1 < t.size(); ++j)
             for (unsigned int i = 0; i + 1 < s.size(); ++i)
               {
                 const unsigned int k = j * s.size() + i;
-                cells.push_back({&facet,
+                cells.push_back({f,
+                                 &facet,
                                  Point<2>(s.point(i), t.point(j)),
                                  Point<2>(s.point(i + 1), t.point(j + 1)),
                                  {{numbers[k],
@@ -298,7 +312,8 @@ namespace lamella
       const unsigned int degree = std::max(cell.facet->side.trace_degree_s,
                                            cell.facet->side.trace_degree_t);
       const QGauss<2>    rule(degree / 2 + 1 + degrees_for_curves);
-      const Tensor<1, 2> size = cell.high - cell.low;
+      const Tensor<1, 2> size  = cell.high - cell.low;
+      bool               faces = false;
       for (unsigned int q = 0; q < rule.size(); ++q)
         {
           const CarryingPoint point =
@@ -314,7 +329,13 @@ namespace lamella
                       point,
                       rule.weight(q) * size[0] * size[1] * point.density,
                       *opposite);
+          faces |= opposite.has_value();
         }
+      if (faces)
+        parts[cell.number].push_back({cell.low,
+                                      Point<2>(cell.high[0], cell.low[1]),
+                                      cell.high,
+                                      Point<2>(cell.low[0], cell.high[1])});
     }
 
 
@@ -348,6 +369,7 @@ namespace lamella
                       sides.reach,
                       faces))
         return;
+      add_part(cell, plane, corners);
       for (unsigned int k = 1; k + 1 < corners.size(); ++k)
         {
           const Tensor<1, 2> along  = corners[k] - corners[0],
@@ -370,6 +392,23 @@ namespace lamella
                           *opposite);
             }
         }
+    }
+
+
+
+    /// @p corners of what of @p cell faces the other side, in its chord plane.
+    void
+    Integrator::add_part(const Cell       &cell,
+                         const ChordPlane &plane,
+                         const Polygon    &corners)
+    {
+      Polygon part;
+      for (const Point<2> &corner : corners)
+        part.push_back(point_above(cell, plane, corner).st);
+      // (s, t) and the plane may look at the facet from different sides.
+      if (area(part) < 0.)
+        std::reverse(part.begin(), part.end());
+      parts[cell.number].push_back(part);
     }
 
 
@@ -604,7 +643,40 @@ namespace lamella
           gap.opposite = facing->hit.position;
           gap.angle    = facing->angle;
         }
+      node.rows = {{result.gaps.size(), 1.}};
       result.gaps.push_back(std::move(gap));
+    }
+
+
+
+    std::shared_ptr<const CarryingSurface>
+    Integrator::carrying_surface()
+    {
+      // Those that others hang on come later, and are known before.
+      const auto &hanging = carrying.hanging_nodes();
+      for (auto node = hanging.rbegin(); node != hanging.rend(); ++node)
+        for (const unsigned int end : node->ends)
+          for (const auto &[row, share] : nodes[end].rows)
+            nodes[node->node].rows.emplace_back(row, 0.5 * share);
+      std::vector<CarryingSurface::Facet> facets;
+      for (unsigned int f = 0; f < parts.size(); ++f)
+        {
+          if (parts[f].empty())
+            continue;
+          const MeshSurface::Facet &facet = carrying.facets()[f];
+          facets.push_back({facet.map,
+                            facet.side.degree_s,
+                            facet.side.degree_t,
+                            facet.nodes_of_body,
+                            {},
+                            parts[f]});
+          for (const unsigned int node : facet.grid_nodes)
+            facets.back().rows.push_back(nodes[node].rows);
+        }
+      return std::make_shared<const CarryingSurface>(
+        CarryingSurface::Functions::hats,
+        result.gaps.size(),
+        std::move(facets));
     }
 
 
@@ -634,6 +706,7 @@ namespace lamella
       for (unsigned int k = 0; k < nodes.size(); ++k)
         if (!hangs[k])
           finish(k);
+      result.surface = carrying_surface();
       result.carrying =
         renumber(result.gaps, &WeightedGap::carrying_weights, carrying);
       if (sides.opposing_mesh != nullptr)

@@ -201,8 +201,6 @@ namespace lamella
       face.surface   = upper ? "top" : "bottom";
       face.origin    = box.frame.to_scene({0., 0., upper ? box.size[2] : 0.});
       face.normal    = upper ? axes[2] : -axes[2];
-      face.along_s   = axes[0];
-      face.along_t   = axes[1];
       face.tolerance = arithmetic::same_in_element * box.size[2];
       return face;
     }
@@ -220,8 +218,6 @@ namespace lamella
       face.body      = number;
       face.origin    = box.frame.to_scene({side * box.size[0], 0., 0.});
       face.normal    = side == 1 ? axes[0] : -axes[0];
-      face.along_s   = axes[1];
-      face.along_t   = axes[2];
       face.tolerance = arithmetic::same_in_element * box.size[2];
       return face;
     }

@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include <lamella/base/arithmetic.h>
 #include <lamella/base/entry.h>
 #include <lamella/body/fields.h>
+#include <lamella/contact/pressed_patch.h>
 #include <lamella/recover/named_quantity.h>
-
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -13,8 +11,6 @@
 
 namespace lamella
 {
-  using dealii::Tensor;
-
   std::string
   NamedQuantity::label() const
   {
@@ -332,76 +328,6 @@ namespace lamella
 
 
 
-  ResultNumbers::ResultNumbers(const Results &results)
-  {
-    const auto six = [](const Tensor<1, 3> &force, const Tensor<1, 3> &moment) {
-      std::vector<double> numbers(force.begin_raw(), force.end_raw());
-      numbers.insert(numbers.end(), moment.begin_raw(), moment.end_raw());
-      return numbers;
-    };
-    const StepResults &step = results.last();
-    for (unsigned int k = 0; k < results.supports.size(); ++k)
-      supports[results.supports[k]] =
-        six(step.checks.reactions[k].force, step.checks.reactions[k].moment);
-    for (unsigned int k = 0; k < results.contacts.size(); ++k)
-      {
-        const std::string &name = results.contacts[k].name;
-        contacts[name] =
-          six(step.checks.contacts[k].force, step.checks.contacts[k].moment);
-        points[name] = step.contacts[k];
-      }
-    for (unsigned int k = 0; k < results.probes.size(); ++k)
-      for (const FieldRow &row : step.probes[k])
-        {
-          probes.push_back({results.probes[k], row.ply + 1, {}});
-          const std::vector<double> values = field_values(row.sample);
-          for (unsigned int c = 0; c < values.size(); ++c)
-            probes.back().columns[field_names()[c]] = values[c];
-        }
-  }
-
-
-
-  namespace
-  {
-    /// Place, normal, and what it does on the second side; area and force.
-    nlohmann::json
-    point_json(const ContactRow &row)
-    {
-      nlohmann::json numbers;
-      for (const Tensor<1, 3> &three : {Tensor<1, 3>(place_of(row.point)),
-                                        row.point.normal,
-                                        row.on_second.force,
-                                        row.on_second.moment})
-        for (unsigned int d = 0; d < 3; ++d)
-          numbers.push_back(three[d]);
-      numbers.push_back(row.point.area);
-      numbers.push_back(row.force);
-      return numbers;
-    }
-
-
-
-    ContactRow
-    point_of(const nlohmann::json &json)
-    {
-      const std::array<double, 14> numbers = json;
-      ContactRow                   row;
-      for (unsigned int d = 0; d < 3; ++d)
-        {
-          row.point.first[d]      = numbers[d];
-          row.point.normal[d]     = numbers[3 + d];
-          row.on_second.force[d]  = numbers[6 + d];
-          row.on_second.moment[d] = numbers[9 + d];
-        }
-      row.point.area = numbers[12];
-      row.force      = numbers[13];
-      return row;
-    }
-  } // namespace
-
-
-
   void
   require_ply(const NamedQuantity            &quantity,
               const std::vector<std::string> &plies)
@@ -429,168 +355,5 @@ namespace lamella
                 ", and the values there differ",
               "Name one: " + quantity.name + "/" + plies.front() + ": " +
                 quantity.column + ".");
-  }
-
-
-
-  ResultNumbers::ResultNumbers(const nlohmann::json &json)
-  {
-    for (const auto &[name, list] : json.at("points").items())
-      for (const auto &point : list)
-        points[name].push_back(point_of(point));
-    json.at("supports").get_to(supports);
-    json.at("contacts").get_to(contacts);
-    for (const auto &row : json.at("probes"))
-      probes.push_back({row.at("probe"), row.at("ply"), row.at("columns")});
-  }
-
-
-
-  nlohmann::json
-  ResultNumbers::to_json() const
-  {
-    nlohmann::json rows = nlohmann::json::array();
-    for (const ProbeRow &row : probes)
-      rows.push_back(
-        {{"probe", row.probe}, {"ply", row.ply}, {"columns", row.columns}});
-    nlohmann::json patches = nlohmann::json::object();
-    for (const auto &[name, list] : points)
-      {
-        patches[name] = nlohmann::json::array();
-        for (const ContactRow &row : list)
-          patches[name].push_back(point_json(row));
-      }
-    return {{"supports", supports},
-            {"contacts", contacts},
-            {"points", patches},
-            {"probes", rows}};
-  }
-
-
-
-  std::vector<const ResultNumbers::ProbeRow *>
-  ResultNumbers::rows_of(const std::string &probe) const
-  {
-    std::vector<const ProbeRow *> rows;
-    for (const ProbeRow &row : probes)
-      if (row.probe == probe)
-        rows.push_back(&row);
-    return rows;
-  }
-
-
-
-  double
-  ResultNumbers::value_of_resultant(const NamedQuantity &quantity) const
-  {
-    const std::string &column = quantity.column;
-    const bool         is_component =
-      std::find(components().begin(), components().end(), column) !=
-      components().end();
-    const unsigned int component = column[1] - 'x';
-    if (is_component && !quantity.strip)
-      return (quantity.of == NamedQuantity::Of::support ? supports : contacts)
-        .at(quantity.name)
-        .at((column[0] == 'f' ? 0 : 3) + component);
-    const PressedPatch patch(points.at(quantity.name), quantity.strip);
-    if (is_component)
-      {
-        const Wrench wrench = patch.resultant();
-        return (column[0] == 'f' ? wrench.force : wrench.moment)[component];
-      }
-    if (column == "pressure")
-      return patch.pressure();
-    return column == "width" ? patch.width() : patch.width(column.back() - 'x');
-  }
-
-
-
-  double
-  ResultNumbers::value(const NamedQuantity &quantity) const
-  {
-    if (quantity.of == NamedQuantity::Of::measure)
-      return (value(quantity.terms[0]) - value(quantity.terms[1])) /
-             quantity.over;
-    if (quantity.of != NamedQuantity::Of::probe)
-      return value_of_resultant(quantity);
-    std::vector<std::string> plies;
-    std::vector<double>      values;
-    for (const ProbeRow *row : rows_of(quantity.name))
-      {
-        plies.push_back(std::to_string(row->ply));
-        if (quantity.ply == 0 || quantity.ply == row->ply)
-          values.push_back(row->columns.at(quantity.column));
-      }
-    require_ply(quantity, plies);
-    const auto [least, greatest] =
-      std::minmax_element(values.begin(), values.end());
-    if (*greatest - *least > arithmetic::negligible *
-                               std::max(std::abs(*least), std::abs(*greatest)))
-      refuse_interface(quantity, plies);
-    return values.front();
-  }
-
-
-
-  std::vector<NamedQuantity>
-  ResultNumbers::largest_at(const std::string &name) const
-  {
-    const auto                 rows = rows_of(name);
-    std::vector<NamedQuantity> quantities;
-    for (const std::vector<std::string> &columns :
-         {std::vector<std::string>{"ux", "uy", "uz"},
-          std::vector<std::string>{"sxx", "syy", "szz", "sxy", "sxz", "syz"}})
-      {
-        const auto magnitude = [&](const std::string &column) {
-          return std::abs(rows.front()->columns.at(column));
-        };
-        NamedQuantity largest{
-          NamedQuantity::Of::probe, name, 0, "", {}, "Quantities"};
-        for (const std::string &column : columns)
-          if (largest.column.empty() ||
-              magnitude(column) > magnitude(largest.column))
-            largest.column = column;
-        // Displacements have no two sides.
-        if (rows.size() > 1 && largest.column[0] == 's')
-          largest.ply = rows.front()->ply;
-        quantities.push_back(largest);
-      }
-    return quantities;
-  }
-
-
-
-  double
-  ResultNumbers::largest_of_kind(const NamedQuantity &quantity) const
-  {
-    if (quantity.of == NamedQuantity::Of::measure)
-      return std::max(largest_of_kind(quantity.terms[0]),
-                      largest_of_kind(quantity.terms[1])) /
-             std::abs(quantity.over);
-    // Kinds are told by the first letter: u, e, s of a probe, f, m of a
-    // resultant, p and w of a contact.
-    const char kind    = quantity.column[0];
-    double     largest = 0.;
-    for (const ProbeRow &row : probes)
-      for (const auto &[column, value] : row.columns)
-        if (quantity.of == NamedQuantity::Of::probe && column[0] == kind)
-          largest = std::max(largest, std::abs(value));
-    if (quantity.of == NamedQuantity::Of::probe)
-      return largest;
-    for (const auto *resultants : {&supports, &contacts})
-      for (const auto &resultant : *resultants)
-        for (unsigned int c = 0; c < 6; ++c)
-          if ((kind == 'f' && c < 3) || (kind == 'm' && c >= 3))
-            largest = std::max(largest, std::abs(resultant.second[c]));
-    for (const auto &contact : points)
-      {
-        const PressedPatch patch(contact.second);
-        if (kind == 'p')
-          largest = std::max(largest, patch.largest_pressure());
-        if (kind == 'w')
-          for (unsigned int d = 0; d < 3; ++d)
-            largest = std::max(largest, patch.width(d));
-      }
-    return largest;
   }
 } // namespace lamella

@@ -2,7 +2,6 @@
 
 #include <lamella/base/exceptions.h>
 #include <lamella/base/output_file.h>
-#include <lamella/body/surface_topology.h>
 #include <lamella/report/contact_surface.h>
 
 #include <deal.II/base/utilities.h>
@@ -18,40 +17,15 @@ namespace lamella
 
   namespace
   {
-    /// Of the points in @p at_node the one whose normal is most like the
-    /// @p normal of a facet; at an edge each side has its own.
-    unsigned int
-    point_on(const std::vector<unsigned int> &at_node,
-             const Tensor<1, 3>              &normal,
-             const ContactInterface          &contact)
-    {
-      const auto along = [&](const unsigned int k) {
-        return std::abs(contact.points[k].normal * normal);
-      };
-      return *std::max_element(at_node.begin(),
-                               at_node.end(),
-                               [&](const unsigned int a, const unsigned int b) {
-                                 return along(a) < along(b);
-                               });
-    }
-
-
-
-    /// The cells of the grids of @p topology that have points of @p contact at
-    /// all four corners; @p points are their numbers by node.
+    /// The cells of the grids of @p surface all of whose corners have points.
     std::vector<ContactSurface::Quadrilateral>
-    quadrilaterals_between(const SurfaceTopology &topology,
-                           const std::vector<std::vector<unsigned int>> &points,
-                           const Body                                   &body,
-                           const ContactInterface &contact)
+    quadrilaterals_on(const CarryingSurface &surface)
     {
       std::vector<ContactSurface::Quadrilateral> quads;
-      for (const SurfaceTopology::Facet &facet : topology.facets)
+      for (const CarryingSurface::Facet &facet : surface.facets())
         {
-          const Tensor<1, 3> normal =
-            body.surface_point(facet.side, {0.5, 0.5}).normal;
-          const unsigned int n = facet.side.degree_s + 1;
-          for (unsigned int j = 0; j < facet.side.degree_t; ++j)
+          const unsigned int n = facet.degree_s + 1;
+          for (unsigned int j = 0; j < facet.degree_t; ++j)
             for (unsigned int i = 0; i + 1 < n; ++i)
               {
                 const std::array<unsigned int, 4> ring{{j * n + i,
@@ -62,10 +36,10 @@ namespace lamella
                 bool                              is_whole = true;
                 for (unsigned int c = 0; c < 4 && is_whole; ++c)
                   {
-                    const auto &there = points[facet.grid[ring[c]]];
-                    is_whole          = !there.empty();
+                    const auto &rows = facet.rows[ring[c]];
+                    is_whole = rows.size() == 1 && rows.front().second == 1.;
                     if (is_whole)
-                      quad[c] = point_on(there, normal, contact);
+                      quad[c] = rows.front().first;
                   }
                 if (is_whole)
                   quads.push_back(quad);
@@ -122,17 +96,8 @@ namespace lamella
             first_of(bodies[*contact.second_body]->locate(opposite));
       }
 
-    const Body &carrying =
-      *bodies[contact.points_on_second ? *contact.second_body :
-                                         contact.first_body];
-    const SurfaceTopology topology =
-      carrying.surface_topology(contact.carrying_surface);
-    std::vector<std::vector<unsigned int>> at_node(topology.n_grid);
-    for (unsigned int k = 0; k < contact.points.size(); ++k)
-      if (const auto node =
-            topology.grid_node(contact.points[k].node.places.at(0)))
-        at_node[*node].push_back(k);
-    quads = quadrilaterals_between(topology, at_node, carrying, contact);
+    if (contact.surface != nullptr)
+      quads = quadrilaterals_on(*contact.surface);
     std::set<unsigned int> in_quads;
     for (const Quadrilateral &quad : quads)
       in_quads.insert(quad.begin(), quad.end());

@@ -3,7 +3,8 @@
 #include <lamella/base/memory.h>
 #include <lamella/base/version.h>
 #include <lamella/body/fields.h>
-#include <lamella/recover/pressed_patch.h>
+#include <lamella/contact/pressed_patch.h>
+#include <lamella/recover/named_quantity.h>
 #include <lamella/recover/sampler.h>
 #include <lamella/recover/strength_sweep.h>
 #include <lamella/report/summary.h>
@@ -57,7 +58,8 @@ namespace lamella
       // A step that another run solved has no points.
       if (const auto &points = results.steps.back().contacts; k < points.size())
         {
-          const PressedPatch patch(points[k]);
+          const ContactTraction traction = traction_of(contact, points[k]);
+          const PressedPatch    patch(traction);
           json["pressure"] = patch.pressure();
           json["width"]    = patch.width();
         }

@@ -52,7 +52,8 @@ namespace lamella
               contact.unpaired,
               contact.unpaired_second,
               least->initial_gap,
-              greatest->initial_gap};
+              greatest->initial_gap,
+              contact.surface};
     }
   } // namespace
 
@@ -238,10 +239,7 @@ namespace lamella
   {
     FaceTractions tractions(given.loads, factor, given.supports);
     for (unsigned int c = 0; c < contacts.size(); ++c)
-      tractions.add_contact(contacts[c].first_body,
-                            contacts[c].second_body,
-                            contacts[c].points,
-                            gap_rows.of_contact(c, state.force));
+      tractions.add_contact(contacts[c], gap_rows.of_contact(c, state.force));
     return tractions;
   }
 

@@ -35,6 +35,19 @@ namespace
 
 
 
+  /// What carries the points of @p contact, which are nodes of @p body.
+  std::shared_ptr<const CarryingSurface>
+  surface_of(const ContactInterface &contact, const Body &body)
+  {
+    std::vector<CarryingNode> nodes;
+    for (const auto &point : contact.points)
+      nodes.push_back({point.node, point.normal});
+    return std::make_shared<const CarryingSurface>(
+      surface_of_nodes(body, contact.carrying_surface, nodes, false));
+  }
+
+
+
   /// Points on @p surface against a rigid plane 0.25 away that comes nearer by
   /// 0.5; those that @p keep refuses have no partner.
   ContactInterface
@@ -60,6 +73,7 @@ namespace
                                     point.area});
           contact.points.back().node = point.location;
         }
+    contact.surface = surface_of(contact, *structure.bodies()[0]);
     return contact;
   }
 
@@ -123,6 +137,7 @@ BOOST_AUTO_TEST_CASE(only_faces_of_the_surface)
                         below.points.begin(),
                         below.points.end());
   contact.carrying_surface = "all";
+  contact.surface          = surface_of(contact, *structure->bodies()[0]);
   const ContactSurface surface(contact, *structure);
   BOOST_TEST(surface.quadrilaterals().size() == 48u);
 }

@@ -8,6 +8,7 @@
 #include "entries.h"
 #include "solid_fixtures.h"
 
+#include <lamella/contact/pressed_patch.h>
 #include <lamella/recover/named_quantity.h>
 #include <lamella/recover/sampler.h>
 #include <lamella/run/simulation.h>
@@ -260,9 +261,41 @@ namespace
 
 
 
-  /// The points of a contact with a normal along z, on a grid of @p x times
+  /// The grid of @p x times @p y as a surface with hat functions; nodes and
+  /// their rows are numbered along y first.
+  std::shared_ptr<const CarryingSurface>
+  grid_surface(const std::vector<double> &x, const std::vector<double> &y)
+  {
+    const Polygon square{{0., 0.}, {1., 0.}, {1., 1.}, {0., 1.}};
+    std::vector<CarryingSurface::Facet> facets;
+    for (unsigned int i = 0; i + 1 < x.size(); ++i)
+      for (unsigned int j = 0; j + 1 < y.size(); ++j)
+        {
+          const unsigned int     n = y.size(), k = i * n + j;
+          CarryingSurface::Facet facet{FacetMap(1,
+                                                1,
+                                                {{x[i], y[j], 0.},
+                                                 {x[i + 1], y[j], 0.},
+                                                 {x[i], y[j + 1], 0.},
+                                                 {x[i + 1], y[j + 1], 0.}}),
+                                       1,
+                                       1,
+                                       {k, k + n, k + 1, k + n + 1},
+                                       {},
+                                       {square}};
+          for (const unsigned int node : facet.nodes)
+            facet.rows.push_back({{node, 1.}});
+          facets.push_back(facet);
+        }
+    return std::make_shared<const CarryingSurface>(
+      CarryingSurface::Functions::hats, x.size() * y.size(), facets);
+  }
+
+
+
+  /// The traction of a contact with a normal along z, on a grid of @p x times
   /// @p y, with the forces of a pressure(x) by hat functions.
-  std::vector<ContactRow>
+  ContactTraction
   pressed(const std::vector<double>                   &x,
           const std::vector<double>                   &y,
           const std::function<double(double, double)> &pressure)
@@ -283,26 +316,27 @@ namespace
       return points;
     };
     // Roots along x, straight lines along y.
-    const dealii::QGauss<1> fine(200), coarse(2);
-    std::vector<ContactRow> rows;
+    const dealii::QGauss<1>           fine(200), coarse(2);
+    std::vector<ContactTraction::Row> rows;
     for (unsigned int i = 0; i < x.size(); ++i)
       for (unsigned int j = 0; j < y.size(); ++j)
         {
-          ContactRow row;
-          row.point.first  = Point<3>(x[i], y[j], 0.);
-          row.point.normal = Point<3>(0., 0., -1.);
+          ContactTraction::Row row;
+          row.place  = Point<3>(x[i], y[j], 0.);
+          row.normal = Point<3>(0., 0., -1.);
           for (const auto &[s, in_x] : hat(x, i, fine))
             for (const auto &[r, in_y] : hat(y, j, coarse))
               {
-                row.point.area += in_x * in_y;
-                row.force += in_x * in_y * pressure(s, r);
+                const double share = in_x * in_y,
+                             force = share * pressure(s, r);
+                row.area += share;
+                row.force += force;
+                row.moment +=
+                  cross_product_3d(Point<3>(s, r, 0.), force * row.normal);
               }
-          row.on_second.force = Point<3>(0., 0., -row.force);
-          row.on_second.moment =
-            cross_product_3d(row.point.first, row.on_second.force);
           rows.push_back(row);
         }
-    return rows;
+    return ContactTraction(grid_surface(x, y), rows);
   }
 
 
@@ -327,12 +361,11 @@ BOOST_AUTO_TEST_CASE(widths_of_hertz)
     for (double a = 1.; a < 1. + h; a += h / 5.)
       {
         const unsigned int n = std::lround(4. / h);
-        const auto         rows =
+        const auto         traction =
           pressed(grid(-2., 2., n),
                   grid(0., 4., 4),
                   [a](const double s, const double) { return ellipse(s, a); });
-        const PressedPatch patch(rows);
-        BOOST_TEST(facing_axis({rows[0].point}) == 2u);
+        const PressedPatch patch(traction);
         BOOST_TEST(std::abs(patch.width() - 2. * a) < 0.25 * h);
         BOOST_TEST(patch.width(0) == patch.width());
         BOOST_TEST(std::abs(patch.width(1) - 4.) < 1e-14);
@@ -347,39 +380,42 @@ BOOST_AUTO_TEST_CASE(widths_of_hertz)
 BOOST_AUTO_TEST_CASE(strips_of_a_contact)
 {
   // 1 + x + 2 y on 3 x 2, pressed all over.
-  const auto rows =
+  const auto traction =
     pressed({0., 0.5, 1.2, 2., 3.},
             {0., 0.3, 1., 1.5, 2.},
             [](const double x, const double y) { return 1. + x + 2. * y; });
-  const PressedPatch all(rows);
+  const PressedPatch all(traction);
+  const auto         whole = traction.resultant();
   BOOST_TEST(std::abs(all.width(0) - 3.) < 1e-14);
   BOOST_TEST(std::abs(all.width() - 2.) < 1e-14);
   // The integral of 1 + x + 2 y is 6 (1 + 1.5 + 2).
-  BOOST_TEST(std::abs(all.resultant().force[2] + 27.) < 1e-11);
+  BOOST_TEST(std::abs(whole.force[2] + 27.) < 1e-11);
   BOOST_TEST(std::abs(all.pressure() - 4.5) < 1e-12);
   for (const unsigned int axis : {0u, 1u})
     {
-      Wrench       sum;
-      const double ends[] = {-1., 0.3, 0.7, 1.2, 1.23, 5.};
+      ContactTraction::Resultant sum;
+      const double               ends[] = {-1., 0.3, 0.7, 1.2, 1.23, 5.};
       for (unsigned int k = 0; k < 5; ++k)
         {
-          const PressedPatch part(rows,
-                                  ContactStrip{axis, ends[k], ends[k + 1]});
-          sum.force += part.resultant().force;
-          sum.moment += part.resultant().moment;
+          const ContactStrip strip{axis, ends[k], ends[k + 1]};
+          const PressedPatch part(traction, strip);
+          const auto         resultant = traction.resultant(strip);
+          sum.force += resultant.force;
+          sum.moment += resultant.moment;
           BOOST_TEST(part.width(axis) <= ends[k + 1] - ends[k] + 1e-14);
           BOOST_TEST(std::abs(part.width(1 - axis) - (axis == 0 ? 2. : 3.)) <
                      1e-14);
         }
-      BOOST_TEST((sum.force - all.resultant().force).norm() < 1e-12);
-      BOOST_TEST((sum.moment - all.resultant().moment).norm() < 1e-12);
+      BOOST_TEST((sum.force - whole.force).norm() < 1e-12);
+      BOOST_TEST((sum.moment - whole.moment).norm() < 1e-12);
     }
   // Where nothing presses there is nothing.
-  auto open = rows;
-  for (ContactRow &row : open)
+  auto open = traction.rows();
+  for (ContactTraction::Row &row : open)
     row.force = 0.;
-  BOOST_TEST(PressedPatch(open).width() == 0.);
-  BOOST_TEST(PressedPatch(open).pressure() == 0.);
+  const ContactTraction nothing(traction.surface(), open);
+  BOOST_TEST(PressedPatch(nothing).width() == 0.);
+  BOOST_TEST(PressedPatch(nothing).pressure() == 0.);
 }
 
 

@@ -6,6 +6,7 @@
 #include <lamella/base/gauss_lobatto_basis.h>
 #include <lamella/body/body.h>
 
+#include <array>
 #include <vector>
 
 namespace lamella
@@ -45,6 +46,13 @@ namespace lamella
     /// is asked for the nodes and, for the sign of the normal, the middle.
     FacetMap(const Body &body, const SurfaceFacet &facet);
 
+    /// The map with the @p control_points of the degrees @p degree_s and
+    /// @p degree_t, as control_points() and degrees() of another one say them;
+    /// its outward() is d_s x d_t.
+    FacetMap(const unsigned int                   degree_s,
+             const unsigned int                   degree_t,
+             const std::vector<dealii::Point<3>> &control_points);
+
     /// The place of (s, t) = @p st, also a little outside of [0, 1]^2, where
     /// the polynomials go on.
     Place
@@ -83,6 +91,13 @@ namespace lamella
     control_points() const
     {
       return nodes;
+    }
+
+    /// Those of the control points, along s and along t.
+    std::array<unsigned int, 2>
+    degrees() const
+    {
+      return {{along_s->size() - 1, along_t->size() - 1}};
     }
 
   private:

@@ -2,14 +2,15 @@
 
 // The room `contact`: who may touch whom, where, and by what law. It owns
 // search and pairing, the gap rows with the geometry that they were made from,
-// rigid obstacles, penalties and the other enforcements, and the checks of what
-// pairing assumed. It describes the problem and never solves it: which rows
-// carry force is found in `solve`.
+// rigid obstacles, penalties and the other enforcements, the traction that
+// forces of rows are, and the checks of what pairing assumed. It describes the
+// problem and never solves it: which rows carry force is found in `solve`.
 
 #ifndef lamella_contact_gap_rows_h
 #define lamella_contact_gap_rows_h
 
 #include <lamella/conditions/region.h>
+#include <lamella/contact/carrying_surface.h>
 #include <lamella/contact/enforcement.h>
 #include <lamella/contact/obstacle.h>
 #include <lamella/contact/row_geometry.h>
@@ -259,9 +260,20 @@ namespace lamella
     /// What the rows were made from: on First, where weights are along -n, and
     /// on Second, where they are along n; none of an obstacle.
     RowGeometry first, second;
+    /// What carries the rows, with their functions there: what their forces are
+    /// a pressure on (ContactTraction). Never null in one of make_interface().
+    std::shared_ptr<const CarryingSurface> surface = {};
     /// What the user should know of this pairing, a sentence each.
     std::vector<std::string> notes;
   };
+
+  /// Where @p point of a contact is, undeformed in the scene: the node that
+  /// carries it, or its place on First if it has none.
+  inline const dealii::Point<3> &
+  place_of(const ContactInterface::Point &point)
+  {
+    return point.node.places.empty() ? point.first : point.node.position;
+  }
 
   /**
    * The rows of several contacts one after the other, as those who solve see

@@ -165,8 +165,9 @@ namespace lamella
       /// Numbers of its trace nodes, below n_trace_nodes(), the first
       /// coordinate running fastest.
       std::vector<unsigned int> trace_nodes;
-      /// Likewise of the nodes of its grid, numbers in grid_nodes().
-      std::vector<unsigned int> grid_nodes;
+      /// Likewise of the nodes of its grid, numbers in grid_nodes(); and what
+      /// SurfaceTopology calls them, one number on all sides of an edge.
+      std::vector<unsigned int> grid_nodes, nodes_of_body;
       /// Whether the facet is a plane parallelogram and all of its nodes have
       /// its own normal, so that smooth_normal() is that one. Then E_n = n.n :
       /// C : n.n of the ply in the middle [force/length^2], and the depth of

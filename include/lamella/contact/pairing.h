@@ -3,6 +3,7 @@
 #ifndef lamella_contact_pairing_h
 #define lamella_contact_pairing_h
 
+#include <lamella/contact/carrying_surface.h>
 #include <lamella/contact/enforcement.h>
 #include <lamella/contact/mesh_surface.h>
 #include <lamella/contact/row_geometry.h>
@@ -119,6 +120,9 @@ namespace lamella
     /// are not among them.
     unsigned int           unpaired = 0;
     std::vector<DeepPlace> too_deep;
+    /// What carries the gaps if their functions are hats; null if each is that
+    /// of its node.
+    std::shared_ptr<const CarryingSurface> surface = {};
   };
 
   /// The side that a discretisation puts its points on, and the one that it

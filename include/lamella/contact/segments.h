@@ -4,44 +4,13 @@
 #define lamella_contact_segments_h
 
 #include <lamella/contact/mesh_surface.h>
-
-#include <deal.II/base/quadrature.h>
+#include <lamella/contact/polygon.h>
 
 #include <array>
 #include <vector>
 
 namespace lamella
 {
-  /// The corners of a polygon in a chord plane [length], counterclockwise;
-  /// convex in all that follows. Empty: nothing.
-  using Polygon = std::vector<dealii::Point<2>>;
-
-  /// Its area, 0 of fewer than three corners; negative if the corners run
-  /// clockwise. A fan of triangles from the first corner, so digits are those
-  /// of the polygon and not of its distance to the origin.
-  double
-  area(const Polygon &polygon);
-
-  /// Its centroid; the area must not vanish.
-  dealii::Point<2>
-  centroid(const Polygon &polygon);
-
-  /// The part of @p polygon inside of @p window, both convex and
-  /// counterclockwise (Sutherland and Hodgman). Empty if they have nothing in
-  /// common. At most as many corners as both have together.
-  Polygon
-  clipped(const Polygon &polygon, const Polygon &window);
-
-  /**
-   * A rule on the triangle (0, 0), (1, 0), (0, 1) that integrates polynomials
-   * of @p degree exactly; all weights are positive. Weights sum to 1/2. Rules
-   * of Witherden and Vincent up to degree 13, above it Gauss points of the
-   * square collapsed onto the triangle. Each is made once and kept; the list of
-   * them is not guarded against several threads.
-   */
-  const dealii::Quadrature<2> &
-  triangle_rule(const unsigned int degree);
-
   /**
    * A quadrilateral piece of a surface, in the plane of its chords, with axes
    * along its first side and across.

@@ -6,10 +6,11 @@
 #include <lamella/body/body.h>
 #include <lamella/conditions/support.h>
 #include <lamella/conditions/traction.h>
-#include <lamella/recover/results.h>
+#include <lamella/contact/contact_traction.h>
+#include <lamella/contact/gap_rows.h>
 
 #include <memory>
-#include <optional>
+#include <string>
 #include <vector>
 
 namespace lamella
@@ -21,12 +22,9 @@ namespace lamella
    * traction and are left out, and so are the forces of supports, which are
    * known as resultants only.
    *
-   * *Contact.* A point of a contact that lies on the face has the pressure
-   * lambda / A, its force over its tributary area. Where the points are those
-   * of a grid along the face's two directions the pressure is bilinear between
-   * them, zero at places of the grid that have no point, constant beyond its
-   * ends for half the last interval, and zero further out. Of points that make
-   * no grid the nearest one counts, within half the root of its area.
+   * *Contact.* A contact that has points on the face presses it with the
+   * pressure of its ContactTraction on the line through the place along the
+   * normal of the face, whichever side carries the points.
    */
   class FaceTractions
   {
@@ -41,22 +39,20 @@ namespace lamella
                   const double                factor,
                   const std::vector<Support> &supports = {});
 
-    /// The pressure of a contact with the @p forces at its @p points;
-    /// @p second is the body on its second side, none for an obstacle.
+    /// The pressure of @p contact, which is referred to, with the @p forces in
+    /// its rows.
     void
-    add_contact(const unsigned int                          first,
-                const std::optional<unsigned int>           second,
-                const std::vector<ContactInterface::Point> &points,
-                const dealii::ArrayView<const double>      &forces);
+    add_contact(const ContactInterface                &contact,
+                const dealii::ArrayView<const double> &forces);
 
-    /// A plane face of a body: its name there, a point of it, its outward
-    /// normal and two directions along it, all unit vectors in scene axes.
+    /// A plane face of a body: its name there, a point of it, its outward unit
+    /// normal, scene axes.
     struct Face
     {
       unsigned int         body = 0;
       std::string          surface;
       dealii::Point<3>     origin;
-      dealii::Tensor<1, 3> normal, along_s, along_t;
+      dealii::Tensor<1, 3> normal;
       /// Points closer than this to its plane lie on it [length].
       double tolerance = 0.;
     };
@@ -85,27 +81,17 @@ namespace lamella
       }
 
     private:
-      /// Of one contact: the places on the face, by their coordinates along it
-      /// from the origin, and the pressures.
-      struct Pressures
+      /// A contact that has points on the face, and how far its two sides are
+      /// apart at these [length].
+      struct Pressing
       {
-        std::vector<std::array<double, 2>> places;
-        std::vector<double>                values, spacings;
-        /// Different coordinates, ascending; a grid if both are not empty.
-        std::array<std::vector<double>, 2> grid;
-        /// Of each place of the grid, the second coordinate slowest.
-        std::vector<double> on_grid;
+        const ContactTraction *traction;
+        double                 reach;
       };
 
-      static void
-      make_grid(Pressures &pressures, const double same);
-      /// [force/length^2] at @p st.
-      static double
-      pressure(const Pressures &pressures, const std::array<double, 2> &st);
-
-      const FaceTractions   &all;
-      Face                   face;
-      std::vector<Pressures> contacts;
+      const FaceTractions  &all;
+      Face                  face;
+      std::vector<Pressing> contacts;
     };
 
   private:
@@ -116,16 +102,14 @@ namespace lamella
     };
     struct Pressed
     {
-      unsigned int         body;
-      dealii::Point<3>     position;
-      dealii::Tensor<1, 3> normal;
-      double               pressure, spacing;
+      const ContactInterface *contact;
+      ContactTraction         traction;
     };
 
-    double                            factor = 0.;
-    std::vector<SurfaceLoad>          loads;
-    std::vector<Region>               held;
-    std::vector<std::vector<Pressed>> contacts;
+    double                   factor = 0.;
+    std::vector<SurfaceLoad> loads;
+    std::vector<Region>      held;
+    std::vector<Pressed>     contacts;
   };
 } // namespace lamella
 

@@ -3,7 +3,7 @@
 #ifndef lamella_recover_named_quantity_h
 #define lamella_recover_named_quantity_h
 
-#include <lamella/recover/pressed_patch.h>
+#include <lamella/contact/contact_traction.h>
 #include <lamella/recover/requests.h>
 #include <lamella/recover/results.h>
 
@@ -20,7 +20,7 @@ namespace lamella
   /// load step: a column of probes.csv at a probe, a difference of two of them
   /// (a measure), a component of the resultant of a support or a contact, or
   /// the mean pressure or a width of what presses of a contact, all of it or a
-  /// strip (PressedPatch).
+  /// strip (ContactTraction, PressedPatch).
   struct NamedQuantity
   {
     /// What it is a number of.
@@ -123,6 +123,10 @@ namespace lamella
   quantities_with_references(const QuantityNames      &names,
                              std::vector<std::string> &others);
 
+  /// The traction of @p contact whose rows are @p rows at the end of a step.
+  ContactTraction
+  traction_of(const ContactFacts &contact, const std::vector<ContactRow> &rows);
+
   /**
    * The numbers of a run that a NamedQuantity may ask for, at its last load
    * step, free of the run itself: they go through pipes and into records, all
@@ -187,9 +191,9 @@ namespace lamella
     /// Force and moment, six components each: of the reaction on the bodies,
     /// and on the second side.
     std::map<std::string, std::vector<double>> supports, contacts;
-    /// Of each contact its points, without gaps.
-    std::map<std::string, std::vector<ContactRow>> points;
-    std::vector<ProbeRow>                          probes;
+    /// Of each contact.
+    std::map<std::string, ContactTraction> tractions;
+    std::vector<ProbeRow>                  probes;
   };
 } // namespace lamella
 

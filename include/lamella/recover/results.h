@@ -11,6 +11,7 @@
 #include <lamella/solve/phase.h>
 
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -117,6 +118,8 @@ namespace lamella
     unsigned int rows = 0, unpaired = 0, unpaired_second = 0;
     /// The range of g_init over its rows, a length.
     double initial_gap_min = 0., initial_gap_max = 0.;
+    /// What carries its rows; null if that is not known.
+    std::shared_ptr<const CarryingSurface> surface = {};
   };
 
   /**

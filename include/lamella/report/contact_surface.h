@@ -15,11 +15,9 @@
 namespace lamella
 {
   /**
-   * The mesh that the points of a contact form: the cells of the grids of the
-   * carrying side's facets (SurfaceTopology) that have points at all four
-   * corners. Points in none (with no paired neighbours) stand alone. Where
-   * several points share a grid node, as at an edge on which each side keeps
-   * its own normal, a facet takes the one whose normal is most like its own.
+   * The mesh that the points of a contact form: the cells of the grids of what
+   * carries them (CarryingSurface) that have points at all four corners. Points
+   * in none (with no paired neighbours) stand alone.
    *
    * It is a picture only, and nothing is computed from it. The neighbours are
    * searched for once, the surface is drawn in each load step.

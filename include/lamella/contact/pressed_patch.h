@@ -1,32 +1,16 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#ifndef lamella_recover_pressed_patch_h
-#define lamella_recover_pressed_patch_h
+#ifndef lamella_contact_pressed_patch_h
+#define lamella_contact_pressed_patch_h
 
-#include <lamella/recover/results.h>
+#include <lamella/contact/contact_traction.h>
+#include <lamella/contact/gap_rows.h>
 
 #include <optional>
 #include <vector>
 
 namespace lamella
 {
-  /// The part of a contact between two values of a scene coordinate.
-  struct ContactStrip
-  {
-    /// 0, 1, 2 for x, y, z.
-    unsigned int axis = 0;
-    /// Undeformed places [length], from < to.
-    double from = 0., to = 0.;
-  };
-
-  /// Where @p point of a contact is, undeformed in the scene: the node that
-  /// carries it, or its place on First if it has none.
-  inline const dealii::Point<3> &
-  place_of(const ContactInterface::Point &point)
-  {
-    return point.node.places.empty() ? point.first : point.node.position;
-  }
-
   /// The axis of the scene that is nearest to the normal of a contact with
   /// @p points: of the largest component of sum A n.
   unsigned int
@@ -39,20 +23,14 @@ namespace lamella
               const unsigned int                          axis);
 
   /**
-   * What of a contact presses: resultant, mean pressure and width of all of it
-   * or of a strip, from the forces lambda_i of its points and their tributary
-   * areas A_i.
-   *
-   * *Strips.* Along an axis of the scene a point stands for the interval half
-   * way to the next coordinates at which the contact has points (up to the
-   * first and the last one themselves), and a strip has the share w_i of it
-   * that lies in the strip. Strips that follow each other have shares that sum
-   * to 1, so their forces sum to that of the contact, and nothing jumps where
-   * the end of a strip passes a point.
+   * Where a contact presses: mean pressure and width of all of it or of a strip
+   * from its ContactTraction, whose points are the rows with their forces
+   * lambda_i and tributary areas A_i.
    *
    * *Lines.* Across the facing axis the points are taken by lines along one of
-   * the other two axes, those with the same coordinate on the third. Of a line
-   * the runs of points with a force press, up to an edge on either side:
+   * the other two axes: chains of neighbours on the grid of the surface that
+   * carries them (CarryingSurface::lines()). Of a line the runs of points with
+   * a force press, up to an edge on either side:
    * - the last point, where the contact itself ends there;
    * - else the zero s* of the pressure, by its moments over points s_b in the
    *   run. The forces of a line are integrals of the pressure with functions
@@ -73,18 +51,13 @@ namespace lamella
   class PressedPatch
   {
   public:
-    /// @p rows are those of a contact; referred to.
-    PressedPatch(const std::vector<ContactRow>     &rows,
+    /// @p traction is referred to.
+    PressedPatch(const ContactTraction             &traction,
                  const std::optional<ContactStrip> &strip = {});
 
-    /// sum w_i (force and moment of the point) on the second side, the moment
-    /// about the scene's origin.
-    Wrench
-    resultant() const;
-
-    /// The largest extent, over all lines, of what presses along @p axis
-    /// [length]: the sum of a line's runs in the strip. 0 along the facing
-    /// axis.
+    /// The largest extent, over all lines whose functions reach into the strip,
+    /// of what presses along @p axis [length]: the sum of a line's runs in the
+    /// strip. 0 along the facing axis.
     double
     width(const unsigned int axis) const;
 
@@ -95,16 +68,14 @@ namespace lamella
 
     /**
      * The mean of the pressure over the area that presses,
-     *   sum w_i lambda_i / sum v_i A_i    [force / length^2],
-     * v_i the share of the point's interval on its line, along the axis of
-     * width(), that lies in a run and in the strip. 0 where nothing presses.
+     *   sum w_i lambda_i / sum w_i v_i A_i    [force / length^2],
+     * w_i the share of the row that lies in the strip
+     * (ContactTraction::shares()) and v_i that of the point's interval on its
+     * line, half way to its neighbours along the axis of width(), that lies in
+     * a run. 0 where nothing presses.
      */
     double
     pressure() const;
-
-    /// The largest lambda_i / A_i.
-    double
-    largest_pressure() const;
 
   private:
     /// An interval of a line, in the coordinate along it [length].
@@ -121,25 +92,14 @@ namespace lamella
       }
     };
 
-    /// The points of a line by ascending coordinate, those at one place
-    /// together: force, tributary area, share of a strip across the line; and
-    /// what presses of it.
+    /// The points of a line by ascending coordinate, those at one node
+    /// together: force, tributary area, share of the strip; and what presses of
+    /// it, also out of the strip.
     struct Line
     {
       std::vector<double>   s, force, area, share;
       std::vector<Interval> runs;
     };
-
-    /// Numbers of the @p points by their coordinate along @p axis, those of the
-    /// same one together, ascending.
-    std::vector<std::vector<unsigned int>>
-    by_coordinate(const std::vector<unsigned int> &points,
-                  const unsigned int               axis) const;
-    double
-    coordinate(const unsigned int point, const unsigned int axis) const
-    {
-      return place_of(rows[point].point)[axis];
-    }
 
     /// The lines along @p axis.
     std::vector<Line>
@@ -168,7 +128,13 @@ namespace lamella
     Interval
     limits(const unsigned int axis) const;
 
-    const std::vector<ContactRow>    &rows;
+    double
+    coordinate(const unsigned int row, const unsigned int axis) const
+    {
+      return traction.rows()[row].place[axis];
+    }
+
+    const ContactTraction            &traction;
     const std::optional<ContactStrip> strip;
     unsigned int                      facing = 2;
     /// w_i.

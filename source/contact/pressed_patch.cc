@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include <lamella/base/arithmetic.h>
-#include <lamella/recover/pressed_patch.h>
+#include <lamella/contact/pressed_patch.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 
 namespace lamella
 {
@@ -14,10 +12,20 @@ namespace lamella
 
   namespace
   {
-    // Coordinates closer than this share of the contact's extent are the same.
-    constexpr double same = arithmetic::same_in_element;
     // Points that a line has at least, on average.
     constexpr double least_on_line = 3.;
+
+
+
+    unsigned int
+    largest_component(const Tensor<1, 3> &vector)
+    {
+      unsigned int largest = 0;
+      for (unsigned int d = 1; d < 3; ++d)
+        if (std::abs(vector[d]) > std::abs(vector[largest]))
+          largest = d;
+      return largest;
+    }
 
 
 
@@ -39,11 +47,7 @@ namespace lamella
     Tensor<1, 3> sum;
     for (const ContactInterface::Point &point : points)
       sum += point.area * point.normal;
-    unsigned int largest = 0;
-    for (unsigned int d = 1; d < 3; ++d)
-      if (std::abs(sum[d]) > std::abs(sum[largest]))
-        largest = d;
-    return largest;
+    return largest_component(sum);
   }
 
 
@@ -64,35 +68,17 @@ namespace lamella
 
 
 
-  PressedPatch::PressedPatch(const std::vector<ContactRow>     &rows,
+  PressedPatch::PressedPatch(const ContactTraction             &traction,
                              const std::optional<ContactStrip> &strip)
-    : rows(rows)
+    : traction(traction)
     , strip(strip)
-    , shares(rows.size(), 1.)
+    , facing(0)
+    , shares(traction.shares(strip))
   {
-    std::vector<ContactInterface::Point> points;
-    for (const ContactRow &row : rows)
-      points.push_back(row.point);
-    facing = facing_axis(points);
-    if (!strip)
-      return;
-    std::vector<unsigned int> all(rows.size());
-    std::iota(all.begin(), all.end(), 0u);
-    const auto          groups = by_coordinate(all, strip->axis);
-    std::vector<double> s;
-    for (const auto &group : groups)
-      s.push_back(coordinate(group.front(), strip->axis));
-    for (unsigned int k = 0; k < groups.size(); ++k)
-      {
-        const auto [begin, end] = interval_of(s, k);
-        // All points at one place are in or out.
-        const double share =
-          end > begin ?
-            limits(strip->axis).overlap({begin, end}) / (end - begin) :
-            double(strip->from <= begin && begin <= strip->to);
-        for (const unsigned int point : groups[k])
-          shares[point] = share;
-      }
+    Tensor<1, 3> sum;
+    for (const ContactTraction::Row &row : traction.rows())
+      sum += row.area * row.normal;
+    facing = largest_component(sum);
   }
 
 
@@ -104,46 +90,6 @@ namespace lamella
       return {strip->from, strip->to};
     return {-std::numeric_limits<double>::max(),
             std::numeric_limits<double>::max()};
-  }
-
-
-
-  std::vector<std::vector<unsigned int>>
-  PressedPatch::by_coordinate(const std::vector<unsigned int> &points,
-                              const unsigned int               axis) const
-  {
-    std::vector<unsigned int> sorted = points;
-    std::sort(sorted.begin(),
-              sorted.end(),
-              [&](const unsigned int a, const unsigned int b) {
-                return coordinate(a, axis) < coordinate(b, axis);
-              });
-    const double extent =
-      coordinate(sorted.back(), axis) - coordinate(sorted.front(), axis);
-    std::vector<std::vector<unsigned int>> groups;
-    for (const unsigned int point : sorted)
-      {
-        if (groups.empty() ||
-            coordinate(point, axis) - coordinate(groups.back().back(), axis) >
-              same * extent)
-          groups.emplace_back();
-        groups.back().push_back(point);
-      }
-    return groups;
-  }
-
-
-
-  Wrench
-  PressedPatch::resultant() const
-  {
-    Wrench sum;
-    for (unsigned int i = 0; i < rows.size(); ++i)
-      {
-        sum.force += shares[i] * rows[i].on_second.force;
-        sum.moment += shares[i] * rows[i].on_second.moment;
-      }
-    return sum;
   }
 
 
@@ -212,34 +158,25 @@ namespace lamella
   std::vector<PressedPatch::Line>
   PressedPatch::lines_along(const unsigned int axis) const
   {
-    // A strip along the lines cuts their runs and not their points.
-    const bool                is_along = strip && strip->axis == axis;
-    std::vector<unsigned int> inside;
-    for (unsigned int i = 0; i < rows.size(); ++i)
-      if (is_along || shares[i] > 0.)
-        inside.push_back(i);
+    if (traction.surface() == nullptr)
+      return {};
     std::vector<Line> lines;
-    if (inside.empty())
-      return lines;
-    for (const auto &group : by_coordinate(inside, 3 - facing - axis))
+    for (const auto &nodes : traction.surface()->lines(axis, 3 - facing - axis))
       {
         Line line;
-        for (const auto &points : by_coordinate(group, axis))
+        for (const std::vector<unsigned int> &rows : nodes)
           {
-            line.s.push_back(coordinate(points.front(), axis));
-            line.share.push_back(is_along ? 1. : shares[points.front()]);
+            line.s.push_back(coordinate(rows.front(), axis));
+            line.share.push_back(shares[rows.front()]);
             line.force.push_back(0.);
             line.area.push_back(0.);
-            for (const unsigned int point : points)
+            for (const unsigned int row : rows)
               {
-                line.force.back() += rows[point].force;
-                line.area.back() += rows[point].point.area;
+                line.force.back() += traction.rows()[row].force;
+                line.area.back() += traction.rows()[row].area;
               }
           }
         line.runs = runs_of(line);
-        for (Interval &run : line.runs)
-          run = {std::max(run.begin, limits(axis).begin),
-                 std::min(run.end, limits(axis).end)};
         lines.push_back(line);
       }
     return lines;
@@ -253,7 +190,7 @@ namespace lamella
     double n = 0.;
     for (const Line &line : lines)
       n += line.s.size();
-    return n >= least_on_line * lines.size();
+    return !lines.empty() && n >= least_on_line * lines.size();
   }
 
 
@@ -261,12 +198,13 @@ namespace lamella
   double
   PressedPatch::extent(const unsigned int axis) const
   {
-    Interval all{std::numeric_limits<double>::max(),
+    Interval    all{std::numeric_limits<double>::max(),
                  -std::numeric_limits<double>::max()};
+    const auto &rows = traction.rows();
     for (unsigned int i = 0; i < rows.size(); ++i)
-      if (rows[i].touches() && shares[i] > 0.)
+      if (rows[i].force > 0. && shares[i] > 0.)
         {
-          const double half = 0.5 * std::sqrt(rows[i].point.area);
+          const double half = 0.5 * std::sqrt(rows[i].area);
           all.begin         = std::min(all.begin, coordinate(i, axis) - half);
           all.end           = std::max(all.end, coordinate(i, axis) + half);
         }
@@ -286,9 +224,13 @@ namespace lamella
     double largest = 0.;
     for (const Line &line : lines)
       {
+        // A strip along the lines cuts their runs, one across some of them.
+        if (!(strip && strip->axis == axis) &&
+            *std::max_element(line.share.begin(), line.share.end()) <= 0.)
+          continue;
         double sum = 0.;
         for (const Interval &run : line.runs)
-          sum += std::max(0., run.end - run.begin);
+          sum += limits(axis).overlap(run);
         largest = std::max(largest, sum);
       }
     return largest;
@@ -329,6 +271,7 @@ namespace lamella
   {
     const unsigned int      a = (facing + 1) % 3, b = (facing + 2) % 3;
     const std::vector<Line> lines = lines_along(width(a) <= width(b) ? a : b);
+    const auto             &rows  = traction.rows();
     double                  force = 0., area = 0.;
     for (unsigned int i = 0; i < rows.size(); ++i)
       force += shares[i] * rows[i].force;
@@ -337,18 +280,7 @@ namespace lamella
         area += pressed_area(line);
     else
       for (unsigned int i = 0; i < rows.size(); ++i)
-        area += rows[i].touches() ? shares[i] * rows[i].point.area : 0.;
+        area += rows[i].force > 0. ? shares[i] * rows[i].area : 0.;
     return area > 0. ? force / area : 0.;
-  }
-
-
-
-  double
-  PressedPatch::largest_pressure() const
-  {
-    double largest = 0.;
-    for (const ContactRow &row : rows)
-      largest = std::max(largest, row.force / row.point.area);
-    return largest;
   }
 } // namespace lamella

@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <lamella/contact/contact_traction.h>
+#include <lamella/contact/gap_rows.h>
+
+#include <algorithm>
+
+namespace lamella
+{
+  using namespace dealii;
+
+  namespace
+  {
+    std::vector<ContactTraction::Row>
+    rows_of(const ContactInterface        &contact,
+            const ArrayView<const double> &forces)
+    {
+      std::vector<ContactTraction::Row> rows;
+      for (unsigned int k = 0; k < contact.points.size(); ++k)
+        {
+          const ContactInterface::Point &point = contact.points[k];
+          const Point<3>                &place = place_of(point);
+          rows.push_back(
+            {place,
+             point.normal,
+             point.area,
+             forces[k],
+             cross_product_3d(Tensor<1, 3>(place), forces[k] * point.normal)});
+        }
+      return rows;
+    }
+  } // namespace
+
+
+
+  ContactTraction::ContactTraction(
+    std::shared_ptr<const CarryingSurface> surface,
+    std::vector<Row>                       rows)
+    : carrier(std::move(surface))
+    , all(std::move(rows))
+  {
+    Assert(carrier == nullptr || carrier->n_rows() == all.size(),
+           ExcMessage("The surface carries other rows."));
+  }
+
+
+
+  ContactTraction::ContactTraction(const ContactInterface        &contact,
+                                   const ArrayView<const double> &forces)
+    : ContactTraction(contact.surface, rows_of(contact, forces))
+  {}
+
+
+
+  double
+  ContactTraction::pressure(const CarryingSurface::Place &place) const
+  {
+    const std::vector<double> values = carrier->functions_at(place);
+    const auto               &rows   = carrier->facets()[place.facet].rows;
+    const auto               &whole  = carrier->integrals();
+    double                    sum    = 0.;
+    for (unsigned int k = 0; k < values.size(); ++k)
+      for (const auto &[row, share] : rows[k])
+        sum += values[k] * share * all[row].force / whole[row].area;
+    return sum;
+  }
+
+
+
+  double
+  ContactTraction::pressure_at(const Point<3>     &x,
+                               const Tensor<1, 3> &n,
+                               const double        reach) const
+  {
+    if (carrier == nullptr)
+      return 0.;
+    const auto place = carrier->on_line(x, n, reach);
+    return place ? pressure(*place) : 0.;
+  }
+
+
+
+  std::vector<CarryingSurface::Integrals>
+  ContactTraction::inside(const ContactStrip &strip) const
+  {
+    std::vector<CarryingSurface::Integrals> sums(all.size());
+    if (carrier != nullptr)
+      sums = carrier->integrals(strip);
+    for (unsigned int k = 0; k < all.size(); ++k)
+      {
+        const double at = all[k].place[strip.axis];
+        if (is_point(k))
+          sums[k].area = double(strip.from <= at && at < strip.to);
+        else
+          {
+            const CarryingSurface::Integrals &whole = carrier->integrals()[k];
+            const double                      share = sums[k].area / whole.area;
+            sums[k]                                 = {share,
+                                                       (sums[k].moment - share * whole.moment) / whole.area};
+          }
+      }
+    return sums;
+  }
+
+
+
+  std::vector<double>
+  ContactTraction::shares(const std::optional<ContactStrip> &strip) const
+  {
+    std::vector<double> result(all.size(), 1.);
+    if (strip)
+      {
+        const auto parts = inside(*strip);
+        for (unsigned int k = 0; k < all.size(); ++k)
+          result[k] = parts[k].area;
+      }
+    return result;
+  }
+
+
+
+  ContactTraction::Resultant
+  ContactTraction::resultant(const std::optional<ContactStrip> &strip) const
+  {
+    std::vector<CarryingSurface::Integrals> parts;
+    if (strip)
+      parts = inside(*strip);
+    Resultant sum;
+    for (unsigned int k = 0; k < all.size(); ++k)
+      {
+        const Tensor<1, 3> force = all[k].force * all[k].normal;
+        const double       share = strip ? parts[k].area : 1.;
+        sum.force += share * force;
+        sum.moment += share * all[k].moment;
+        if (strip)
+          sum.moment += cross_product_3d(parts[k].moment, force);
+      }
+    return sum;
+  }
+
+
+
+  double
+  ContactTraction::largest_pressure() const
+  {
+    double largest = 0.;
+    for (const Row &row : all)
+      largest = std::max(largest, row.force / row.area);
+    return largest;
+  }
+} // namespace lamella

@@ -1,0 +1,337 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <lamella/body/fields.h>
+#include <lamella/contact/pressed_patch.h>
+#include <lamella/recover/named_quantity.h>
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace lamella
+{
+  using dealii::Point;
+  using dealii::Tensor;
+
+  ContactTraction
+  traction_of(const ContactFacts &contact, const std::vector<ContactRow> &rows)
+  {
+    std::vector<ContactTraction::Row> all;
+    for (const ContactRow &row : rows)
+      all.push_back({place_of(row.point),
+                     row.point.normal,
+                     row.point.area,
+                     row.force,
+                     row.on_second.moment});
+    return ContactTraction(contact.surface, std::move(all));
+  }
+
+
+
+  ResultNumbers::ResultNumbers(const Results &results)
+  {
+    const auto six = [](const Tensor<1, 3> &force, const Tensor<1, 3> &moment) {
+      std::vector<double> numbers(force.begin_raw(), force.end_raw());
+      numbers.insert(numbers.end(), moment.begin_raw(), moment.end_raw());
+      return numbers;
+    };
+    const StepResults &step = results.last();
+    for (unsigned int k = 0; k < results.supports.size(); ++k)
+      supports[results.supports[k]] =
+        six(step.checks.reactions[k].force, step.checks.reactions[k].moment);
+    for (unsigned int k = 0; k < results.contacts.size(); ++k)
+      {
+        const std::string &name = results.contacts[k].name;
+        contacts[name] =
+          six(step.checks.contacts[k].force, step.checks.contacts[k].moment);
+        tractions.emplace(name,
+                          traction_of(results.contacts[k], step.contacts[k]));
+      }
+    for (unsigned int k = 0; k < results.probes.size(); ++k)
+      for (const FieldRow &row : step.probes[k])
+        {
+          probes.push_back({results.probes[k], row.ply + 1, {}});
+          const std::vector<double> values = field_values(row.sample);
+          for (unsigned int c = 0; c < values.size(); ++c)
+            probes.back().columns[field_names()[c]] = values[c];
+        }
+  }
+
+
+
+  namespace
+  {
+    nlohmann::json
+    point_json(const Tensor<1, 3> &x)
+    {
+      return {x[0], x[1], x[2]};
+    }
+
+
+
+    Tensor<1, 3>
+    point_of(const nlohmann::json &json)
+    {
+      const std::array<double, 3> x = json;
+      return Tensor<1, 3>({x[0], x[1], x[2]});
+    }
+
+
+
+    nlohmann::json
+    facet_json(const CarryingSurface::Facet &facet)
+    {
+      nlohmann::json points = nlohmann::json::array(),
+                     parts  = nlohmann::json::array();
+      for (const Point<3> &x : facet.map.control_points())
+        points.push_back(point_json(x));
+      for (const Polygon &part : facet.parts)
+        {
+          parts.push_back(nlohmann::json::array());
+          for (const Point<2> &corner : part)
+            parts.back().push_back({corner[0], corner[1]});
+        }
+      return {{"degrees", facet.map.degrees()},
+              {"points", points},
+              {"grid", {facet.degree_s, facet.degree_t}},
+              {"nodes", facet.nodes},
+              {"rows", facet.rows},
+              {"parts", parts}};
+    }
+
+
+
+    CarryingSurface::Facet
+    facet_of(const nlohmann::json &json)
+    {
+      const std::array<unsigned int, 2> degrees = json.at("degrees"),
+                                        grid    = json.at("grid");
+      std::vector<Point<3>> points;
+      for (const auto &x : json.at("points"))
+        points.emplace_back(point_of(x));
+      std::vector<Polygon> parts;
+      for (const auto &corners : json.at("parts"))
+        {
+          parts.emplace_back();
+          for (const std::array<double, 2> corner : corners)
+            parts.back().emplace_back(corner[0], corner[1]);
+        }
+      return {FacetMap(degrees[0], degrees[1], points),
+              grid[0],
+              grid[1],
+              json.at("nodes"),
+              json.at("rows"),
+              parts};
+    }
+
+
+
+    /// The rows, and the surface that carries them, null if it is not known.
+    nlohmann::json
+    traction_json(const ContactTraction &traction)
+    {
+      nlohmann::json rows = nlohmann::json::array(), surface;
+      for (const ContactTraction::Row &row : traction.rows())
+        rows.push_back({{"place", point_json(row.place)},
+                        {"normal", point_json(row.normal)},
+                        {"area", row.area},
+                        {"force", row.force},
+                        {"moment", point_json(row.moment)}});
+      if (traction.surface() != nullptr)
+        {
+          surface["hats"] =
+            traction.surface()->functions() == CarryingSurface::Functions::hats;
+          surface["facets"] = nlohmann::json::array();
+          for (const auto &facet : traction.surface()->facets())
+            surface["facets"].push_back(facet_json(facet));
+        }
+      return {{"rows", rows}, {"surface", surface}};
+    }
+
+
+
+    ContactTraction
+    read_traction(const nlohmann::json &json)
+    {
+      std::vector<ContactTraction::Row> rows;
+      for (const auto &row : json.at("rows"))
+        rows.push_back({Point<3>(point_of(row.at("place"))),
+                        point_of(row.at("normal")),
+                        row.at("area"),
+                        row.at("force"),
+                        point_of(row.at("moment"))});
+      const nlohmann::json                  &surface = json.at("surface");
+      std::shared_ptr<const CarryingSurface> carrier;
+      if (!surface.is_null())
+        {
+          std::vector<CarryingSurface::Facet> facets;
+          for (const auto &facet : surface.at("facets"))
+            facets.push_back(facet_of(facet));
+          carrier = std::make_shared<const CarryingSurface>(
+            surface.at("hats") ? CarryingSurface::Functions::hats :
+                                 CarryingSurface::Functions::trace,
+            rows.size(),
+            std::move(facets));
+        }
+      return ContactTraction(carrier, std::move(rows));
+    }
+  } // namespace
+
+
+
+  ResultNumbers::ResultNumbers(const nlohmann::json &json)
+  {
+    for (const auto &[name, traction] : json.at("tractions").items())
+      tractions.emplace(name, read_traction(traction));
+    json.at("supports").get_to(supports);
+    json.at("contacts").get_to(contacts);
+    for (const auto &row : json.at("probes"))
+      probes.push_back({row.at("probe"), row.at("ply"), row.at("columns")});
+  }
+
+
+
+  nlohmann::json
+  ResultNumbers::to_json() const
+  {
+    nlohmann::json rows = nlohmann::json::array();
+    for (const ProbeRow &row : probes)
+      rows.push_back(
+        {{"probe", row.probe}, {"ply", row.ply}, {"columns", row.columns}});
+    nlohmann::json of_contacts = nlohmann::json::object();
+    for (const auto &[name, traction] : tractions)
+      of_contacts[name] = traction_json(traction);
+    return {{"supports", supports},
+            {"contacts", contacts},
+            {"tractions", of_contacts},
+            {"probes", rows}};
+  }
+
+
+
+  std::vector<const ResultNumbers::ProbeRow *>
+  ResultNumbers::rows_of(const std::string &probe) const
+  {
+    std::vector<const ProbeRow *> rows;
+    for (const ProbeRow &row : probes)
+      if (row.probe == probe)
+        rows.push_back(&row);
+    return rows;
+  }
+
+
+
+  double
+  ResultNumbers::value_of_resultant(const NamedQuantity &quantity) const
+  {
+    const std::string &column       = quantity.column;
+    const bool         is_component = column[0] == 'f' || column[0] == 'm';
+    const unsigned int component    = column[1] - 'x';
+    if (is_component && !quantity.strip)
+      return (quantity.of == NamedQuantity::Of::support ? supports : contacts)
+        .at(quantity.name)
+        .at((column[0] == 'f' ? 0 : 3) + component);
+    const ContactTraction &traction = tractions.at(quantity.name);
+    if (is_component)
+      {
+        const auto part = traction.resultant(quantity.strip);
+        return (column[0] == 'f' ? part.force : part.moment)[component];
+      }
+    const PressedPatch patch(traction, quantity.strip);
+    if (column == "pressure")
+      return patch.pressure();
+    return column == "width" ? patch.width() : patch.width(column.back() - 'x');
+  }
+
+
+
+  double
+  ResultNumbers::value(const NamedQuantity &quantity) const
+  {
+    if (quantity.of == NamedQuantity::Of::measure)
+      return (value(quantity.terms[0]) - value(quantity.terms[1])) /
+             quantity.over;
+    if (quantity.of != NamedQuantity::Of::probe)
+      return value_of_resultant(quantity);
+    std::vector<std::string> plies;
+    std::vector<double>      values;
+    for (const ProbeRow *row : rows_of(quantity.name))
+      {
+        plies.push_back(std::to_string(row->ply));
+        if (quantity.ply == 0 || quantity.ply == row->ply)
+          values.push_back(row->columns.at(quantity.column));
+      }
+    require_ply(quantity, plies);
+    const auto [least, greatest] =
+      std::minmax_element(values.begin(), values.end());
+    if (*greatest - *least >
+        1e-9 * std::max(std::abs(*least), std::abs(*greatest)))
+      refuse_interface(quantity, plies);
+    return values.front();
+  }
+
+
+
+  std::vector<NamedQuantity>
+  ResultNumbers::largest_at(const std::string &name) const
+  {
+    const auto                 rows = rows_of(name);
+    std::vector<NamedQuantity> quantities;
+    for (const std::vector<std::string> &columns :
+         {std::vector<std::string>{"ux", "uy", "uz"},
+          std::vector<std::string>{"sxx", "syy", "szz", "sxy", "sxz", "syz"}})
+      {
+        const auto magnitude = [&](const std::string &column) {
+          return std::abs(rows.front()->columns.at(column));
+        };
+        NamedQuantity largest{
+          NamedQuantity::Of::probe, name, 0, "", {}, "Quantities"};
+        for (const std::string &column : columns)
+          if (largest.column.empty() ||
+              magnitude(column) > magnitude(largest.column))
+            largest.column = column;
+        // Displacements have no two sides.
+        if (rows.size() > 1 && largest.column[0] == 's')
+          largest.ply = rows.front()->ply;
+        quantities.push_back(largest);
+      }
+    return quantities;
+  }
+
+
+
+  double
+  ResultNumbers::largest_of_kind(const NamedQuantity &quantity) const
+  {
+    if (quantity.of == NamedQuantity::Of::measure)
+      return std::max(largest_of_kind(quantity.terms[0]),
+                      largest_of_kind(quantity.terms[1])) /
+             std::abs(quantity.over);
+    // Kinds are told by the first letter: u, e, s of a probe, f, m of a
+    // resultant, p and w of a contact.
+    const char kind    = quantity.column[0];
+    double     largest = 0.;
+    for (const ProbeRow &row : probes)
+      for (const auto &[column, value] : row.columns)
+        if (quantity.of == NamedQuantity::Of::probe && column[0] == kind)
+          largest = std::max(largest, std::abs(value));
+    if (quantity.of == NamedQuantity::Of::probe)
+      return largest;
+    for (const auto *resultants : {&supports, &contacts})
+      for (const auto &resultant : *resultants)
+        for (unsigned int c = 0; c < 6; ++c)
+          if ((kind == 'f' && c < 3) || (kind == 'm' && c >= 3))
+            largest = std::max(largest, std::abs(resultant.second[c]));
+    for (const auto &[name, traction] : tractions)
+      {
+        const PressedPatch patch(traction);
+        if (kind == 'p')
+          largest = std::max(largest, traction.largest_pressure());
+        if (kind == 'w')
+          for (unsigned int d = 0; d < 3; ++d)
+            largest = std::max(largest, patch.width(d));
+      }
+    return largest;
+  }
+} // namespace lamella
