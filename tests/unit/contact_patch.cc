@@ -55,7 +55,7 @@ namespace
     result.contacts = {make_interface(contact, bodies)};
     result.structure =
       std::make_unique<Structure>(std::move(bodies), supports, loads);
-    const auto    &rows = result.contacts[0].rows;
+    const auto   &rows = result.contacts[0].rows;
     ContactSolver newton(linearised(*result.structure), rows);
     result.state  = newton.solve_contact(newton.solve_free(1.), 1.);
     result.checks = check_state(

@@ -6,8 +6,8 @@
 #include <lamella/base/patterns.h>
 #include <lamella/contact/gap_rows.h>
 #include <lamella/linear/linear_solver.h>
-#include <lamella/solve/parameters.h>
 #include <lamella/recover/results.h>
+#include <lamella/solve/parameters.h>
 
 #include <boost/test/unit_test.hpp>
 

@@ -7,8 +7,8 @@
 #include <lamella/recover/face_tractions.h>
 #include <lamella/recover/named_quantity.h>
 #include <lamella/recover/requests.h>
-#include <lamella/shape/section_mesh.h>
 #include <lamella/recover/results.h>
+#include <lamella/shape/section_mesh.h>
 
 #include <functional>
 #include <vector>

@@ -8,8 +8,8 @@
 #include <lamella/conditions/support.h>
 #include <lamella/recover/face_tractions.h>
 #include <lamella/recover/recovery.h>
-#include <lamella/shape/section_mesh.h>
 #include <lamella/recover/results.h>
+#include <lamella/shape/section_mesh.h>
 #include <lamella/strength/criterion.h>
 
 #include <deal.II/base/parameter_handler.h>

@@ -3,8 +3,8 @@
 #ifndef lamella_trade_rung_result_h
 #define lamella_trade_rung_result_h
 
-#include <lamella/scene/trade_parameters.h>
 #include <lamella/recover/results.h>
+#include <lamella/scene/trade_parameters.h>
 
 #include <nlohmann/json.hpp>
 
