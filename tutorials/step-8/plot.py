@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Draws the fields of the section: plot.py STEP-8.CSV PICTURE.PNG."""
+"""Draws fields of the section of step-8 and step-13: plot.py FIELDS.CSV PICTURE.PNG."""
 
 import csv
 import sys
@@ -13,10 +13,10 @@ import matplotlib.pyplot as plt
 
 WIDTH, HEIGHT = 13., 4.  # mm
 COLUMNS = 3
-# Where the rows of panels begin: a title each.
-PARTS = {0: "Six rigid motions", 6: "Six Saint-Venant warpings",
-         12: "Responses to the nose along all of its line",
-         15: "Responses to the nose in the middle of the top"}
+# Where rows of panels begin: the first field and a title each.
+TITLES = {"u_x": "Six rigid motions", "extension": "Six Saint-Venant warpings",
+          "line, k = 0.2": "Responses to the nose along all of its line",
+          "hat, k = 0.2": "Responses to the nose in the middle of the top"}
 
 fields = {}
 with open(sys.argv[1], newline="") as file:
@@ -63,9 +63,10 @@ def draw(axes, name, points):
     return picture
 
 
+names = list(fields)
+PARTS = {k: TITLES[name] for k, name in enumerate(names) if name in TITLES}
 rows = len(fields) // COLUMNS
 figure = plt.figure(figsize=(9, 1.42 * rows + 0.8))
-names = list(fields)
 starts = list(PARTS) + [len(fields)]
 # A part's title takes a third of a row.
 title, gap = 0.3, 0.12
@@ -88,10 +89,10 @@ for part, (begin, end) in enumerate(zip(starts, starts[1:])):
             label = f"${label}$"
         picture = draw(axes, label, fields[names[k]])
     top -= -(-(end - begin) // COLUMNS) / total
-bar = figure.colorbar(picture, cax=figure.add_axes([0.33, 0.032, 0.34, 0.010]),
+bar = figure.colorbar(picture, cax=figure.add_axes([0.33, 0.245 / total, 0.34, 0.0765 / total]),
                       orientation="horizontal", ticks=[-1, 0, 1])
 bar.ax.set_xlim(-1, 1)
 bar.ax.tick_params(labelsize=8.5, length=2)
-figure.text(0.32, 0.037, r"$u_y$ over its largest", ha="right", va="center",
+figure.text(0.32, 0.283 / total, r"$u_y$ over its largest", ha="right", va="center",
             fontsize=9.5)
 figure.savefig(sys.argv[2], dpi=110)

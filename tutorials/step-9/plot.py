@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Draws what step-9 leaves in FOLDER: plot.py FOLDER DUALS.PNG BARS.PNG."""
+"""Draws what step-9 leaves in FOLDER: plot.py FOLDER DUALS.PNG."""
 
 import csv
 import sys
@@ -18,8 +18,6 @@ GOALS = {"tip: uz": (30., 1.5, "deflection of the tip", r"$u_z$", 4.),
          "outer: syy": (10., 2.8, "bending stress in the outer ply", r"$\sigma_{yy}$", 4.),
          "inner: syz": (10., 1.5, "shear stress in the middle ply", r"$\sigma_{yz}$", 2.4)}
 THEORIES = {"SV": ("#0072B2", -0.22), "LE-1": ("#D55E00", 0.), "LE-2": ("#009E73", 0.22)}
-MARKS = {"tip: uz": ("#0072B2", "o"), "outer: syy": ("#009E73", "s"),
-         "inner: syz": ("#D55E00", "^")}
 
 plt.rcParams.update({"font.size": 10, "axes.spines.top": False,
                      "axes.spines.right": False, "legend.frameon": False})
@@ -89,38 +87,4 @@ def draw_duals(folder, path):
     figure.savefig(path, dpi=110)
 
 
-def draw_bars(folder, path):
-    """True errors, and bars above them, on one axis of per cents."""
-    rows = read(folder, "bars")
-    names = list(dict.fromkeys(row["theory"] for row in rows))
-    figure, axes = plt.subplots(figsize=(8, 4.3), layout="constrained")
-    for k, (goal, (colour, mark)) in enumerate(MARKS.items()):
-        for row in (row for row in rows if row["goal"] == goal):
-            x = names.index(row["theory"]) + 0.2 * (k - 1)
-            error = 100. * abs(float(row["error"]))
-            axes.plot(x, error, mark, color=colour, markersize=6)
-            if row["bar"]:
-                bar = 100. * float(row["bar"])
-                axes.plot([x, x], [1e-4, bar], color=colour, linewidth=1.2, alpha=0.6)
-                axes.plot([x - 0.07, x + 0.07], [bar, bar], color=colour, linewidth=2.)
-            else:
-                axes.annotate("no bar", (x, error), (0, 7), ha="center", fontsize=8,
-                              textcoords="offset points", color=colour)
-        axes.plot([], [], mark, color=colour, label=GOALS[goal][2])
-    axes.plot([], [], "_", color="0.3", markersize=10, markeredgewidth=2.,
-              label="its bar")
-    axes.set_yscale("log")
-    axes.set_ylim(1e-3, 400.)
-    axes.yaxis.set_major_formatter(lambda value, _: f"{value:g}")
-    dofs = {row["theory"]: int(row["dofs"]) for row in rows}
-    axes.set_xticks(range(len(names)), labels=[f"{name}\n{dofs[name]:,}"
-                                               for name in names])
-    axes.set_xlabel("theory, DoFs")
-    axes.set_ylabel("true error [%]")
-    axes.grid(axis="y", color="0.92")
-    axes.legend(loc="upper right", fontsize=9)
-    figure.savefig(path, dpi=110)
-
-
 draw_duals(sys.argv[1], sys.argv[2])
-draw_bars(sys.argv[1], sys.argv[3])
