@@ -11,7 +11,7 @@
 #include <lamella/scene/scene.h>
 #include <lamella/section/saint_venant.h>
 #include <lamella/section/warping.h>
-#include <lamella/solve/multiplier_loop.h>
+#include <lamella/solve/contact_solver.h>
 
 #include <memory>
 #include <numeric>
@@ -106,8 +106,7 @@ namespace lamella
                                                     scene.loads);
       model.factors   = linearised(*model.structure);
       const std::vector<GapRow> no_rows;
-      model.u =
-        MultiplierLoop(model.factors, no_rows).solve_free(1.).u.block(0);
+      model.u = ContactSolver(model.factors, no_rows).solve_free(1.).u.block(0);
       return model;
     }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-// The section of step-8 and step-13, that of the coupon of
+// The section of step-8 and step-15, that of the coupon of
 // prm/flexure_test.prm, in millimetres and newtons: 32 plies, one cell a ply
 // and six across. With it what may press on its top, and its fields on a grid
 // for the pictures.

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Draws fields of the section of step-8 and step-13: plot.py FIELDS.CSV PICTURE.PNG."""
+"""Draws fields of the section of step-8 and step-15: plot.py FIELDS.CSV PICTURE.PNG."""
 
 import csv
 import sys

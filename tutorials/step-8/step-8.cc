@@ -16,7 +16,7 @@
 #include <lamella/base/exceptions.h>
 #include <lamella/base/mpi_session.h>
 #include <lamella/body/beam.h>
-#include <lamella/solve/multiplier_loop.h>
+#include <lamella/solve/contact_solver.h>
 
 #include <deal.II/base/table_handler.h>
 #include <deal.II/base/timer.h>
@@ -95,7 +95,7 @@ FieldsOfASection::FieldsOfASection()
 //
 // a system of the section's size. A local load holds all wave numbers from 0 to
 // about one over its length, v(k) is smooth, and six of them are enough
-// (step-13 counts), in equal ratios from long waves, 0.25 over the width, to
+// (step-15 counts), in equal ratios from long waves, 0.25 over the width, to
 // the shortest that the axis can show, 10 over its shortest element, 0.5.
 FieldColumns
 FieldsOfASection::answers_to(const std::vector<Vector> &loads) const
@@ -167,7 +167,7 @@ FieldsOfASection::bend(const std::string &name, std::unique_ptr<Beam> beam)
   Structure                 structure(std::move(bodies), {clamp}, {line});
   const std::vector<GapRow> no_rows;
   const Vector              u =
-    MultiplierLoop(linearised(structure), no_rows).solve_free(1.).u.block(0);
+    ContactSolver(linearised(structure), no_rows).solve_free(1.).u.block(0);
 
   const Body &body   = *structure.bodies()[0];
   const auto  sample = [&](const double y, const double z) {

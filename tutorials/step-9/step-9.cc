@@ -6,7 +6,7 @@
 // numbers are wanted of it. How far off is each of them in a given theory, and
 // where does the error come from? The program looks at the *dual* of a number,
 // the displacement of the same beam under the number as a load, and finds two
-// identities. Error bars stand on the second one (step-14). See README.md in
+// identities. Error bars stand on the second one (step-16). See README.md in
 // this folder.
 
 #include "../cantilever.h"

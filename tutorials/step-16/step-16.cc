@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-// step-14: an error bar, held against the true error.
+// step-16: an error bar, held against the true error.
 //
 // What step-9 leaves is to know the dual and the truth, which nobody does: both
 // would take the rich model. So a bar solves richer models of the same scene,
@@ -43,7 +43,7 @@ private:
            const double       true_value);
 
   dealii::TableHandler table;
-  std::ofstream        csv{"step-14.csv"};
+  std::ofstream        csv{"step-16.csv"};
 };
 
 

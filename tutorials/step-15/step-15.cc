@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-// step-13: how many responses.
+// step-15: how many responses.
 //
 // step-8 gave the nodes near a load a few fields with which the section answers
 // it, at six wave numbers. Why six? The program makes such bases with fewer and
@@ -153,7 +153,7 @@ BasesOfResponses::run()
   table.set_precision("worst miss", 3);
   table.write_text(std::cout, dealii::TableHandler::org_mode_table);
 
-  std::ofstream csv("step-13.csv");
+  std::ofstream csv("step-15.csv");
   csv << "field,x,z,ux,uy,uz\n";
   coupon.draw_responses(csv, "line", line[0], warping);
   coupon.draw_responses(csv, "hat", hats[hats.size() / 2], warping);

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Draws the true errors and the bars of step-14: plot.py STEP-14.CSV BARS.PNG."""
+"""Draws the true errors and the bars of step-16: plot.py STEP-14.CSV BARS.PNG."""
 
 import csv
 import sys
