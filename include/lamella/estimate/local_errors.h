@@ -28,7 +28,7 @@ namespace lamella
    *
    * Both models have the same bodies; beams of the same section, whose axes
    * differ, and solids that are the same. Both are solved and referred to.
-   * (Becker and Rannacher, Acta Numerica 10 (2001), sec. 3; deal.II's step-16.)
+   * (Becker and Rannacher, Acta Numerica 10 (2001), sec. 3; deal.II's step-14.)
    */
   class Localisation
   {

@@ -8,6 +8,8 @@
 #include <lamella/recover/recovery.h>
 #include <lamella/shape/section_mesh.h>
 
+#include <deal.II/base/quadrature.h>
+
 #include <deal.II/lac/full_matrix.h>
 #include <deal.II/lac/vector.h>
 
@@ -126,6 +128,14 @@ namespace lamella
     take_closure();
 
   private:
+    /// Order of Eq. 4.
+    static constexpr unsigned int xx = 0, yy = 1, zz = 2, xy = 3, xz = 4,
+                                  yz = 5;
+
+    /// The coordinates of the points of @p rule.
+    static std::vector<double>
+    points_of(const dealii::Quadrature<1> &rule);
+
     /// A cell of the section that a column passes.
     struct Layer
     {

@@ -104,6 +104,9 @@ namespace lamella
                     const Voigt       &ply_stress) const;
 
   private:
+    /// Into how many parts each element is divided each way for its points.
+    static constexpr unsigned int intervals = 2;
+
     /// What is asked of a ply.
     struct Task
     {
@@ -179,6 +182,13 @@ namespace lamella
   /// processes find the same row.
   bool
   is_worse(const PlyReserve &a, const PlyReserve &b);
+
+  /// Whether @p a comes before @p b, by x, y, z; coordinates closer than
+  /// @p same [length] are equal.
+  bool
+  comes_before(const dealii::Point<3> &a,
+               const dealii::Point<3> &b,
+               const double            same);
 
   /// The worst of @p rows; null if there are none.
   const PlyReserve *

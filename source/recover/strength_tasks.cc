@@ -1,0 +1,233 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+// What a sweep looks for: the criteria that each ply has to fear, and at which
+// points of its elements.
+
+#include <lamella/base/arithmetic.h>
+#include <lamella/base/exceptions.h>
+#include <lamella/recover/interlaminar.h>
+#include <lamella/recover/strength_sweep.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace lamella
+{
+  using namespace dealii;
+
+  namespace
+  {
+    // Points of an element, 3 x 3 x 3, the third coordinate slowest, the second
+    // along the axis. Of the four faces along the axis, at the beginning and
+    // the end of the first and of the third coordinate: their middles.
+    constexpr std::array<unsigned int, 4> middles{{12, 14, 4, 22}};
+
+
+
+    /// Whether point @p k of an element is on the face @p f of those.
+    bool
+    is_on_face(const unsigned int k, const unsigned int f)
+    {
+      const unsigned int coordinate = f < 2 ? k % 3 : k / 9;
+      return coordinate == (f % 2 == 0 ? 0 : 2);
+    }
+
+
+
+    bool
+    is_of_core(const Criterion criterion)
+    {
+      return criterion == Criterion::core_shear ||
+             criterion == Criterion::core_crushing;
+    }
+
+
+
+    bool
+    is_core(const Ply &ply)
+    {
+      return ply.properties.core.has_value();
+    }
+
+
+
+    /// The core that ply @p k of a laminate lies on; null if it is on none.
+    const Ply *
+    core_below_or_above(const std::vector<Ply> &plies, const unsigned int k)
+    {
+      if (is_core(plies[k]))
+        return nullptr;
+      const auto is_core_of_wall = [&](const unsigned int other) {
+        return is_core(plies[other]) &&
+               plies[other].plane.wall == plies[k].plane.wall;
+      };
+      if (k > 0 && is_core_of_wall(k - 1))
+        return &plies[k - 1];
+      return k + 1 < plies.size() && is_core_of_wall(k + 1) ? &plies[k + 1] :
+                                                              nullptr;
+    }
+
+
+
+    /// Whether the face @p f of @p cell lies in the plane of the cell's ply,
+    /// and not across it: a ply that ends there shares no interface.
+    bool
+    is_in_ply_plane(const OutputCell &cell, const unsigned int f)
+    {
+      constexpr double cosine = 0.7;
+      // A step along the face in the section, and one along the axis.
+      const unsigned int m      = middles[f];
+      const unsigned int across = f < 2 ? 9 : 1;
+      const Tensor<1, 3> normal =
+        cross_product_3d(cell.positions[m + across] -
+                           cell.positions[m - across],
+                         cell.positions[m + 3] - cell.positions[m - 3]);
+      return std::abs(normal * cell.ply_normal) > cosine * normal.norm();
+    }
+
+
+
+    /// Of each element of this process, whether another ply touches its faces.
+    std::vector<std::array<bool, 4>>
+    touched_faces(const Body &body, const unsigned int intervals)
+    {
+      const auto cells = body.output_cells(intervals, Vector(body.n_dofs()));
+      std::vector<Point<3>> points;
+      for (const OutputCell &cell : cells)
+        for (const unsigned int k : middles)
+          points.push_back(cell.positions[k]);
+      const auto                       found = body.locate(points);
+      std::vector<std::array<bool, 4>> touched(cells.size());
+      for (unsigned int c = 0; c < cells.size(); ++c)
+        for (unsigned int f = 0; f < 4; ++f)
+          touched[c][f] =
+            found[4 * c + f].size() > 1 && is_in_ply_plane(cells[c], f);
+      return touched;
+    }
+  } // namespace
+
+
+
+  StrengthSweep::StrengthSweep(const Bodies             &bodies,
+                               const StrengthParameters &parameters)
+    : bodies(bodies)
+    , criteria(parameters.criteria)
+    , leave_out(parameters.leave_out)
+    , stress(parameters.stress)
+  {
+    for (const unsigned int b : parameters.bodies)
+      {
+        if (stress == StressValues::equilibrium)
+          laminate_box(*bodies[b], "Strength/Stress");
+        Swept swept{b, tasks_of(*bodies[b]), {}};
+        if (std::count(criteria.begin(),
+                       criteria.end(),
+                       Criterion::interlaminar) > 0)
+          swept.touched = touched_faces(*bodies[b], intervals);
+        all.push_back(std::move(swept));
+      }
+    for (const Criterion criterion : criteria)
+      {
+        const bool has_task =
+          std::any_of(all.begin(), all.end(), [&](const Swept &swept) {
+            return std::any_of(swept.tasks.begin(),
+                               swept.tasks.end(),
+                               [&](const Task &task) {
+                                 return task.criterion == criterion;
+                               });
+          });
+        if (!has_task)
+          throw InputError(
+            "Strength/Criteria",
+            name_of(criterion),
+            "no ply that is looked at has it to fear",
+            "It is of cores, whose material has Core strengths, and of the "
+            "plies upon them; others are of plies that are no cores.");
+      }
+  }
+
+
+
+  void
+  StrengthSweep::require(const Criterion criterion,
+                         const Ply      &ply,
+                         const Body     &body) const
+  {
+    const std::string missing = missing_entry(criterion, ply.properties);
+    if (!missing.empty())
+      throw InputError("Strength/Criteria",
+                       name_of(criterion),
+                       "material '" + ply.material + "' of body '" +
+                         body.name() + "' has no " + missing,
+                       "Give it " + missing + " in subsection Material " +
+                         ply.material +
+                         ", or leave out the criterion, or the body from "
+                         "Strength/Bodies.");
+  }
+
+
+
+  std::vector<StrengthSweep::Task>
+  StrengthSweep::tasks_of(const Body &body) const
+  {
+    const std::vector<Ply> &plies = body.plies();
+    std::vector<Task>       tasks;
+    for (unsigned int k = 0; k < plies.size(); ++k)
+      for (const Criterion criterion : criteria)
+        {
+          const Ply        &ply = plies[k];
+          WrinklingStresses wrinkling;
+          if (is_core(ply) != is_of_core(criterion))
+            continue;
+          if (criterion == Criterion::face_wrinkling)
+            {
+              const Ply *core = core_below_or_above(plies, k);
+              if (core == nullptr)
+                continue;
+              wrinkling = wrinkling_stresses(ply.properties.elastic,
+                                             core->properties.elastic,
+                                             ply.angle,
+                                             core->angle);
+            }
+          require(criterion, ply, body);
+          tasks.push_back(
+            {k,
+             criterion,
+             FailureSurface(criterion, ply.properties, wrinkling)});
+        }
+    return tasks;
+  }
+
+
+
+  bool
+  StrengthSweep::looks_at(const Task                &task,
+                          const std::array<bool, 4> &touched,
+                          const unsigned int         k)
+  {
+    if (task.criterion != Criterion::interlaminar)
+      return true;
+    for (unsigned int f = 0; f < 4; ++f)
+      if (touched[f] && is_on_face(k, f))
+        return true;
+    return false;
+  }
+
+
+
+  bool
+  StrengthSweep::is_left_out(const Point<3> &x) const
+  {
+    return std::any_of(
+      leave_out.begin(), leave_out.end(), [&x](const auto &box) {
+        for (unsigned int c = 0; c < 3; ++c)
+          {
+            const double rounding =
+              arithmetic::same_place * (box[1] - box[0]).norm();
+            if (x[c] < box[0][c] - rounding || x[c] > box[1][c] + rounding)
+              return false;
+          }
+        return true;
+      });
+  }
+} // namespace lamella
