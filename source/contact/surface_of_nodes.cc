@@ -77,11 +77,17 @@ namespace lamella
 
 
 
-    /// The functions of the nodes that hang, to the rows of those that they
-    /// hang between, @p of_node.
-    void
-    share_hanging(const SurfaceTopology &topology, std::vector<Shares> &of_node)
+    /// Of nodes that hang, to which rows of those that they hang between their
+    /// functions belong; @p at_node are the rows at each node.
+    std::vector<Shares>
+    shares_of_hanging(const SurfaceTopology                        &topology,
+                      const std::vector<std::vector<unsigned int>> &at_node)
     {
+      std::vector<Shares> of_node(topology.n_grid);
+      for (const auto &[node, ends] : topology.hanging)
+        for (const unsigned int end : ends)
+          if (at_node[end].size() == 1)
+            of_node[end] = {{at_node[end].front(), 1.}};
       // A node may hang on one that hangs itself.
       for (unsigned int pass = 0; pass < topology.hanging.size(); ++pass)
         {
@@ -96,8 +102,19 @@ namespace lamella
                 is_done = false;
               }
           if (is_done)
-            return;
+            break;
         }
+      return of_node;
+    }
+
+
+
+    bool
+    has_no_row(const std::vector<Shares> &rows)
+    {
+      return std::all_of(rows.begin(), rows.end(), [](const Shares &shares) {
+        return shares.empty();
+      });
     }
 
 
@@ -114,28 +131,18 @@ namespace lamella
           if (const auto node =
                 topology.grid_node(nodes[k].location.places.front()))
             at_node[*node].push_back(k);
-      std::vector<Shares> hanging(topology.n_grid);
-      for (const auto &[node, ends] : topology.hanging)
-        for (const unsigned int end : ends)
-          if (at_node[end].size() == 1)
-            hanging[end] = {{at_node[end].front(), 1.}};
-      share_hanging(topology, hanging);
-
-      std::vector<Facet> facets;
+      const std::vector<Shares> hanging = shares_of_hanging(topology, at_node);
+      std::vector<Facet>        facets;
       for (const SurfaceTopology::Facet &from : topology.facets)
         {
           std::vector<Shares> rows;
           const Tensor<1, 3>  normal =
             body.surface_point(from.side, {0.5, 0.5}).normal;
-          bool has_row = false;
           for (const unsigned int node : from.grid)
-            {
-              rows.push_back(at_node[node].empty() ?
-                               hanging[node] :
-                               row_on(at_node[node], normal, nodes));
-              has_row |= !rows.back().empty();
-            }
-          if (!has_row)
+            rows.push_back(at_node[node].empty() ?
+                             hanging[node] :
+                             row_on(at_node[node], normal, nodes));
+          if (has_no_row(rows))
             continue;
           const auto &s = GaussLobattoBasis::of_degree(from.side.degree_s),
                      &t = GaussLobattoBasis::of_degree(from.side.degree_t);
@@ -188,11 +195,7 @@ namespace lamella
     facets.erase(std::remove_if(facets.begin(),
                                 facets.end(),
                                 [](const Facet &facet) {
-                                  return std::all_of(facet.rows.begin(),
-                                                     facet.rows.end(),
-                                                     [](const Shares &shares) {
-                                                       return shares.empty();
-                                                     });
+                                  return has_no_row(facet.rows);
                                 }),
                  facets.end());
     return CarryingSurface(CarryingSurface::Functions::trace,
