@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+// Load steps go from a state to a state: along a path, beside it, and on from a
+// state that was kept.
+
+#include <lamella/base/exceptions.h>
+#include <lamella/run/built_scene.h>
+#include <lamella/solve/load_path.h>
+
+#include <boost/test/unit_test.hpp>
+
+#include <memory>
+#include <ostream>
+
+BOOST_AUTO_TEST_SUITE(load_path)
+
+using namespace lamella;
+
+namespace
+{
+  /// Two blocks that are pressed on each other, and what does their steps.
+  struct PressedBlocks
+  {
+    std::ostream                   nowhere{nullptr};
+    dealii::TimerOutput            timer{nowhere,
+                              dealii::TimerOutput::never,
+                              dealii::TimerOutput::wall_times};
+    std::unique_ptr<BuiltScene>    built;
+    std::unique_ptr<ContactSolver> solver;
+    std::unique_ptr<Step>          step;
+
+    explicit PressedBlocks(const std::vector<std::string> &overrides = {})
+    {
+      const Scene scene = read_scene(
+        SceneText::read(LAMELLA_SOURCE_DIR "/tests/scenes/pressed_blocks.prm",
+                        overrides));
+      built = std::make_unique<BuiltScene>(scene, FieldRules(), nowhere, timer);
+      solver = std::make_unique<ContactSolver>(linearised(built->structure()),
+                                               built->rows());
+      step   = std::make_unique<Step>(*solver,
+                                    built->interfaces(),
+                                    built->search_checks(),
+                                    built->scene().supports.size(),
+                                    built->scene().solve,
+                                    timer);
+    }
+  };
+
+
+
+  double
+  difference(const State &a, const State &b)
+  {
+    BlockVector u = a.u;
+    u -= b.u;
+    return u.linfty_norm() / b.u.linfty_norm();
+  }
+} // namespace
+
+
+
+BOOST_AUTO_TEST_CASE(a_path_goes_up_and_down)
+{
+  // Contact without friction forgets: on the way down the states are those of
+  // the way up.
+  PressedBlocks           blocks;
+  LoadPath                path(*blocks.step, {0.5, 1., 0.5});
+  std::vector<SolvedStep> steps;
+  while (path.has_more())
+    {
+      BOOST_TEST(path.n_done() == steps.size());
+      BOOST_TEST(path.next_factor() == (steps.size() == 1 ? 1. : 0.5));
+      steps.push_back(path.advance());
+      BOOST_TEST(difference(path.state(), steps.back().state) == 0.);
+    }
+  BOOST_TEST(steps.size() == 3u);
+  BOOST_TEST(!steps[0].state.active.empty());
+  BOOST_TEST(difference(steps[2].state, steps[0].state) < 1e-11);
+  BOOST_TEST(difference(steps[1].state, steps[0].state) > 0.1);
+}
+
+
+
+BOOST_AUTO_TEST_CASE(a_path_that_goes_on_is_the_same_path)
+{
+  PressedBlocks blocks, others;
+  LoadPath      path(*blocks.step, {0.5, 1.});
+  const State   kept   = path.advance().state;
+  const auto    memory = blocks.solver->memory();
+  const State   whole  = path.advance().state;
+  LoadPath      rest(*others.step, {0.5, 1.});
+  others.solver->recall(memory);
+  rest.resume(1, kept);
+  BOOST_TEST(rest.n_done() == 1u);
+  const State resumed = rest.advance().state;
+  BOOST_TEST(!rest.has_more());
+  BOOST_TEST(difference(resumed, whole) == 0.);
+  BOOST_TEST(resumed.force == whole.force, boost::test_tools::per_element());
+}
+
+
+
+BOOST_AUTO_TEST_CASE(branches_leave_the_path_where_it_is)
+{
+  PressedBlocks blocks;
+  LoadPath      path(*blocks.step, {0.5, 1.}, true);
+  path.advance();
+  const State at = path.state();
+  // Between the stored ones, before the first, beyond the last, and back.
+  const State far = path.branch(2.).state, near = path.branch(0.25).state,
+              between = path.branch(0.75).state;
+  BOOST_TEST(difference(path.state(), at) == 0.);
+  BOOST_TEST(path.n_done() == 1u);
+  const auto straight = [&](const double factor) {
+    return (*blocks.step)(State(), factor).state;
+  };
+  BOOST_TEST(difference(far, straight(2.)) < 1e-11);
+  BOOST_TEST(difference(near, straight(0.25)) < 1e-11);
+  BOOST_TEST(difference(between, straight(0.75)) < 1e-11);
+}
+
+
+
+BOOST_AUTO_TEST_CASE(a_path_stays_where_a_step_fails)
+{
+  PressedBlocks blocks({"Rotation limit=1e-3"});
+  LoadPath      path(*blocks.step, {0.01, 1e6});
+  path.advance();
+  const State at = path.state();
+  BOOST_CHECK_THROW(path.advance(), NumericsError);
+  BOOST_TEST(path.n_done() == 1u);
+  BOOST_TEST(difference(path.state(), at) == 0.);
+}
+
+BOOST_AUTO_TEST_SUITE_END()
