@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <lamella/base/arithmetic.h>
 #include <lamella/solve/full_strategy.h>
 
 #include <algorithm>
@@ -73,7 +74,7 @@ namespace lamella
   FullStrategy::settle(const ContactProblem &problem, const Monitor &monitor)
   {
     // Of the displacements: what one solution with K + K^p is accurate to.
-    constexpr double accurate = 1e-10;
+    constexpr double accurate = arithmetic::rounding_of_solutions;
 
     Iterate at = begin(problem);
     at.active  = next_set(at, overlaps(problem, at), problem.closed);

@@ -3,6 +3,7 @@
 #ifndef lamella_solve_contact_solver_h
 #define lamella_solve_contact_solver_h
 
+#include <lamella/base/arithmetic.h>
 #include <lamella/solve/contact_strategy.h>
 
 #include <functional>
@@ -47,17 +48,18 @@ namespace lamella
     unsigned int max_iterations = 50;
 
     /// Corrections below this end the refinement.
-    double refinement_tolerance = 1e-13;
+    double refinement_tolerance = arithmetic::rounding_of_sums;
     /// Corrections beyond those that are made in any case. A correction that is
     /// more than half of the one before ends them sooner.
     unsigned int max_refinements = 6;
 
     /// Gaps less negative than this are rounding; than the last correction, if
     /// digits are lost.
-    double rounding = 1e-14;
+    double rounding = arithmetic::rounding;
     /// What active rows keep the contact law to, and what is good enough where
     /// another round hardly betters them, as rounding allows no more.
-    double law_tolerance = 1e-12, good_enough = 1e-10;
+    double law_tolerance = arithmetic::rounding_of_results,
+           good_enough   = arithmetic::rounding_of_solutions;
     /// A round that leaves more than this share of the law's error of the one
     /// before is slow.
     double slow = 0.1;
@@ -68,8 +70,9 @@ namespace lamella
     /// what springs still carry then, of the largest load or contact force. (A
     /// motion that nothing loads nor holds drifts by rounding, without a force
     /// to speak of.)
-    double       springs_at_rest = 1e-12, springs_without_force = 1e-13;
-    unsigned int max_releases = 60;
+    double springs_at_rest       = arithmetic::rounding_of_results,
+           springs_without_force = arithmetic::rounding_of_sums;
+    unsigned int max_releases    = 60;
   };
 
   /**
