@@ -114,14 +114,14 @@ namespace lamella
   SolvedStep
   LoadPath::branch(const double factor)
   {
+    // Of two that are as near the newer one: its rows are known.
     const State *from    = nullptr;
     double       nearest = 0.;
     for (const auto &[at, state] : stored)
-      if (at * factor >= 0. && std::abs(at) <= std::abs(factor) &&
-          (from == nullptr || std::abs(at) > nearest))
+      if (from == nullptr || std::abs(at - factor) <= nearest)
         {
           from    = &state;
-          nearest = std::abs(at);
+          nearest = std::abs(at - factor);
         }
     SolvedStep solved = step(from == nullptr ? State() : *from, factor);
     store(factor, solved.state);

@@ -73,8 +73,8 @@ namespace lamella
   /**
    * The load factors that a scene goes through, up and down, and how far it has
    * come: each step starts from the state of the one before. Beside the path
-   * branches end at other factors; they start from a state that is stored, go
-   * away from factor zero only, and leave the path where it is.
+   * branches end at other factors; they start from a state that is stored and
+   * leave the path where it is.
    */
   class LoadPath
   {
@@ -118,8 +118,9 @@ namespace lamella
     SolvedStep
     advance();
 
-    /// The state at @p factor, from the stored one nearest to it between zero
-    /// and it; is stored itself.
+    /// The state at @p factor, from the stored one nearest to it, and is stored
+    /// itself. (Contact that remembers will have to start between zero and it;
+    /// the nearest one takes fewest rounds.)
     SolvedStep
     branch(const double factor);
 
