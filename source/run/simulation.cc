@@ -128,7 +128,7 @@ namespace lamella
                     scene().supports.size(),
                     scene().solve,
                     timer);
-    recorder = std::make_unique<StepRecorder>(*built, cured_state(step));
+    recorder = std::make_unique<StepRecorder>(*built, found, cured_state(step));
     path     = std::make_unique<LoadPath>(step,
                                       scene().solve.load_factors,
                                       scene().find_first_failure);
@@ -142,14 +142,15 @@ namespace lamella
   Simulation::make_solver(const MemoryBudget &budget)
   {
     std::shared_ptr<const Linearisation> about;
+    std::optional<TimerOutput::Scope>    phase;
     if (scene().solve.strategy == Strategy::condensed)
       about = linearise(budget);
     else
-      about = linearised_without_solvers(built->structure());
-    // Of `full` the matrix is made here.
-    std::optional<TimerOutput::Scope> phase;
-    if (scene().solve.strategy == Strategy::full)
-      phase.emplace(timer, name_of(Phase::assembly));
+      {
+        // The strategy makes the matrix.
+        phase.emplace(timer, name_of(Phase::assembly));
+        about = linearised_without_solvers(built->structure());
+      }
     solver           = std::make_unique<ContactSolver>(std::move(about),
                                              built->rows(),
                                              scene().solve.loop,

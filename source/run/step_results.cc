@@ -10,12 +10,13 @@
 namespace lamella
 {
   StepRecorder::StepRecorder(const BuiltScene                  &built,
+                             const Results                     &facts,
                              std::shared_ptr<const BlockVector> cured)
     : built(built)
     , scene(built.scene())
     , structure(built.structure())
     , cured(std::move(cured))
-    , facts(built.facts())
+    , facts(facts)
   {}
 
 

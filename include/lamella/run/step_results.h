@@ -18,9 +18,11 @@ namespace lamella
   class StepRecorder
   {
   public:
-    /// @p cured is the state at load factor zero of heated bodies, whose
+    /// @p facts, referred to, has the names of @p built's probes, lines and
+    /// cuts. @p cured is the state at load factor zero of heated bodies, whose
     /// stresses stay when loads grow; null where nothing is heated.
     StepRecorder(const BuiltScene                  &built,
+                 const Results                     &facts,
                  std::shared_ptr<const BlockVector> cured = nullptr);
 
     /// What step number @p step, from 1, came to, all but measures and what the
@@ -66,8 +68,7 @@ namespace lamella
     const Scene                       &scene;
     const Structure                   &structure;
     std::shared_ptr<const BlockVector> cured;
-    /// Names of probes, lines and cuts.
-    const Results facts;
+    const Results                     &facts;
   };
 } // namespace lamella
 
