@@ -17,15 +17,27 @@ namespace lamella
                             &t = GaussLobattoBasis::of_degree(
                               facet.trace_degree_t);
     std::vector<Point<3>> x;
-    double                size = 0.;
     for (unsigned int j = 0; j < t.size(); ++j)
       for (unsigned int i = 0; i < s.size(); ++i)
-        {
-          x.push_back(
-            body.surface_point(facet, Point<2>(s.point(i), t.point(j)))
-              .position);
-          size = std::max(size, x.back().distance(x.front()));
-        }
+        x.push_back(
+          body.surface_point(facet, Point<2>(s.point(i), t.point(j))).position);
+    keep(s, t, x);
+    const Point<2> middle(0.5, 0.5);
+    if (outward((*this)(middle)) * body.surface_point(facet, middle).normal <
+        0.)
+      orientation = -1.;
+  }
+
+
+
+  void
+  FacetMap::keep(const GaussLobattoBasis     &s,
+                 const GaussLobattoBasis     &t,
+                 const std::vector<Point<3>> &x)
+  {
+    double size = 0.;
+    for (const Point<3> &node : x)
+      size = std::max(size, node.distance(x.front()));
     const double tolerance =
       arithmetic::rounding_of_results * size + 1e-15 * x.front().norm();
     const unsigned int last_s = s.size() - 1, last_t = t.size() - 1;
@@ -43,6 +55,7 @@ namespace lamella
           linear_s = linear_s && at(i, j).distance(on_s) < tolerance;
           linear_t = linear_t && at(i, j).distance(on_t) < tolerance;
         }
+    nodes.clear();
     for (unsigned int j = 0; j <= last_t; ++j)
       for (unsigned int i = 0; i <= last_s; ++i)
         if ((!linear_s || i == 0 || i == last_s) &&
@@ -57,11 +70,26 @@ namespace lamella
     affine =
       linear_s && linear_t &&
       (at(last_s, last_t) - at(last_s, 0) - origin.d_t).norm() < tolerance;
+  }
 
-    const Point<2> middle(0.5, 0.5);
-    if (outward((*this)(middle)) * body.surface_point(facet, middle).normal <
-        0.)
-      orientation = -1.;
+
+
+  FacetMap
+  FacetMap::moved(const unsigned int               degree_s,
+                  const unsigned int               degree_t,
+                  const std::vector<Tensor<1, 3>> &u) const
+  {
+    const GaussLobattoBasis &s = GaussLobattoBasis::of_degree(degree_s),
+                            &t = GaussLobattoBasis::of_degree(degree_t);
+    AssertDimension(u.size(), s.size() * t.size());
+    std::vector<Point<3>> x;
+    for (unsigned int j = 0; j < t.size(); ++j)
+      for (unsigned int i = 0; i < s.size(); ++i)
+        x.push_back((*this)(Point<2>(s.point(i), t.point(j))).position +
+                    u[x.size()]);
+    FacetMap result = *this;
+    result.keep(s, t, x);
+    return result;
   }
 
 

@@ -3,6 +3,7 @@
 #include <lamella/base/arithmetic.h>
 #include <lamella/base/exceptions.h>
 #include <lamella/base/text.h>
+#include <lamella/contact/contact_sides.h>
 #include <lamella/contact/gap_rows.h>
 #include <lamella/contact/weighted_gaps.h>
 
@@ -16,51 +17,6 @@ namespace lamella
   {
     // A difference in the number of cells that is none.
     constexpr double same_grid = arithmetic::alike;
-
-
-
-    /// Adds up rows of one body.
-    class RowSum
-    {
-    public:
-      explicit RowSum(const DofIndex n_dofs)
-        : weights(n_dofs, 0.)
-        , is_touched(n_dofs, false)
-      {}
-
-      void
-      add(const Row &row, const double factor)
-      {
-        for (const auto &[dof, weight] : row.entries())
-          {
-            if (!is_touched[dof])
-              touched.push_back(dof);
-            is_touched[dof] = true;
-            weights[dof] += factor * weight;
-          }
-      }
-
-      /// The sum; it begins anew.
-      Row
-      take()
-      {
-        std::sort(touched.begin(), touched.end());
-        Row row;
-        for (const DofIndex dof : touched)
-          {
-            row.add(dof, weights[dof]);
-            weights[dof]    = 0.;
-            is_touched[dof] = false;
-          }
-        touched.clear();
-        return row;
-      }
-
-    private:
-      std::vector<double>   weights;
-      std::vector<bool>     is_touched;
-      std::vector<DofIndex> touched;
-    };
 
 
 
@@ -84,52 +40,14 @@ namespace lamella
 
 
 
-    /// The rows of @p side on the body @p index; @p places as those of the
-    /// side, in this body's elements.
+    /// The rows of @p side, whose places are in the cells of @p body.
     std::vector<BodyRow>
-    body_rows(const unsigned int           index,
-              const Body                  &body,
-              const std::vector<Location> &places,
-              const RowGeometry           &side)
+    rows_on(const unsigned int index, const Body &body, const RowGeometry &side)
     {
-      const auto           at = body.rows(places, Quantity::displacement);
-      RowSum               sum(body.n_dofs());
-      std::vector<BodyRow> rows;
-      for (const RowGeometry::Weights &weights : side.weights)
-        {
-          for (const auto &[k, w] : weights)
-            for (unsigned int c = 0; c < 3; ++c)
-              sum.add(at[k][c], w[c]);
-          rows.push_back({index, sum.take()});
-        }
-      return rows;
-    }
-
-
-
-    /// The two surfaces of a contact.
-    struct Surfaces
-    {
-      std::unique_ptr<const MeshSurface>     first, second;
-      std::unique_ptr<const ObstacleSurface> obstacle;
-    };
-
-
-
-    Surfaces
-    make_surfaces(const ContactPair &contact, const Bodies &bodies)
-    {
-      Surfaces surfaces;
-      surfaces.first =
-        std::make_unique<MeshSurface>(*bodies[contact.first.body],
-                                      contact.first.surface);
-      if (contact.obstacle != nullptr)
-        surfaces.obstacle = std::make_unique<ObstacleSurface>(contact.obstacle);
-      else
-        surfaces.second =
-          std::make_unique<MeshSurface>(*bodies[contact.second.body],
-                                        contact.second.surface);
-      return surfaces;
+      return body_rows(index,
+                       body.n_dofs(),
+                       body.rows(side.places, Quantity::displacement),
+                       side);
     }
 
 
@@ -138,14 +56,12 @@ namespace lamella
     /// other. Equal grids: the body that comes first, so that it does not
     /// matter which side is called First.
     bool
-    second_is_finer(const ContactPair &contact,
-                    const Surfaces    &surfaces,
-                    const double       reach)
+    second_is_finer(const ContactSides &sides, const double reach)
     {
-      const double first =
-                     cells_facing(*surfaces.first, *surfaces.second, reach),
-                   second =
-                     cells_facing(*surfaces.second, *surfaces.first, reach);
+      const MeshSurface &a = *sides.surface(false), &b = *sides.surface(true);
+      const ContactPair &contact = sides.contact();
+      const double       first   = cells_facing(a, b, reach),
+                   second        = cells_facing(b, a, reach);
       if (std::abs(first - second) > same_grid * (first + second))
         return second > first;
       return contact.second.body < contact.first.body;
@@ -154,10 +70,9 @@ namespace lamella
 
 
     bool
-    points_on_second(const ContactPair &contact,
-                     const Surfaces    &surfaces,
-                     const double       reach)
+    points_on_second(const ContactSides &sides, const double reach)
     {
+      const ContactPair &contact = sides.contact();
       Assert(contact.points_on != PointsOn::undefined,
              ExcMessage("The side that carries the points was never set."));
       if (contact.obstacle != nullptr ||
@@ -165,7 +80,7 @@ namespace lamella
           contact.points_on == PointsOn::first)
         return false;
       return contact.points_on == PointsOn::second ||
-             second_is_finer(contact, surfaces, reach);
+             second_is_finer(sides, reach);
     }
 
 
@@ -324,17 +239,15 @@ namespace lamella
 
 
     NodePairs
-    pair_nodes(const ContactPair &contact,
-               const Bodies      &bodies,
-               const double       reach)
+    pair_nodes(const ContactSides &sides, const double reach)
     {
       NodePairs nodes;
-      nodes.first =
-        bodies[contact.first.body]->surface_points(contact.first.surface);
-      nodes.second =
-        bodies[contact.second.body]->surface_points(contact.second.surface);
-      nodes.pairing =
-        pair_node_to_node(nodes.first, nodes.second, contact.tolerance, reach);
+      nodes.first            = sides.points(false);
+      nodes.second           = sides.points(true);
+      nodes.pairing          = pair_node_to_node(nodes.first,
+                                        nodes.second,
+                                        sides.contact().tolerance,
+                                        reach);
       const Pairing &pairing = nodes.pairing;
       if (pairing.pairs.empty() ||
           pairing.unpaired + pairing.unpaired_second == 0)
@@ -346,42 +259,40 @@ namespace lamella
           first_paired[pair.first]   = true;
           second_paired[pair.second] = true;
         }
-      const Surfaces surfaces = make_surfaces(contact, bodies);
       nodes.beside =
-        count_facing(nodes.first, first_paired, *surfaces.second, reach);
+        count_facing(nodes.first, first_paired, *sides.surface(true), reach);
       nodes.beside_second =
-        count_facing(nodes.second, second_paired, *surfaces.first, reach);
+        count_facing(nodes.second, second_paired, *sides.surface(false), reach);
       return nodes;
     }
 
 
 
-    /// @p contact with the discretisation that `automatic` is on these bodies.
-    ContactPair
-    decided(ContactPair contact, const Bodies &bodies, const double reach)
+    /// What the discretisation is on these bodies where it is `automatic`.
+    Discretisation
+    decided(const ContactSides &sides, const double reach)
     {
+      const ContactPair &contact = sides.contact();
       if (contact.discretisation != Discretisation::automatic)
-        return contact;
-      contact.discretisation = Discretisation::surface_to_surface;
+        return contact.discretisation;
       if (contact.obstacle != nullptr)
-        return contact;
-      const NodePairs nodes = pair_nodes(contact, bodies, reach);
-      if (!nodes.pairing.pairs.empty() &&
-          nodes.beside + nodes.beside_second == 0)
-        contact.discretisation = Discretisation::node_to_node;
-      return contact;
+        return Discretisation::surface_to_surface;
+      const NodePairs nodes = pair_nodes(sides, reach);
+      return !nodes.pairing.pairs.empty() &&
+                 nodes.beside + nodes.beside_second == 0 ?
+               Discretisation::node_to_node :
+               Discretisation::surface_to_surface;
     }
 
 
 
     /// Pairs of nodes in the form of weighted gaps.
     Gaps
-    node_to_node(const ContactPair &contact,
-                 const Bodies      &bodies,
-                 const double       reach,
-                 ContactInterface  &interface)
+    node_to_node(const ContactSides &sides,
+                 const double        reach,
+                 ContactInterface   &interface)
     {
-      const NodePairs nodes         = pair_nodes(contact, bodies, reach);
+      const NodePairs nodes         = pair_nodes(sides, reach);
       const auto &[first, second]   = std::tie(nodes.first, nodes.second);
       const Pairing &pairing        = nodes.pairing;
       interface.unpaired_second     = pairing.unpaired_second;
@@ -389,7 +300,7 @@ namespace lamella
       interface.beside_nodes_second = nodes.beside_second;
       if (nodes.beside + nodes.beside_second > 0)
         interface.notes.push_back(
-          "contact " + contact.name + ": " + std::to_string(nodes.beside) +
+          "contact " + interface.name + ": " + std::to_string(nodes.beside) +
           " nodes of First and " + std::to_string(nodes.beside_second) +
           " of Second face the other surface, but none of its nodes, and can "
           "pass through it. Use Discretisation = auto or surface to surface, "
@@ -432,41 +343,34 @@ namespace lamella
 
 
     Gaps
-    find_gaps(const ContactPair &contact,
-              const Bodies      &bodies,
-              const double       reach,
-              ContactInterface  &interface)
+    find_gaps(const ContactSides &at,
+              const double        reach,
+              ContactInterface   &interface)
     {
-      if (contact.discretisation == Discretisation::node_to_node)
+      if (interface.discretisation == Discretisation::node_to_node)
         {
-          Assert(contact.obstacle == nullptr,
+          Assert(at.contact().obstacle == nullptr,
                  ExcMessage("An obstacle has no nodes."));
-          return node_to_node(contact, bodies, reach, interface);
+          return node_to_node(at, reach, interface);
         }
-      const Surfaces surfaces    = make_surfaces(contact, bodies);
-      interface.points_on_second = points_on_second(contact, surfaces, reach);
+      const bool on_second       = points_on_second(at, reach);
+      interface.points_on_second = on_second;
       Sides sides;
       sides.reach         = reach;
-      sides.carrying      = surfaces.first.get();
-      sides.opposing_mesh = surfaces.second.get();
-      if (interface.points_on_second)
-        std::swap(sides.carrying, sides.opposing_mesh);
-      sides.opposing = sides.opposing_mesh;
-      if (contact.obstacle != nullptr)
-        sides.opposing = surfaces.obstacle.get();
-
-      if (sides.opposing_mesh != nullptr)
-        (interface.points_on_second ? interface.unpaired :
-                                      interface.unpaired_second) =
+      sides.carrying      = at.surface(on_second);
+      sides.opposing_mesh = at.surface(!on_second);
+      sides.opposing      = sides.opposing_mesh;
+      std::optional<ObstacleSurface> obstacle;
+      if (at.obstacle() != nullptr)
+        sides.opposing = &obstacle.emplace(at.obstacle());
+      else
+        (on_second ? interface.unpaired : interface.unpaired_second) =
           nodes_facing_nothing(*sides.opposing_mesh, *sides.carrying, reach);
-      Assert(contact.discretisation != Discretisation::undefined,
+      Assert(interface.discretisation != Discretisation::undefined,
              ExcMessage("The discretisation was never set."));
-      if (contact.discretisation == Discretisation::surface_to_surface)
-        return weighted_gaps(sides);
-      const Region &carrying =
-        interface.points_on_second ? contact.second : contact.first;
-      return pair_node_to_surface(
-        sides, bodies[carrying.body]->surface_points(carrying.surface));
+      return interface.discretisation == Discretisation::surface_to_surface ?
+               weighted_gaps(sides) :
+               pair_node_to_surface(sides, at.points(on_second));
     }
 
 
@@ -489,16 +393,14 @@ namespace lamella
                             gaps.gaps,
                             &WeightedGap::opposing_weights,
                             1.);
-      const auto           first = body_rows(contact.first.body,
-                                   *bodies[contact.first.body],
-                                   interface.first.places,
-                                   interface.first);
+      const auto           first = rows_on(contact.first.body,
+                                 *bodies[contact.first.body],
+                                 interface.first);
       std::vector<BodyRow> second;
       if (contact.obstacle == nullptr)
-        second = body_rows(contact.second.body,
-                           *bodies[contact.second.body],
-                           interface.second.places,
-                           interface.second);
+        second = rows_on(contact.second.body,
+                         *bodies[contact.second.body],
+                         interface.second);
       for (unsigned int k = 0; k < gaps.gaps.size(); ++k)
         {
           const WeightedGap &gap = gaps.gaps[k];
@@ -651,8 +553,8 @@ namespace lamella
 
 
 
-  ContactInterface
-  make_interface(const ContactPair &contact, const Bodies &bodies)
+  double
+  search_reach(const ContactPair &contact, const Bodies &bodies)
   {
     const std::string path = "Contact " + contact.name;
     check_surface(*bodies[contact.first.body],
@@ -662,22 +564,37 @@ namespace lamella
       check_surface(*bodies[contact.second.body],
                     contact.second.surface,
                     path + "/Second");
-    return interface_within(contact,
-                            bodies,
-                            contact.search_distance ?
-                              *contact.search_distance :
-                              automatic_search_distance(contact, bodies));
+    return contact.search_distance ? *contact.search_distance :
+                                     automatic_search_distance(contact, bodies);
   }
 
 
 
   ContactInterface
-  interface_within(const ContactPair &given,
+  make_interface(const ContactPair &contact, const Bodies &bodies)
+  {
+    return interface_within(contact, bodies, search_reach(contact, bodies));
+  }
+
+
+
+  ContactInterface
+  interface_within(const ContactPair &contact,
                    const Bodies      &bodies,
                    const double       reach)
   {
-    const ContactPair contact = decided(given, bodies, reach);
-    ContactInterface  interface;
+    return interface_within(ContactSides(contact, bodies), reach);
+  }
+
+
+
+  ContactInterface
+  interface_within(const ContactSides &sides, const double reach)
+  {
+    const Bodies &bodies   = sides.bodies();
+    ContactPair   contact  = sides.contact();
+    contact.discretisation = decided(sides, reach);
+    ContactInterface interface;
     interface.name           = contact.name;
     interface.discretisation = contact.discretisation;
     interface.first_body     = contact.first.body;
@@ -688,8 +605,9 @@ namespace lamella
                               contact.obstacle->name :
                               bodies[contact.second.body]->name();
 
-    const Gaps gaps = find_gaps(contact, bodies, reach, interface);
-    check_not_passed(contact, bodies, interface.points_on_second, gaps);
+    Gaps gaps = find_gaps(sides, reach, interface);
+    if (!sides.have_moved())
+      check_not_passed(contact, bodies, interface.points_on_second, gaps);
     if (gaps.gaps.empty())
       fail_without_pairs(contact, bodies, reach);
     (interface.points_on_second ? interface.unpaired_second :
@@ -697,7 +615,9 @@ namespace lamella
     add_rows(contact, bodies, gaps, interface);
     interface.surface =
       gaps.surface != nullptr ? gaps.surface : surface_of(interface, bodies);
-    remove_overclosure(contact, interface);
+    interface.sampled = std::move(gaps.points);
+    if (!sides.have_moved())
+      remove_overclosure(contact, interface);
     return interface;
   }
 } // namespace lamella

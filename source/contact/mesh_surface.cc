@@ -8,6 +8,7 @@
 
 #include <array>
 #include <cmath>
+#include <map>
 
 namespace lamella
 {
@@ -122,6 +123,35 @@ namespace lamella
     for (const SurfaceTopology::Facet &facet : topology.facets)
       make_facet(facet);
     split_at_edges(topology);
+    find_neighbours();
+    average_normals();
+    make_search();
+  }
+
+
+
+  MeshSurface::MeshSurface(const MeshSurface               &undeformed,
+                           const std::vector<Tensor<1, 3>> &u)
+    : MeshSurface(undeformed)
+  {
+    AssertDimension(u.size(), n_trace_nodes());
+    std::vector<Tensor<1, 3>> of_facet;
+    for (Facet &facet : all_facets)
+      {
+        of_facet.clear();
+        for (const unsigned int node : facet.trace_nodes)
+          of_facet.push_back(u[node]);
+        facet.map = facet.map.moved(facet.trace_s->size() - 1,
+                                    facet.trace_t->size() - 1,
+                                    of_facet);
+        for (unsigned int k = 0; k < 4; ++k)
+          facet.side.corners[k] = facet.map(Point<2>(k % 2, k / 2)).position;
+        measure(facet);
+        facet.normal = outward_normal(facet, facet.map(Point<2>(0.5, 0.5)));
+      }
+    for (unsigned int k = 0; k < nodes.size(); ++k)
+      nodes[k].position =
+        all_facets[grid_places[k].first].map(grid_places[k].second).position;
     average_normals();
     make_search();
   }
@@ -146,14 +176,7 @@ namespace lamella
     facet.normal_modulus = middle.normal_modulus;
     facet.depth          = middle.depth;
 
-    const auto &x = side.corners;
-    facet.centre =
-      x[0] + 0.25 * ((x[1] - x[0]) + (x[2] - x[0]) + (x[3] - x[0]));
-    for (const Point<3> &node : facet.map.control_points())
-      facet.radius = std::max(facet.radius, node.distance(facet.centre));
-    // Between its nodes a curve may leave their ball a little.
-    facet.radius *=
-      facet.map.is_straight() ? 1. + arithmetic::same_in_element : 1.1;
+    measure(facet);
 
     const GaussLobattoBasis &s = *facet.trace_s, &t = *facet.trace_t;
     for (unsigned int k = 0; k < from.trace.size(); ++k)
@@ -163,6 +186,58 @@ namespace lamella
           at = all_facets.size() - 1;
           st = {s.point(k % s.size()), t.point(k / s.size())};
         }
+  }
+
+
+
+  void
+  MeshSurface::measure(Facet &facet) const
+  {
+    const auto &x = facet.side.corners;
+    facet.centre =
+      x[0] + 0.25 * ((x[1] - x[0]) + (x[2] - x[0]) + (x[3] - x[0]));
+    facet.radius = 0.;
+    for (const Point<3> &node : facet.map.control_points())
+      facet.radius = std::max(facet.radius, node.distance(facet.centre));
+    // Between its nodes a curve may leave their ball a little.
+    facet.radius *=
+      facet.map.is_straight() ? 1. + arithmetic::same_in_element : 1.1;
+  }
+
+
+
+  void
+  MeshSurface::find_neighbours()
+  {
+    // Sides by the numbers of their ends, which two facets share; what is finer
+    // beyond a side hangs on it.
+    std::map<std::pair<unsigned int, unsigned int>, unsigned int> count;
+    std::vector<bool> hangs(nodes.size(), false);
+    for (const HangingNode &node : hanging)
+      for (const unsigned int k : {node.node, node.ends[0], node.ends[1]})
+        hangs[k] = true;
+    const auto sides_of = [](const Facet &facet) {
+      const auto        &k = facet.grid_nodes;
+      const unsigned int n = facet.grid_s->size(), last = k.size() - 1;
+      const auto both = [&](const unsigned int a, const unsigned int b) {
+        return std::make_pair(std::min(k[a], k[b]), std::max(k[a], k[b]));
+      };
+      return std::array<std::pair<unsigned int, unsigned int>, 4>{
+        {both(0, last + 1 - n),
+         both(n - 1, last),
+         both(0, n - 1),
+         both(last + 1 - n, last)}};
+    };
+    for (const Facet &facet : all_facets)
+      for (const auto &side : sides_of(facet))
+        ++count[side];
+    for (Facet &facet : all_facets)
+      {
+        const auto sides = sides_of(facet);
+        for (unsigned int k = 0; k < 4; ++k)
+          facet.goes_on[k] = count[sides[k]] > 1 ||
+                             (hangs[sides[k].first] && hangs[sides[k].second]);
+      }
   }
 
 
@@ -372,6 +447,34 @@ namespace lamella
   {
     const auto &[facet, st] = trace_places[node];
     return surface_body.surface_point(all_facets[facet].side, st).location;
+  }
+
+
+
+  std::optional<MeshSurface::FacetPlace>
+  MeshSurface::place_of(const Location     &location,
+                        const Tensor<1, 3> &normal) const
+  {
+    std::optional<FacetPlace> found;
+    double                    best = -2.;
+    for (const Location::Place &place : location.places)
+      for (unsigned int f = 0; f < all_facets.size(); ++f)
+        {
+          const SurfaceFacet &side = all_facets[f].side;
+          if (side.cell != place.cell)
+            continue;
+          const Tensor<1, 3> d = place.unit - side.origin;
+          const Point<2>     st(d * side.along_s, d * side.along_t);
+          const Tensor<1, 3> off =
+            d - st[0] * side.along_s - st[1] * side.along_t;
+          const double alike = all_facets[f].normal * normal;
+          if (off.norm() < arithmetic::same_in_element && alike > best)
+            {
+              found = FacetPlace{f, st};
+              best  = alike;
+            }
+        }
+    return found;
   }
 
 

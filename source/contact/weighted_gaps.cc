@@ -496,6 +496,9 @@ namespace lamella
           return;
         }
 
+      result.points.push_back({{cell.number, point.st},
+                               {opposite.hit.facet, opposite.hit.st},
+                               weight});
       const auto phi = hats(cell, point.st);
       for (unsigned int i = 0; i < 4; ++i)
         {
@@ -659,10 +662,12 @@ namespace lamella
           for (const auto &[row, share] : nodes[end].rows)
             nodes[node->node].rows.emplace_back(row, 0.5 * share);
       std::vector<CarryingSurface::Facet> facets;
+      std::vector<unsigned int>           numbers(parts.size());
       for (unsigned int f = 0; f < parts.size(); ++f)
         {
           if (parts[f].empty())
             continue;
+          numbers[f]                      = facets.size();
           const MeshSurface::Facet &facet = carrying.facets()[f];
           facets.push_back({facet.map,
                             facet.side.degree_s,
@@ -673,6 +678,8 @@ namespace lamella
           for (const unsigned int node : facet.grid_nodes)
             facets.back().rows.push_back(nodes[node].rows);
         }
+      for (GapPoint &point : result.points)
+        point.part = numbers[point.carrying.facet];
       return std::make_shared<const CarryingSurface>(
         CarryingSurface::Functions::hats,
         result.gaps.size(),

@@ -167,10 +167,13 @@ namespace lamella
   void
   BuiltScene::build_contacts()
   {
-    for (ContactPair &contact : given.contacts)
+    contacts.resize(given.contacts.size());
+    for (unsigned int k = 0; k < contacts.size(); ++k)
       {
-        contacts.push_back(make_interface(contact, whole->bodies()));
-        contact.discretisation = contacts.back().discretisation;
+        ContactPair &contact = given.contacts[k];
+        lives.push_back(
+          std::make_unique<Contact>(contact, whole->bodies(), contacts[k]));
+        contact.discretisation = contacts[k].discretisation;
         given.resolved =
           SceneText::with_automatic(given.resolved,
                                     "Contact " + contact.name,
@@ -180,8 +183,6 @@ namespace lamella
     gap_rows = GapRows(contacts);
     check_partners(contacts);
     check_conflicts(contacts, whole->bodies());
-    for (const ContactPair &contact : given.contacts)
-      searched.emplace_back(contact, whole->bodies());
     check_strips();
   }
 

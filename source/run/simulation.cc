@@ -124,7 +124,7 @@ namespace lamella
       solver->recall(found.last().memory);
     const Step step(*solver,
                     built->interfaces(),
-                    built->search_checks(),
+                    built->contact_lives(),
                     scene().supports.size(),
                     scene().solve,
                     timer);

@@ -13,14 +13,14 @@ namespace lamella
 
   Step::Step(ContactSolver                       &solver,
              const std::vector<ContactInterface> &contacts,
-             std::vector<SearchCheck>            &search_checks,
+             const Contacts                      &lives,
              const unsigned int                   n_supports,
              const SolveParameters               &parameters,
              TimerOutput                         &timer)
     : solver(solver)
     , structure(solver.tangent().of())
     , contacts(contacts)
-    , search_checks(search_checks)
+    , lives(lives)
     , rows(contacts)
     , n_supports(n_supports)
     , parameters(parameters)
@@ -60,10 +60,9 @@ namespace lamella
         check_state(solver.tangent(), contacts, n_supports, state, factor);
       require_sound(state, checks, parameters.rotation_limit);
       for (unsigned int k = 0; k < contacts.size(); ++k)
-        search_checks[k].check(contacts[k],
-                               state.u,
-                               factor,
-                               rows.of_contact(k, state.active));
+        lives[k]->require_found(state.u,
+                                factor,
+                                rows.of_contact(k, state.active));
     }
     if (!parameters.is_judged)
       return checks;

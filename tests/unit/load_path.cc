@@ -39,7 +39,7 @@ namespace
                                                built->rows());
       step   = std::make_unique<Step>(*solver,
                                     built->interfaces(),
-                                    built->search_checks(),
+                                    built->contact_lives(),
                                     built->scene().supports.size(),
                                     built->scene().solve,
                                     timer);

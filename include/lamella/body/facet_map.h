@@ -27,7 +27,8 @@ namespace lamella
    *   int f dA = int_0^1 int_0^1 f(X(s, t)) |d_s x d_t| ds dt,
    * with d_s = dX/ds and d_t = dX/dt, which operator() gives together.
    *
-   * Positions are those of the undeformed scene. Refers to nothing but tables
+   * Positions are those of the undeformed scene, unless the map is that of a
+   * facet that has moved(). Refers to nothing but tables
    * of the program, so maps can be copied and outlive their body; cheap to
    * keep, one point a node.
    */
@@ -52,6 +53,16 @@ namespace lamella
     FacetMap(const unsigned int                   degree_s,
              const unsigned int                   degree_t,
              const std::vector<dealii::Point<3>> &control_points);
+
+    /// The map of the same facet when its trace nodes, the Gauss-Lobatto grid
+    /// of the degrees @p degree_s and @p degree_t (the first coordinate running
+    /// fastest), have moved by @p u [length]: X(s, t) + sum_ij L_i L_j u_ij.
+    /// The degrees are those of the facet's trace; the side that is outwards
+    /// stays the same.
+    FacetMap
+    moved(const unsigned int                       degree_s,
+          const unsigned int                       degree_t,
+          const std::vector<dealii::Tensor<1, 3>> &u) const;
 
     /// The place of (s, t) = @p st, also a little outside of [0, 1]^2, where
     /// the polynomials go on.
@@ -101,6 +112,13 @@ namespace lamella
     }
 
   private:
+    /// Keeps of the grid @p x of the bases @p s and @p t what the map needs:
+    /// two points along a direction in which it is straight.
+    void
+    keep(const GaussLobattoBasis             &s,
+         const GaussLobattoBasis             &t,
+         const std::vector<dealii::Point<3>> &x);
+
     /// The polynomials in s and in t, which live as long as the program.
     const GaussLobattoBasis      *along_s, *along_t;
     std::vector<dealii::Point<3>> nodes;

@@ -9,10 +9,9 @@
 #ifndef lamella_contact_gap_rows_h
 #define lamella_contact_gap_rows_h
 
-#include <lamella/conditions/region.h>
 #include <lamella/contact/carrying_surface.h>
-#include <lamella/contact/enforcement.h>
-#include <lamella/contact/obstacle.h>
+#include <lamella/contact/contact_pair.h>
+#include <lamella/contact/pairing.h>
 #include <lamella/contact/row_geometry.h>
 
 #include <deal.II/base/array_view.h>
@@ -26,112 +25,7 @@
 
 namespace lamella
 {
-  /// How the gap function (Eq. 16) is sampled along two surfaces.
-  /// doc/contact.md compares the three on patch tests: only the last one passes
-  /// with any meshes.
-  enum class Discretisation
-  {
-    undefined,
-    automatic,         ///< node to node where all nodes match, else surface to
-                       ///< surface: make_interface() decides
-    node_to_node,      ///< nodes that face each other
-    node_to_surface,   ///< nodes of one side against the other side's surface
-    surface_to_surface ///< gaps averaged with hat functions of one side
-  };
-
-  template <>
-  struct Names<Discretisation>
-  {
-    static constexpr NameOf<Discretisation> all[] = {
-      {Discretisation::automatic, "auto"},
-      {Discretisation::node_to_node, "node to node"},
-      {Discretisation::node_to_surface, "node to surface"},
-      {Discretisation::surface_to_surface, "surface to surface"}};
-  };
-
-  /// What becomes of bodies that overlap from the start. An overlap is g_init <
-  /// 0. One that is deeper than the cells below is no overclosure but an
-  /// InputError, whatever this says.
-  enum class Overclosure
-  {
-    undefined,
-    push_apart, ///< contact forces push them apart: an interference fit
-    adjust,     ///< the overlap is taken out of the gaps, without strain
-    refuse      ///< an error
-  };
-
-  template <>
-  struct Names<Overclosure>
-  {
-    static constexpr NameOf<Overclosure> all[] = {
-      {Overclosure::push_apart, "push apart"},
-      {Overclosure::adjust, "adjust"},
-      {Overclosure::refuse, "error"}};
-  };
-
-  /// Which side carries the points of `node to surface` and the hat functions
-  /// of `surface to surface`. In the words of mortar methods that is the slave
-  /// (non-mortar) side. Unused by `node to node`.
-  enum class PointsOn
-  {
-    undefined,
-    automatic, ///< the side with the finer grid where the two face each other
-    first,
-    second
-  };
-
-  template <>
-  struct Names<PointsOn>
-  {
-    static constexpr NameOf<PointsOn> all[] = {{PointsOn::automatic, "auto"},
-                                               {PointsOn::first, "first"},
-                                               {PointsOn::second, "second"}};
-  };
-
-  /**
-   * Two surfaces that may touch without friction, as a scene says it: what
-   * ContactParameters::parse() reads and make_interface() turns into gap rows.
-   * Lengths are those of the scene, surfaces are named and not yet looked for.
-   *
-   * First and Second decide signs, nothing else: n of Eq. 16 is the outward
-   * normal of First.
-   */
-  struct ContactPair
-  {
-    /// As in `subsection Contact NAME`; messages, tables and files are named by
-    /// it.
-    std::string name;
-    /// Surfaces of two different bodies; `second` is unused with an obstacle.
-    Region first, second;
-    /// A rigid obstacle in the place of `second`, if not null. It has no nodes:
-    /// `node to node` and points on the second side are not for it.
-    std::shared_ptr<const Obstacle> obstacle;
-
-    /// These two have to be set: `undefined` fails an assertion.
-    Discretisation discretisation = Discretisation::undefined;
-    Enforcement    enforcement    = Enforcement::undefined;
-    Overclosure    overclosure    = Overclosure::push_apart;
-    PointsOn       points_on      = PointsOn::automatic;
-    /// Of `augmented lagrangian` and `exact`, too, where it is no part of the
-    /// law but sets how fast estimates of the force become right.
-    Penalty penalty;
-    /// How far sideways facing nodes may be off, over the root of their
-    /// tributary area (no unit): of `node to node` only, see
-    /// pair_node_to_node().
-    double tolerance = 1e-6;
-    /// Places further apart than this along the normal are not paired; none for
-    /// automatic_search_distance(). [length]
-    std::optional<double> search_distance;
-  };
-
-  /// Whether the nodes of both sides are paired, or would be if they matched.
-  inline bool
-  may_pair_nodes(const ContactPair &contact)
-  {
-    return contact.obstacle == nullptr &&
-           (contact.discretisation == Discretisation::node_to_node ||
-            contact.discretisation == Discretisation::automatic);
-  }
+  class ContactSides;
 
   /**
    * The linearised gap function of one pair of points (Eq. 16),
@@ -196,9 +90,10 @@ namespace lamella
 
   /**
    * The discretised contact of one ContactPair: its gap rows, which it owns,
-   * and the geometry behind each. It is made once, from the undeformed bodies,
-   * and never changes: linear kinematics holds places apart that faced each
-   * other at the start (assumptions.h checks that).
+   * and the geometry behind each, as make_interface() makes it from the
+   * undeformed bodies: linear kinematics holds places apart that faced each
+   * other at the start (assumptions.h checks that). Where bodies move far,
+   * Contact pairs anew and moves the rows.
    *
    * rows[k] and points[k] belong together. It refers to no body: bodies are
    * numbers in Bodies; `places` name cells of the bodies that it was made from.
@@ -263,6 +158,9 @@ namespace lamella
     /// What carries the rows, with their functions there: what their forces are
     /// a pressure on (ContactTraction). Never null in one of make_interface().
     std::shared_ptr<const CarryingSurface> surface = {};
+    /// Where gaps are averaged, of `surface to surface` only: what moved gaps
+    /// (Contact) are made from.
+    std::vector<GapPoint> sampled;
     /// What the user should know of this pairing, a sentence each.
     std::vector<std::string> notes;
   };
@@ -364,6 +262,11 @@ namespace lamella
   double
   automatic_search_distance(const ContactPair &contact, const Bodies &bodies);
 
+  /// The search distance of @p contact, given or automatic [length]. Throws
+  /// InputError if a surface of the contact does not exist.
+  double
+  search_reach(const ContactPair &contact, const Bodies &bodies);
+
   /**
    * Searches, pairs and makes the gap rows of @p contact on the undeformed
    * @p bodies: 1. the two surfaces with their normals and search trees
@@ -396,6 +299,11 @@ namespace lamella
   interface_within(const ContactPair &contact,
                    const Bodies      &bodies,
                    const double       reach);
+
+  /// The same of the surfaces where @p sides stand. Of those that have moved,
+  /// nobody asks how deep they lie in each other.
+  ContactInterface
+  interface_within(const ContactSides &sides, const double reach);
 } // namespace lamella
 
 #endif

@@ -113,7 +113,8 @@ namespace lamella
   };
 
   /**
-   * A named surface of a body. Each facet keeps its own map X(s, t)
+   * A named surface of a body, undeformed or where displacements have moved it.
+   * Each facet keeps its own map X(s, t)
    * (FacetMap); rays are met with it as it is, curved or not.
    *
    * Where facets meet smoothly their normals differ by what the interpolation
@@ -129,7 +130,7 @@ namespace lamella
    *
    * The facets and their normals are made once, with a box tree over the
    * facets; after that the body is asked for locations only, but it is referred
-   * to and has to live longer. All of the undeformed body, scene axes.
+   * to and has to live longer. Scene axes.
    */
   class MeshSurface : public OpposingSurface
   {
@@ -137,6 +138,13 @@ namespace lamella
     /// @p surface is one of Body::surfaces() and has facets: check_surface()
     /// before.
     MeshSurface(const Body &body, const std::string &surface);
+
+    /// @p undeformed when its trace nodes have moved by @p u [length], scene
+    /// axes: the control points of all maps with them, and the normals. What
+    /// belongs together stays: numbers of facets and nodes, what is an edge,
+    /// what hangs; and locations are those of the undeformed body.
+    MeshSurface(const MeshSurface                       &undeformed,
+                const std::vector<dealii::Tensor<1, 3>> &u);
 
     using Place = FacetMap::Place;
 
@@ -168,6 +176,9 @@ namespace lamella
       /// Likewise of the nodes of its grid, numbers in grid_nodes(); and what
       /// SurfaceTopology calls them, one number on all sides of an edge.
       std::vector<unsigned int> grid_nodes, nodes_of_body;
+      /// Whether another facet goes on beyond each of its sides s = 0, s = 1, t
+      /// = 0 and t = 1.
+      std::array<bool, 4> goes_on{};
       /// Whether the facet is a plane parallelogram and all of its nodes have
       /// its own normal, so that smooth_normal() is that one. Then E_n = n.n :
       /// C : n.n of the ply in the middle [force/length^2], and the depth of
@@ -253,6 +264,20 @@ namespace lamella
     Location
     trace_location(const unsigned int node) const;
 
+    /// A place on a facet, by its number.
+    struct FacetPlace
+    {
+      unsigned int     facet = 0;
+      dealii::Point<2> st;
+    };
+
+    /// Where @p location, one of body().surface_points() or a place of a facet,
+    /// is on the surface: of the facets that have it the one whose normal is
+    /// most like @p normal. None if it is on none of them.
+    std::optional<FacetPlace>
+    place_of(const Location             &location,
+             const dealii::Tensor<1, 3> &normal) const;
+
     /**
      * Where the line x + t d meets the one @p facet with d against its outward
      * normal.
@@ -296,6 +321,12 @@ namespace lamella
     /// Adds a facet; its trace nodes keep the numbers of the body.
     void
     make_facet(const SurfaceTopology::Facet &from);
+    /// Sets the ball around the facet from its map.
+    void
+    measure(Facet &facet) const;
+    /// Sets what goes on beyond the sides of facets.
+    void
+    find_neighbours();
     /// Numbers the grid nodes, apart on the sides of edges sharper than 45
     /// degrees, and carries the hanging ones over.
     void

@@ -108,6 +108,27 @@ namespace lamella
     double behind = 0.;
   };
 
+  /**
+   * A material point of the carrying side at which a gap is measured, and where
+   * it faces the other side. A row is the average of the gaps at such points,
+   *   g_i = sum_q a_q phi_i(X_q) g_q / sum_q a_q phi_i(X_q);
+   * where bodies move, the points and what they weigh stay, and their feet on
+   * the other side wander.
+   */
+  struct GapPoint
+  {
+    /// Numbers of facets are those of MeshSurface.
+    MeshSurface::FacetPlace carrying;
+    /// invalid_unsigned_int as facet if that is an obstacle.
+    MeshSurface::FacetPlace opposing;
+    /// a_q: the area that the point stands for [length^2]; 1 where one point is
+    /// a row.
+    double area = 1.;
+    /// The number of the facet in the CarryingSurface whose functions phi_i
+    /// are; unused where one point is a row.
+    unsigned int part = 0;
+  };
+
   /// What two sides have in common. The result of each discretisation, before
   /// signs, penalties and DoFs.
   struct Gaps
@@ -123,6 +144,8 @@ namespace lamella
     /// What carries the gaps if their functions are hats; null if each is that
     /// of its node.
     std::shared_ptr<const CarryingSurface> surface = {};
+    /// Where the gaps are averaged if their functions are hats.
+    std::vector<GapPoint> points = {};
   };
 
   /// The side that a discretisation puts its points on, and the one that it

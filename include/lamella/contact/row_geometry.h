@@ -3,6 +3,7 @@
 #ifndef lamella_contact_row_geometry_h
 #define lamella_contact_row_geometry_h
 
+#include <lamella/base/row.h>
 #include <lamella/body/body.h>
 
 #include <utility>
@@ -36,6 +37,19 @@ namespace lamella
     /// on an obstacle's side.
     std::vector<Weights> weights;
   };
+
+  /**
+   * The rows of @p side as functionals of the DoFs of the body number @p index,
+   *   B = W R,  row r: sum_k sum_c w_rk,c R_kc,
+   * with @p at the three displacement rows R_k of each place, as Body::rows()
+   * gives them: of the body that the contact was made from, or of the same body
+   * in another discretisation. As many as side.weights.
+   */
+  std::vector<BodyRow>
+  body_rows(const unsigned int                   index,
+            const DofIndex                       n_dofs,
+            const std::vector<std::vector<Row>> &at,
+            const RowGeometry                   &side);
 } // namespace lamella
 
 #endif

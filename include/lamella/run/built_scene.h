@@ -4,7 +4,7 @@
 #define lamella_run_built_scene_h
 
 #include <lamella/adapt/node_fields.h>
-#include <lamella/contact/search_check.h>
+#include <lamella/contact/contact.h>
 #include <lamella/recover/face_tractions.h>
 #include <lamella/recover/plausibility.h>
 #include <lamella/recover/results.h>
@@ -87,12 +87,11 @@ namespace lamella
       return gap_rows;
     }
 
-    /// Of each contact what tells whether its search distance was enough; it
-    /// remembers what it has looked at.
-    std::vector<SearchCheck> &
-    search_checks()
+    /// The lives of the contacts, each of which writes its interface.
+    const Contacts &
+    contact_lives() const
     {
-      return searched;
+      return lives;
     }
 
     /// The places of probes, lines and cuts in their bodies.
@@ -167,7 +166,7 @@ namespace lamella
     std::unique_ptr<Structure>    whole;
     std::vector<ContactInterface> contacts;
     GapRows                       gap_rows;
-    std::vector<SearchCheck>      searched;
+    Contacts                      lives;
     /// What the choice of fields has to say.
     std::vector<std::string>       field_notes;
     std::unique_ptr<Sampler>       places;

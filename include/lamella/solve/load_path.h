@@ -3,7 +3,7 @@
 #ifndef lamella_solve_load_path_h
 #define lamella_solve_load_path_h
 
-#include <lamella/contact/search_check.h>
+#include <lamella/contact/contact.h>
 #include <lamella/solve/checks.h>
 #include <lamella/solve/contact_solver.h>
 #include <lamella/solve/parameters.h>
@@ -41,11 +41,12 @@ namespace lamella
   class Step
   {
   public:
-    /// With all @p contacts of the scene and, of each, what tells whether its
-    /// search distance was enough; @p n_supports are those of the scene.
+    /// With all @p contacts of the scene and the lives of each: paired once,
+    /// since kinematics is linear, they tell whether the search distance was
+    /// enough. @p n_supports are those of the scene.
     Step(ContactSolver                       &solver,
          const std::vector<ContactInterface> &contacts,
-         std::vector<SearchCheck>            &search_checks,
+         const Contacts                      &lives,
          const unsigned int                   n_supports,
          const SolveParameters               &parameters,
          dealii::TimerOutput                 &timer);
@@ -63,7 +64,7 @@ namespace lamella
     ContactSolver                       &solver;
     const Structure                     &structure;
     const std::vector<ContactInterface> &contacts;
-    std::vector<SearchCheck>            &search_checks;
+    const Contacts                      &lives;
     const GapRows                        rows;
     const unsigned int                   n_supports;
     const SolveParameters               &parameters;

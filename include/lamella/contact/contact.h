@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef lamella_contact_contact_h
+#define lamella_contact_contact_h
+
+#include <lamella/contact/contact_sides.h>
+#include <lamella/contact/gap_integrals.h>
+#include <lamella/contact/gap_rows.h>
+#include <lamella/contact/search_check.h>
+
+#include <array>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace lamella
+{
+  /// What of a pairing does not hold in a state any more: numbers of rows, as
+  /// Contact::stays_paired() finds them.
+  struct StalePairing
+  {
+    /// Places that touch and have no row, or one with nine tenths of their area
+    /// or less.
+    unsigned int unseen = 0;
+    /// Rows that matter and a point of which has its place opposite further
+    /// than a tenth of the row's spacing from where the row has it; or whose
+    /// normal has turned by more than 0.1 rad since.
+    unsigned int wandered = 0;
+    /// Rows that carry force and face nothing.
+    unsigned int lost = 0;
+
+    bool
+    none() const
+    {
+      return unseen + wandered + lost == 0;
+    }
+  };
+
+  /**
+   * The life of a contact: who faces whom, and the gap there, in a state of the
+   * bodies.
+   *
+   *     contact.pair(u, t)                 // a search: which points face what
+   *     repeat
+   *       contact.move(u, t)               // the same points, where they are
+   * now
+   *       ... solve with contact.rows() ...
+   *     until contact.stays_paired(u, t, active).none()
+   *
+   * A row is the tangent plane of the gap at the state of the last move(),
+   *   g(v, s) = g_0 + b . v + s g_rate,  b = dg/du,  g_0 = g(u, t) - b . u -
+   * ..., so that GapRow::gap() is the gap there and all that solves needs no
+   * other word for it. As it is made, a contact is paired on the undeformed
+   * bodies and its rows are those of linear kinematics (make_interface()): for
+   * small rotations and small sliding pair() happens once, and move() never.
+   *
+   * The interface belongs to a list of the scene that everybody reads; it is
+   * the one that is written here. Its numbers of rows change in pair() only; so
+   * views of rows outlive move(). Its points stay in the undeformed scene (they
+   * say which places face each other), their normals are those of the state.
+   *
+   * Refers to the bodies and the interface, which have to live longer.
+   * Collective in nothing: every process does the same.
+   */
+  class Contact
+  {
+  public:
+    /// Refers to its own parts: it stays where it is.
+    Contact(const Contact &) = delete;
+    Contact &
+    operator=(const Contact &) = delete;
+
+    /// Pairs the undeformed bodies into @p interface. Throws InputError as
+    /// make_interface() does.
+    Contact(const ContactPair &contact,
+            const Bodies      &bodies,
+            ContactInterface  &interface);
+
+    /**
+     * Searches anew where @p u (a block a body) has moved the surfaces, the
+     * obstacle at load factor @p factor, and moves the rows there. The side
+     * that carries the points and the discretisation stay. Throws InputError
+     * if nothing faces the other side any more.
+     */
+    void
+    pair(const BlockVector &u, const double factor);
+
+    /**
+     * The gaps, normals and rows of the state @p u at @p factor, at the
+     * material points that pair() found.
+     *
+     * Nodes against a surface and weighted gaps have feet on the other side by
+     * closest-point projection (find_foot()), which wander as far as the
+     * surface goes, and b is the gradient of the gap to the last term. Pairs of
+     * nodes stay pairs, with the averaged normal of the state: b leaves out the
+     * normal's own turn, which the sideways offset of the two nodes multiplies
+     * (stays_paired() says when that has grown). A row none of whose points has
+     * a foot is open: no parts, and the reach as its gap.
+     *
+     * Areas and penalties stay those of the pairing.
+     */
+    void
+    move(const BlockVector &u, const double factor);
+
+    const std::vector<GapRow> &
+    rows() const
+    {
+      return interface.rows;
+    }
+
+    /**
+     * For each row the two rows of its slip at the state of the last move(),
+     *   s_a = sum_k t_a . P_k . (v_2(X_k) - v_1(X_k)),
+     *   P_k = 1/A_i int phi_i psi_k (I - n n) dA,
+     * along the tangents tangents_of() its normal: the mortar integrals of the
+     * gap with what is across n in place of n. Two lists of parts, as those of
+     * GapRow::parts.
+     */
+    std::vector<std::array<std::vector<BodyRow>, 2>>
+    slip_rows();
+
+    /**
+     * Whether who faces whom in the state @p u at @p factor is what the rows
+     * say, as far as it matters: the surfaces are searched anew where they are,
+     * and rows that touch there (a gap below zero by more than 1e-9 of the
+     * displacements, or in @p active, the numbers of rows that carry force,
+     * ascending) must be rows here, at the same places. Costs what pair()
+     * costs.
+     */
+    StalePairing
+    stays_paired(const BlockVector               &u,
+                 const double                     factor,
+                 const std::vector<unsigned int> &active);
+
+    /// Throws NumericsError if the Search distance of a scene has left out
+    /// what comes to touch: SearchCheck::check().
+    void
+    require_found(const BlockVector               &u,
+                  const double                     factor,
+                  const std::vector<unsigned int> &active);
+
+  private:
+    /// Sees to it that there are points: those of the pairing, and where a row
+    /// is one point, its node.
+    void
+    find_points();
+    /// Integrates over @p on, points of this contact or copies of them.
+    std::vector<GapIntegrals>
+    integrate(const ContactSides    &sides,
+              const Feet             feet,
+              std::vector<GapPoint> &on) const;
+    /// Those of the rows; null where one point is a row.
+    const CarryingSurface *
+    functions() const;
+    /// Writes rows and points of the integrals at a state.
+    void
+    write(const ContactSides &sides, const BlockVector &u, const double factor);
+    /// The weights of a side, by the numbers of its trace nodes.
+    RowGeometry
+    geometry(const bool second) const;
+
+    ContactPair       contact;
+    ContactSides      undeformed;
+    ContactInterface &interface;
+    const double      reach;
+    SearchCheck       search;
+
+    /// Where the gaps are measured. Empty until somebody moves.
+    std::vector<GapPoint> points;
+    /// Of the state that the rows are of. Empty until somebody moves, or asks
+    /// for slip.
+    std::vector<GapIntegrals> integrals;
+    /// What `adjust` has taken out of the gaps of the undeformed, by the node.
+    std::map<std::array<double, 3>, double> taken_out;
+  };
+
+  /// The contacts of a scene, in its order; none is moved in memory.
+  using Contacts = std::vector<std::unique_ptr<Contact>>;
+
+  /// Two unit vectors across @p n and each other, the first one as near to the
+  /// scene's y axis as that allows (to its x axis, where n is within 5 degrees
+  /// of y); n, t_1, t_2 is a right-handed frame.
+  std::array<dealii::Tensor<1, 3>, 2>
+  tangents_of(const dealii::Tensor<1, 3> &n);
+} // namespace lamella
+
+#endif

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef lamella_contact_contact_sides_h
+#define lamella_contact_contact_sides_h
+
+#include <lamella/base/linear_algebra.h>
+#include <lamella/base/row.h>
+#include <lamella/contact/contact_pair.h>
+#include <lamella/contact/mesh_surface.h>
+
+#include <array>
+#include <memory>
+#include <vector>
+
+namespace lamella
+{
+  /**
+   * The two surfaces of a contact where they stand in a state: undeformed, or
+   * moved by displacements u of the bodies and the load factor of an obstacle.
+   * All that pairing and gap rows ask about geometry; each part is made when
+   * somebody asks for the first time.
+   *
+   * Refers to the bodies, which have to live longer. Scene axes.
+   */
+  class ContactSides
+  {
+  public:
+    /// Undeformed, the obstacle before it moves.
+    ContactSides(const ContactPair &contact, const Bodies &bodies);
+
+    /// Those of @p undeformed, which has to live longer, displaced by @p u (a
+    /// block a body), the obstacle at load factor @p factor: control points of
+    /// all facets are moved by u at their trace nodes.
+    ContactSides(const ContactSides &undeformed,
+                 const BlockVector  &u,
+                 const double        factor);
+
+    const ContactPair &
+    contact() const
+    {
+      return pair;
+    }
+    const Bodies &
+    bodies() const
+    {
+      return all_bodies;
+    }
+
+    /// What `automatic` in the contact has become, of the discretisation and of
+    /// the side that carries the points: for those that are moved from here on.
+    void
+    decide(const Discretisation discretisation, const PointsOn points_on)
+    {
+      pair.discretisation = discretisation;
+      pair.points_on      = points_on;
+    }
+
+    bool
+    have_moved() const
+    {
+      return undeformed != nullptr;
+    }
+
+    /// Null where Second is an obstacle.
+    const MeshSurface *
+    surface(const bool second) const;
+
+    /// Where it stands; null where Second is a body.
+    std::shared_ptr<const Obstacle>
+    obstacle() const
+    {
+      return standing;
+    }
+
+    /// Body::surface_points() of a side, which are there, with their normals;
+    /// locations and tributary areas stay those of the undeformed body. None of
+    /// an obstacle.
+    std::vector<SurfacePoint>
+    points(const bool second) const;
+
+    /// Of each trace node of surface() the three rows of its displacement, made
+    /// once, of the undeformed.
+    const std::vector<std::vector<Row>> &
+    trace_rows(const bool second) const;
+
+  private:
+    const Region &
+    region(const bool second) const
+    {
+      return second ? pair.second : pair.first;
+    }
+
+    ContactPair                     pair;
+    const Bodies                   &all_bodies;
+    const ContactSides             *undeformed = nullptr;
+    const BlockVector              *u          = nullptr;
+    std::shared_ptr<const Obstacle> standing;
+
+    mutable std::array<std::unique_ptr<const MeshSurface>, 2> surfaces;
+    mutable std::array<std::vector<std::vector<Row>>, 2>      rows;
+  };
+} // namespace lamella
+
+#endif

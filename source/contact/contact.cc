@@ -1,0 +1,348 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <lamella/base/arithmetic.h>
+#include <lamella/base/exceptions.h>
+#include <lamella/contact/contact.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace lamella
+{
+  using namespace dealii;
+
+  namespace
+  {
+    // Of a row's spacing, in rad, and of a row's area: what small sliding and
+    // small rotations leave as they are.
+    constexpr double small_sliding = 0.1, small_turn = 0.1, most_of = 0.9;
+    // cos 5 degrees.
+    constexpr double along_y = 0.996;
+
+
+
+    /// By which rows of two pairings are the same: where the node is that
+    /// carries the row, undeformed.
+    std::array<double, 3>
+    key(const ContactInterface::Point &point)
+    {
+      const Point<3> &x = point.node.position;
+      return {{x[0], x[1], x[2]}};
+    }
+  } // namespace
+
+
+
+  std::array<Tensor<1, 3>, 2>
+  tangents_of(const Tensor<1, 3> &n)
+  {
+    const Tensor<1, 3> normal = n / n.norm();
+    Tensor<1, 3>       along;
+    along[std::abs(normal[1]) > along_y ? 0 : 1] = 1.;
+    Tensor<1, 3> t1 = along - (along * normal) * normal;
+    t1 /= t1.norm();
+    return {{t1, cross_product_3d(normal, t1)}};
+  }
+
+
+
+  Contact::Contact(const ContactPair &contact,
+                   const Bodies      &bodies,
+                   ContactInterface  &interface)
+    : contact(contact)
+    , undeformed(contact, bodies)
+    , interface(interface)
+    , reach(search_reach(contact, bodies))
+    , search(this->contact, bodies)
+  {
+    interface                    = interface_within(undeformed, reach);
+    this->contact.discretisation = interface.discretisation;
+    undeformed.decide(interface.discretisation,
+                      interface.points_on_second ? PointsOn::second :
+                                                   PointsOn::first);
+    if (contact.overclosure != Overclosure::adjust)
+      return;
+    find_points();
+    const auto before = integrate(undeformed, Feet::kept, points);
+    for (unsigned int k = 0; k < before.size(); ++k)
+      taken_out[key(interface.points[k])] = std::max(0., -before[k].gap);
+  }
+
+
+
+  void
+  Contact::find_points()
+  {
+    if (!points.empty())
+      return;
+    points = interface.sampled;
+    if (interface.discretisation == Discretisation::surface_to_surface)
+      return;
+    const bool         on_second = interface.points_on_second;
+    const MeshSurface &carrying  = *undeformed.surface(on_second),
+                      *opposing  = undeformed.surface(!on_second);
+    const RowGeometry &beyond = on_second ? interface.first : interface.second;
+    for (unsigned int k = 0; k < interface.rows.size(); ++k)
+      {
+        const ContactInterface::Point &at = interface.points[k];
+        const Tensor<1, 3>             n  = on_second ? -at.normal : at.normal;
+        GapPoint                       point;
+        const auto                     here = carrying.place_of(at.node, n);
+        Assert(here, ExcInternalError());
+        point.carrying       = *here;
+        point.opposing.facet = numbers::invalid_unsigned_int;
+        if (opposing != nullptr)
+          {
+            const auto there = opposing->place_of(beyond.places[k], -n);
+            Assert(there, ExcInternalError());
+            point.opposing = *there;
+          }
+        points.push_back(point);
+      }
+  }
+
+
+
+  std::vector<GapIntegrals>
+  Contact::integrate(const ContactSides    &sides,
+                     const Feet             feet,
+                     std::vector<GapPoint> &on) const
+  {
+    return integrate_gaps(sides,
+                          interface.points_on_second,
+                          functions(),
+                          interface.rows.size(),
+                          feet,
+                          reach,
+                          on);
+  }
+
+
+
+  const CarryingSurface *
+  Contact::functions() const
+  {
+    return interface.discretisation == Discretisation::surface_to_surface ?
+             interface.surface.get() :
+             nullptr;
+  }
+
+
+
+  void
+  Contact::pair(const BlockVector &u, const double factor)
+  {
+    const ContactSides at(undeformed, u, factor);
+    interface = interface_within(at, reach);
+    points.clear();
+    find_points();
+    // What a point weighs is its undeformed area.
+    const MeshSurface &before = *undeformed.surface(interface.points_on_second),
+                      &now    = *at.surface(interface.points_on_second);
+    const auto density = [](const MeshSurface &on, const GapPoint &point) {
+      const FacetMap &map = on.facets()[point.carrying.facet].map;
+      return map.outward(map(point.carrying.st)).norm();
+    };
+    if (interface.discretisation == Discretisation::surface_to_surface)
+      for (GapPoint &point : points)
+        point.area *= density(before, point) / density(now, point);
+    move(u, factor);
+  }
+
+
+
+  void
+  Contact::move(const BlockVector &u, const double factor)
+  {
+    find_points();
+    const ContactSides at(undeformed, u, factor);
+    integrals =
+      integrate(at,
+                interface.discretisation == Discretisation::node_to_node ?
+                  Feet::kept :
+                  Feet::found,
+                points);
+    write(at, u, factor);
+  }
+
+
+
+  RowGeometry
+  Contact::geometry(const bool second) const
+  {
+    RowGeometry        side;
+    const MeshSurface &on = *undeformed.surface(second);
+    for (unsigned int k = 0; k < on.n_trace_nodes(); ++k)
+      side.places.push_back(on.trace_location(k));
+    const bool   carries = second == interface.points_on_second;
+    const double sign    = carries ? -1. : 1.;
+    for (const GapIntegrals &row : integrals)
+      {
+        side.weights.emplace_back();
+        for (const auto &[node, weight] : carries ? row.carrying : row.opposing)
+          side.weights.back().emplace_back(node, sign * weight);
+      }
+    return side;
+  }
+
+
+
+  void
+  Contact::write(const ContactSides &sides,
+                 const BlockVector  &u,
+                 const double        factor)
+  {
+    const Bodies &bodies  = undeformed.bodies();
+    const auto    rows_on = [&](const bool second, const unsigned int body) {
+      RowGeometry &side = second ? interface.second : interface.first;
+      side              = geometry(second);
+      return body_rows(body,
+                       bodies[body]->n_dofs(),
+                       sides.trace_rows(second),
+                       side);
+    };
+    const auto           first = rows_on(false, interface.first_body);
+    std::vector<BodyRow> second;
+    if (interface.second_body)
+      second = rows_on(true, *interface.second_body);
+    for (unsigned int k = 0; k < interface.rows.size(); ++k)
+      {
+        const GapIntegrals      &of    = integrals[k];
+        GapRow                  &row   = interface.rows[k];
+        ContactInterface::Point &point = interface.points[k];
+        row.parts.clear();
+        row.gap_rate = 0.;
+        if (of.area == 0.)
+          {
+            row.initial_gap = reach;
+            continue;
+          }
+        row.parts = {first[k]};
+        if (interface.second_body)
+          row.parts.push_back(second[k]);
+        else
+          row.gap_rate = of.normal * interface.obstacle->displacement;
+        point.normal = interface.points_on_second ? -of.normal : of.normal;
+        const auto   adjusted = taken_out.find(key(point));
+        const double gap =
+          of.gap + (adjusted == taken_out.end() ? 0. : adjusted->second);
+        row.initial_gap = gap - row.opening(u) - factor * row.gap_rate;
+      }
+  }
+
+
+
+  std::vector<std::array<std::vector<BodyRow>, 2>>
+  Contact::slip_rows()
+  {
+    find_points();
+    if (integrals.empty())
+      integrals = integrate(undeformed, Feet::kept, points);
+    std::vector<std::array<std::vector<BodyRow>, 2>> slip(integrals.size());
+    for (const bool second : {false, true})
+      for (unsigned int a = 0; a < 2; ++a)
+        {
+          if (second && !interface.second_body)
+            continue;
+          const unsigned int body =
+            second ? *interface.second_body : interface.first_body;
+          RowGeometry side;
+          for (unsigned int k = 0; k < integrals.size(); ++k)
+            {
+              const Tensor<1, 3> t = tangents_of(interface.points[k].normal)[a];
+              side.weights.emplace_back();
+              for (const auto &[node, across] :
+                   second == interface.points_on_second ?
+                     integrals[k].tangential_carrying :
+                     integrals[k].tangential_opposing)
+                side.weights.back().emplace_back(node,
+                                                 (second ? 1. : -1.) *
+                                                   (across * t));
+            }
+          const auto rows = body_rows(body,
+                                      undeformed.bodies()[body]->n_dofs(),
+                                      undeformed.trace_rows(second),
+                                      side);
+          for (unsigned int k = 0; k < rows.size(); ++k)
+            slip[k][a].push_back(rows[k]);
+        }
+    return slip;
+  }
+
+
+
+  StalePairing
+  Contact::stays_paired(const BlockVector               &u,
+                        const double                     factor,
+                        const std::vector<unsigned int> &active)
+  {
+    find_points();
+    const ContactSides    at(undeformed, u, factor);
+    const double          touching  = -arithmetic::negligible * u.linfty_norm();
+    std::vector<GapPoint> wandering = points;
+    const auto            now       = integrate(at, Feet::found, wandering);
+    const auto            carries_force = [&](const unsigned int row) {
+      return std::binary_search(active.begin(), active.end(), row);
+    };
+    // Of each row how far the place opposite of one of its points is off.
+    std::vector<double> off(now.size(), 0.);
+    if (const MeshSurface *other =
+          undeformed.surface(!interface.points_on_second))
+      for (unsigned int q = 0; q < points.size(); ++q)
+        {
+          const auto place = [other](const GapPoint &point) {
+            const auto &[facet, st] = point.opposing;
+            return other->facets()[facet].map(st).position;
+          };
+          const double by = place(points[q]).distance(place(wandering[q]));
+          for (const auto &[row, weight] : shares_of(functions(), q, points[q]))
+            off[row] = std::max(off[row], by);
+        }
+    StalePairing                                  stale;
+    std::map<std::array<double, 3>, unsigned int> ours;
+    for (unsigned int k = 0; k < now.size(); ++k)
+      {
+        const ContactInterface::Point &point = interface.points[k];
+        ours[key(point)]                     = k;
+        if (now[k].area == 0.)
+          {
+            stale.lost += carries_force(k);
+            continue;
+          }
+        const Tensor<1, 3> n =
+          interface.points_on_second ? -now[k].normal : now[k].normal;
+        if ((carries_force(k) || now[k].gap < touching) &&
+            (off[k] > small_sliding * point.spacing ||
+             (n - point.normal).norm() > small_turn))
+          ++stale.wandered;
+      }
+    try
+      {
+        const ContactInterface fresh = interface_within(at, reach);
+        for (unsigned int k = 0; k < fresh.rows.size(); ++k)
+          if (fresh.rows[k].initial_gap < touching)
+            {
+              const auto own = ours.find(key(fresh.points[k]));
+              stale.unseen +=
+                own == ours.end() || interface.points[own->second].area <
+                                       most_of * fresh.points[k].area;
+            }
+      }
+    catch (const InputError &)
+      {
+        // Nothing faces the other side any more: what carries force is lost,
+        // and counted above.
+      }
+    return stale;
+  }
+
+
+
+  void
+  Contact::require_found(const BlockVector               &u,
+                         const double                     factor,
+                         const std::vector<unsigned int> &active)
+  {
+    search.check(interface, u, factor, active);
+  }
+} // namespace lamella

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <lamella/contact/contact_sides.h>
+
+namespace lamella
+{
+  using namespace dealii;
+
+  ContactSides::ContactSides(const ContactPair &contact, const Bodies &bodies)
+    : pair(contact)
+    , all_bodies(bodies)
+    , standing(contact.obstacle)
+  {}
+
+
+
+  ContactSides::ContactSides(const ContactSides &undeformed,
+                             const BlockVector  &u,
+                             const double        factor)
+    : pair(undeformed.pair)
+    , all_bodies(undeformed.all_bodies)
+    , undeformed(&undeformed)
+    , u(&u)
+  {
+    if (pair.obstacle == nullptr)
+      return;
+    auto moved = std::make_shared<Obstacle>(*pair.obstacle);
+    moved->point += factor * moved->displacement;
+    standing = moved;
+  }
+
+
+
+  const MeshSurface *
+  ContactSides::surface(const bool second) const
+  {
+    if (second && pair.obstacle != nullptr)
+      return nullptr;
+    auto &made = surfaces[second];
+    if (made == nullptr && undeformed == nullptr)
+      made =
+        std::make_unique<const MeshSurface>(*all_bodies[region(second).body],
+                                            region(second).surface);
+    else if (made == nullptr)
+      {
+        std::vector<Tensor<1, 3>> displacements;
+        for (const auto &row : trace_rows(second))
+          {
+            const Vector &of_body = u->block(region(second).body);
+            displacements.emplace_back(Tensor<1, 3>(
+              {row[0](of_body), row[1](of_body), row[2](of_body)}));
+          }
+        made = std::make_unique<const MeshSurface>(*undeformed->surface(second),
+                                                   displacements);
+      }
+    return made.get();
+  }
+
+
+
+  std::vector<SurfacePoint>
+  ContactSides::points(const bool second) const
+  {
+    const Region &side   = region(second);
+    auto          points = all_bodies[side.body]->surface_points(side.surface);
+    if (undeformed == nullptr)
+      return points;
+    const MeshSurface &before = *undeformed->surface(second),
+                      &now    = *surface(second);
+    for (SurfacePoint &point : points)
+      if (const auto at = before.place_of(point.location, point.normal))
+        {
+          const MeshSurface::Facet &facet = now.facets()[at->facet];
+          point.position                  = facet.map(at->st).position;
+          point.normal                    = now.smooth_normal(facet, at->st);
+        }
+    return points;
+  }
+
+
+
+  const std::vector<std::vector<Row>> &
+  ContactSides::trace_rows(const bool second) const
+  {
+    if (undeformed != nullptr)
+      return undeformed->trace_rows(second);
+    if (rows[second].empty())
+      {
+        const MeshSurface    &on = *surface(second);
+        std::vector<Location> places;
+        for (unsigned int k = 0; k < on.n_trace_nodes(); ++k)
+          places.push_back(on.trace_location(k));
+        rows[second] = on.body().rows(places, Quantity::displacement);
+      }
+    return rows[second];
+  }
+} // namespace lamella

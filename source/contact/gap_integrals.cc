@@ -1,0 +1,211 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <lamella/contact/foot.h>
+#include <lamella/contact/gap_integrals.h>
+
+namespace lamella
+{
+  using namespace dealii;
+
+  namespace
+  {
+    /// Adds up the points of a contact.
+    class Sums
+    {
+    public:
+      Sums(const ContactSides    &sides,
+           const bool             on_second,
+           const CarryingSurface *functions,
+           const unsigned int     n_rows)
+        : carrying(*sides.surface(on_second))
+        , opposing(sides.surface(!on_second))
+        , functions(functions)
+        , rows(n_rows)
+      {}
+
+      void
+      add(const unsigned int number,
+          const GapPoint    &point,
+          const Opposition  &at);
+
+      std::vector<GapIntegrals>
+      take();
+
+    private:
+      const MeshSurface        &carrying, *opposing;
+      const CarryingSurface    *functions;
+      std::vector<GapIntegrals> rows;
+      std::vector<double>       trace, trace_opposite;
+    };
+
+
+
+    void
+    Sums::add(const unsigned int number,
+              const GapPoint    &point,
+              const Opposition  &at)
+    {
+      const Tensor<1, 3>       &n     = at.normal;
+      const MeshSurface::Facet &facet = carrying.facets()[point.carrying.facet];
+      carrying.evaluate_trace(facet, point.carrying.st, trace);
+      const std::vector<unsigned int> *beyond = nullptr;
+      if (opposing != nullptr)
+        {
+          const auto &other = opposing->facets()[point.opposing.facet];
+          opposing->evaluate_trace(other, point.opposing.st, trace_opposite);
+          beyond = &other.trace_nodes;
+        }
+      const SymmetricTensor<2, 3> tangential =
+        unit_symmetric_tensor<3>() - symmetrize(outer_product(n, n));
+      const auto add_side = [&](const std::vector<unsigned int> &nodes,
+                                const std::vector<double>       &values,
+                                const double                     weight,
+                                auto                            &normals,
+                                auto                            &tangents) {
+        for (unsigned int k = 0; k < nodes.size(); ++k)
+          if (values[k] != 0.)
+            {
+              normals[nodes[k]] += (weight * values[k]) * n;
+              tangents[nodes[k]] += (weight * values[k]) * tangential;
+            }
+      };
+      for (const auto &[row, weight] : shares_of(functions, number, point))
+        {
+          GapIntegrals &sum = rows[row];
+          sum.area += weight;
+          sum.gap += weight * at.hit.distance;
+          sum.normal += weight * n;
+          add_side(facet.trace_nodes,
+                   trace,
+                   weight,
+                   sum.carrying,
+                   sum.tangential_carrying);
+          if (beyond != nullptr)
+            add_side(*beyond,
+                     trace_opposite,
+                     weight,
+                     sum.opposing,
+                     sum.tangential_opposing);
+        }
+    }
+
+
+
+    std::vector<GapIntegrals>
+    Sums::take()
+    {
+      for (GapIntegrals &row : rows)
+        if (row.area > 0.)
+          {
+            const double scale = 1. / row.area;
+            row.gap *= scale;
+            row.normal *= scale;
+            for (auto *weights : {&row.carrying, &row.opposing})
+              for (auto &node : *weights)
+                node.second *= scale;
+            for (auto *weights :
+                 {&row.tangential_carrying, &row.tangential_opposing})
+              for (auto &node : *weights)
+                node.second *= scale;
+          }
+      return std::move(rows);
+    }
+
+
+
+    /// The places that face each other where they are kept.
+    std::optional<Opposition>
+    kept(const ContactSides &sides,
+         const MeshSurface  *opposing,
+         const GapPoint     &point,
+         const Point<3>     &x,
+         const Tensor<1, 3> &n1,
+         const double        reach)
+    {
+      if (opposing == nullptr)
+        return opposing_place(ObstacleSurface(sides.obstacle()), x, n1, reach);
+      const MeshSurface::Facet &facet =
+        opposing->facets()[point.opposing.facet];
+      Opposition at;
+      at.hit.position = facet.map(point.opposing.st).position;
+      at.hit.normal   = opposing->smooth_normal(facet, point.opposing.st);
+      at.normal       = n1 - at.hit.normal;
+      at.normal /= at.normal.norm();
+      at.hit.distance = at.normal * (at.hit.position - x);
+      at.hit.facet    = point.opposing.facet;
+      at.hit.st       = point.opposing.st;
+      return at;
+    }
+
+
+
+    /// The foot of @p x, from which @p point goes on.
+    std::optional<Opposition>
+    found(const ContactSides &sides,
+          const MeshSurface  *opposing,
+          GapPoint           &point,
+          const Point<3>     &x,
+          const Tensor<1, 3> &n1,
+          const double        reach)
+    {
+      const auto hit = opposing == nullptr ?
+                         find_foot(*sides.obstacle(), x, n1, reach) :
+                         find_foot(*opposing, x, n1, reach, point.opposing);
+      if (!hit)
+        return {};
+      point.opposing = {hit->facet, hit->st};
+      Opposition at;
+      at.hit    = *hit;
+      at.normal = -hit->normal;
+      return at;
+    }
+  } // namespace
+
+
+
+  std::vector<std::pair<unsigned int, double>>
+  shares_of(const CarryingSurface *functions,
+            const unsigned int     number,
+            const GapPoint        &point)
+  {
+    if (functions == nullptr)
+      return {{number, point.area}};
+    std::vector<std::pair<unsigned int, double>> result;
+    const auto  phi = functions->functions_at({point.part, point.carrying.st});
+    const auto &of_nodes = functions->facets()[point.part].rows;
+    for (unsigned int i = 0; i < phi.size(); ++i)
+      for (const auto &[row, share] : of_nodes[i])
+        if (phi[i] != 0.)
+          result.emplace_back(row, phi[i] * share * point.area);
+    return result;
+  }
+
+
+
+  std::vector<GapIntegrals>
+  integrate_gaps(const ContactSides    &sides,
+                 const bool             on_second,
+                 const CarryingSurface *functions,
+                 const unsigned int     n_rows,
+                 const Feet             feet,
+                 const double           reach,
+                 std::vector<GapPoint> &points)
+  {
+    const MeshSurface &carrying = *sides.surface(on_second),
+                      *opposing = sides.surface(!on_second);
+    Sums sums(sides, on_second, functions, n_rows);
+    for (unsigned int q = 0; q < points.size(); ++q)
+      {
+        const auto &[facet, st]        = points[q].carrying;
+        const MeshSurface::Facet &from = carrying.facets()[facet];
+        const Point<3>            x    = from.map(st).position;
+        const Tensor<1, 3>        n1   = carrying.smooth_normal(from, st);
+        const auto                at   = feet == Feet::kept ?
+                                           kept(sides, opposing, points[q], x, n1, reach) :
+                                           found(sides, opposing, points[q], x, n1, reach);
+        if (at)
+          sums.add(q, points[q], *at);
+      }
+    return sums.take();
+  }
+} // namespace lamella
