@@ -19,6 +19,30 @@ namespace lamella
     {
       return m < 4 ? section.S(m / 2, m % 2) : section.S_shear();
     }
+
+
+
+    /// The entries between the fields @p a and @p b, of dense numbers @p i and
+    /// @p j, of which one at least is dense: from @p dense between dense
+    /// fields, from @p SB between these and others. S_00, S_11 and the part in
+    /// shear are symmetric, S_10 is the transpose of S_01.
+    std::array<double, 5>
+    entries_between(const std::array<LAPACKFullMatrix<double>, 5> &dense,
+                    const std::array<LAPACKFullMatrix<double>, 5> &SB,
+                    const unsigned int                             i,
+                    const unsigned int                             j,
+                    const unsigned int                             a,
+                    const unsigned int                             b)
+    {
+      constexpr std::array<unsigned int, 5> transposed{{0, 2, 1, 3, 4}};
+      const unsigned int                    n_dense = dense[0].n();
+      std::array<double, 5>                 values{};
+      for (unsigned int m = 0; m < 5; ++m)
+        values[m] = i < n_dense && j < n_dense ? dense[m](i, j) :
+                    j < n_dense                ? SB[m](a, j) :
+                                                 SB[transposed[m]](b, i);
+      return values;
+    }
   } // namespace
 
 
@@ -141,16 +165,70 @@ namespace lamella
 
 
 
+  bool
+  FieldSpace::is_dense(const std::vector<unsigned int> &list) const
+  {
+    return n_modes() > 0 &&
+           std::all_of(list.begin(), list.end(), [this](const unsigned int a) {
+             return dense_number(a) < n_dense();
+           });
+  }
+
+
+
+  LAPACKFullMatrix<double>
+  FieldSpace::in_section(const std::vector<unsigned int> &list,
+                         const LAPACKFullMatrix<double>  &q) const
+  {
+    AssertDimension(q.m(), list.size());
+    const unsigned int       n = base->n_fields();
+    LAPACKFullMatrix<double> result(n, q.n());
+    for (unsigned int k = 0; k < q.n(); ++k)
+      for (unsigned int a = 0; a < list.size(); ++a)
+        if (const double factor = q(a, k); list[a] < n)
+          result(list[a], k) += factor;
+        else if (factor != 0.)
+          {
+            const double *const mode = this->mode(list[a] - n);
+            double *const       sum  = &result(0, k);
+            for (unsigned int alpha = 0; alpha < n; ++alpha)
+              sum[alpha] += factor * mode[alpha];
+          }
+    return result;
+  }
+
+
+
+  LAPACKFullMatrix<double>
+  FieldSpace::on_list(const std::vector<unsigned int> &list,
+                      const LAPACKFullMatrix<double>  &work) const
+  {
+    const unsigned int n = base->n_fields();
+    AssertDimension(work.m(), n);
+    LAPACKFullMatrix<double> result(list.size(), work.n());
+    for (unsigned int k = 0; k < work.n(); ++k)
+      for (unsigned int a = 0; a < list.size(); ++a)
+        {
+          const double *const column = &work(0, k);
+          if (list[a] < n)
+            result(a, k) = column[list[a]];
+          else
+            {
+              const double *const mode = this->mode(list[a] - n);
+              result(a, k) = std::inner_product(mode, mode + n, column, 0.);
+            }
+        }
+    return result;
+  }
+
+
+
   std::vector<FactorRow>
   FieldSpace::rows(const std::vector<bool> &carried) const
   {
     AssertDimension(carried.size(), n_fields());
     const unsigned int     n = base->n_fields();
     std::vector<FactorRow> result(n_fields());
-    const bool             sparse_too =
-      std::find(carried.begin() + n_rigid, carried.begin() + n, true) !=
-      carried.begin() + n;
-
     for (unsigned int a = 0; a < n; ++a)
       if (carried[a])
         result[a] = factor_row(
@@ -162,30 +240,21 @@ namespace lamella
     if (n_modes() == 0)
       return result;
 
-    // And with the modes. S_00, S_11 and the part in shear are symmetric, S_10
-    // is the transpose of S_01.
+    // And with the modes.
+    const bool sparse_too =
+      std::find(carried.begin() + n_rigid, carried.begin() + n, true) !=
+      carried.begin() + n;
     std::array<LAPACKFullMatrix<double>, 5> SB;
     if (sparse_too)
       for (unsigned int m = 0; m < 5; ++m)
         SB[m] = times_dense(matrix_of(*base, m));
-    const auto entry = [&](const unsigned int a, const unsigned int b) {
-      const unsigned int    i = dense_number(a), j = dense_number(b);
-      std::array<double, 5> values{};
-      for (unsigned int m = 0; m < 5; ++m)
-        {
-          constexpr std::array<unsigned int, 5> transposed{{0, 2, 1, 3, 4}};
-          values[m] = i < n_dense() && j < n_dense() ? dense[m](i, j) :
-                      j < n_dense()                  ? SB[m](a, j) :
-                                                       SB[transposed[m]](b, i);
-        }
-      return values;
-    };
     for (unsigned int a = 0; a < n_fields(); ++a)
       for (unsigned int b = a < n ? n : 0; carried[a] && b < n_fields(); ++b)
         if (carried[b])
           {
             result[a].columns.push_back(b);
-            result[a].entries.push_back(entry(a, b));
+            result[a].entries.push_back(entries_between(
+              dense, SB, dense_number(a), dense_number(b), a, b));
           }
     return result;
   }

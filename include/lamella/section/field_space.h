@@ -97,6 +97,10 @@ namespace lamella
                                        alpha - first_mode() + n_rigid);
     }
 
+    /// Whether the fields @p list are dense, and modes among what there is.
+    bool
+    is_dense(const std::vector<unsigned int> &list) const;
+
     /// Coarse fields are eliminated before others (SectionField::level); modes
     /// are warping.
     unsigned int
@@ -124,6 +128,19 @@ namespace lamella
     /// the fields of the section that on the modes.
     void
     append_modes(std::vector<double> &work) const;
+
+    /// Numbers for the fields @p list, a row each of @p q, as numbers for those
+    /// of the section: what the modes are made of is added to these. A column
+    /// of them stands for itself.
+    dealii::LAPACKFullMatrix<double>
+    in_section(const std::vector<unsigned int>        &list,
+               const dealii::LAPACKFullMatrix<double> &q) const;
+
+    /// The transpose of in_section(): from the work on the fields of the
+    /// section, a row each of @p work, that on those of @p list.
+    dealii::LAPACKFullMatrix<double>
+    on_list(const std::vector<unsigned int>        &list,
+            const dealii::LAPACKFullMatrix<double> &work) const;
 
     /// What mode number @p j is made of: a number for each field of the
     /// section.

@@ -23,6 +23,7 @@
 #include <deal.II/numerics/rtree.h>
 
 #include <algorithm>
+#include <array>
 #include <functional>
 #include <memory>
 #include <utility>
@@ -67,6 +68,10 @@ namespace lamella
     constexpr unsigned int translation_x = 0, translation_y = 1,
                            translation_z = 2, slope_x = 3, slope_z = 4,
                            rotation_y = 5;
+    /// The two planes of bending: the deflection, and the slope that shears the
+    /// section as the deflection's derivative along the axis does.
+    constexpr std::array<std::array<unsigned int, 2>, 2> bending{
+      {{{translation_x, slope_x}}, {{translation_z, slope_z}}}};
   } // namespace RigidField
 
   /**
