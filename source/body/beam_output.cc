@@ -32,30 +32,37 @@ namespace lamella
 
 
 
-  namespace
+  Beam::PointState
+  Beam::point_state(const SectionPoint &point,
+                    const AxisPoint    &on_axis,
+                    const Vector       &u) const
   {
-    /// FieldSpace::expand() for the fields @p fields of the section alone;
-    /// nothing is cut off.
-    template <typename Fields>
-    void
-    expand_at(const FieldSpace    &space,
-              const Fields        &fields,
-              std::vector<double> &coefficients)
-    {
-      if (space.n_modes() == 0)
-        return;
-      const unsigned int  n = coefficients.size() - space.n_modes();
-      std::vector<double> expanded;
-      for (const unsigned int alpha : fields)
-        expanded.push_back(coefficients[alpha]);
-      for (unsigned int j = 0; j < space.n_modes(); ++j)
-        if (const double factor = coefficients[n + j]; factor != 0.)
-          for (unsigned int a = 0; a < expanded.size(); ++a)
-            expanded[a] += factor * space.mode(j)[fields[a]];
-      for (unsigned int a = 0; a < expanded.size(); ++a)
-        coefficients[fields[a]] = expanded[a];
-    }
-  } // namespace
+    // The fields that live there, to which what modes are made of is added.
+    const unsigned int        n      = point.fields->size();
+    std::vector<unsigned int> fields = *point.fields;
+    for (unsigned int j = 0; j < space->n_modes(); ++j)
+      fields.push_back(space->first_mode() + j);
+    FieldParts q =
+      along_axis().at(ArrayView<const AxisPoint>(&on_axis, 1), fields, u);
+    for (LAPACKFullMatrix<double> &part : q)
+      for (unsigned int j = 0; j < space->n_modes(); ++j)
+        if (const double factor = part(n + j, 0); factor != 0.)
+          for (unsigned int a = 0; a < n; ++a)
+            part(a, 0) += factor * space->mode(j)[fields[a]];
+
+    PointState result;
+    for (unsigned int a = 0; a < n; ++a)
+      {
+        result.displacement += q[FieldPart::value](a, 0) * point.value[a];
+        for (unsigned int c = 0; c < 6; ++c)
+          result.strain[c] +=
+            q[is_transverse_shear(c) ? FieldPart::shear_value :
+                                       FieldPart::value](a, 0) *
+              point.in_plane[a][c] +
+            q[FieldPart::derivative](a, 0) * point.along[a][c];
+      }
+    return result;
+  }
 
 
 
@@ -71,13 +78,8 @@ namespace lamella
         const AxisPoint on_axis =
           beam_axis->evaluate(place.cell / beam_section->n_cells(),
                               place.unit[1]);
-        AxisState state = list_state(on_axis, u);
-        // Not axis_state(): a point needs some dozens of thousands of fields.
-        expand_at(*space, *point.fields, state.value);
-        expand_at(*space, *point.fields, state.shear_value);
-        expand_at(*space, *point.fields, state.derivative);
         samples.push_back(
-          field_sample(point_state(point, state),
+          field_sample(point_state(point, on_axis, u),
                        point,
                        placement.to_scene(
                          {point.position[0], on_axis.y, point.position[1]})));

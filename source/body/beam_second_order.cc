@@ -31,8 +31,6 @@ namespace lamella
     add_geometric_forces(const Vector &w, Vector &f) const override;
 
   private:
-    using SectionForce = Beam::SectionForce;
-
     /// How a section moves as a whole, functionals of all fields of the space:
     /// the means of u_x and u_z, and the turn about the axis that fits its
     /// displacement best (least squares).
@@ -67,12 +65,19 @@ namespace lamella
     motions_of_nodes(const Vector &w) const;
     Turn
     turn_at(const AxisPoint &point, const NodalMotions &w) const;
-    /// Adds @p factor times the resultants of a stress to @p resultants, out of
-    /// its work on the derivatives of the rigid fields.
+    /// Adds @p factor times the resultants of a stress at the stations of the
+    /// axis element @p cell to stress, out of the work @p forces on the
+    /// derivatives of the rigid fields, which every list begins with.
     void
-    add_resultants(const double factor,
-                   const double derivative_work[],
-                   Resultants  &resultants) const;
+    add_resultants(const double         factor,
+                   const unsigned int   cell,
+                   const SectionForces &forces);
+    /// Resultants and turn at a station: the forces on w_x', w_z', phi', phi.
+    Turn
+    forces_on_turn(const Resultants &s, const Turn &at) const;
+    /// Adds to @p f what @p forces on the motions of the nodes do.
+    void
+    add_on_fields(const NodalMotions &forces, Vector &f) const;
 
     const Beam  &beam;
     const Vector u;
@@ -212,61 +217,47 @@ namespace lamella
   {
     // A stretch of 1 does the same work on the fields everywhere along the
     // axis: the column of S_01 and S_11 at the translation along it.
-    const Section      &section = beam.section();
-    const unsigned int  n       = section.n_fields();
-    std::vector<double> value(n), derivative(n);
-    for (unsigned int alpha = 0; alpha < n; ++alpha)
-      {
-        value[alpha] = section.S(0, 1).el(alpha, RigidField::translation_y);
-        derivative[alpha] =
-          section.S(1, 1).el(alpha, RigidField::translation_y);
-      }
-    beam.fields().append_modes(value);
-    beam.fields().append_modes(derivative);
+    const Section &section = beam.section();
+    SectionForces  unit(section.n_fields(), 1);
+    for (unsigned int alpha = 0; alpha < section.n_fields(); ++alpha)
+      for (const unsigned int p : {0, 1})
+        unit.work[p == 0 ? FieldPart::value : FieldPart::derivative](alpha, 0) =
+          section.S(p, 1).el(alpha, RigidField::translation_y);
 
-    // What multiplies the two at each node.
-    const Axis         &axis = beam.axis();
-    std::vector<double> by_value(axis.n_nodes(), 0.), by_derivative(by_value);
-    const auto [begin, end] = beam.own_points();
-    for (unsigned int k = begin; k < end; ++k)
-      {
-        const AxisPoint &point = axis.integration_points()[k];
-        const double     e     = axis.integration_weights()[k] * stretch[k];
-        const auto      &nodes = axis.nodes_of_cell(point.cell);
-        for (unsigned int i = 0; i < nodes.size(); ++i)
-          {
-            by_value[nodes[i]] += e * point.N[i];
-            by_derivative[nodes[i]] += e * point.dN[i];
-          }
-      }
-    Vector share(f.size());
-    for (unsigned int node = 0; node < axis.n_nodes(); ++node)
-      {
-        const auto &fields = beam.dofs().fields(node);
-        for (unsigned int m = 0; m < fields.size(); ++m)
-          share[beam.dofs().first(node) + m] -=
-            by_value[node] * value[fields[m]] +
-            by_derivative[node] * derivative[fields[m]];
-      }
-    sum_over_processes(share);
-    f += share;
+    beam.along_axis().add_forces(
+      [&](const unsigned int cell, const SectionAnswer &answer) {
+        const FieldParts column =
+          on_list(beam.fields(), answer.fields(), unit).work;
+        const unsigned int n_stations = beam.along_axis().n_stations();
+        SectionForces      forces(answer.fields().size(), n_stations);
+        for (unsigned int p = 0; p < FieldPart::n; ++p)
+          for (unsigned int k = 0; k < n_stations; ++k)
+            for (unsigned int a = 0; a < answer.fields().size(); ++a)
+              forces.work[p](a, k) =
+                -stretch[cell * n_stations + k] * column[p](a, 0);
+        return forces;
+      },
+      f);
   }
 
 
 
   void
-  BeamSecondOrder::add_resultants(const double factor,
-                                  const double derivative_work[],
-                                  Resultants  &resultants) const
+  BeamSecondOrder::add_resultants(const double         factor,
+                                  const unsigned int   cell,
+                                  const SectionForces &forces)
   {
-    const double N = factor * derivative_work[RigidField::translation_y];
-    resultants.N += N;
-    resultants.V_x += factor * derivative_work[RigidField::translation_x];
-    resultants.V_z += factor * derivative_work[RigidField::translation_z];
-    resultants.M_x +=
-      factor * h * derivative_work[RigidField::slope_x] - N * centre_x;
-    resultants.M_z +=
-      factor * h * derivative_work[RigidField::slope_z] - N * centre_z;
+    const auto &work = forces.work[FieldPart::derivative];
+    for (unsigned int k = 0; k < work.n(); ++k)
+      {
+        Resultants  &sum = stress[cell * work.n() + k];
+        const double N   = factor * work(RigidField::translation_y, k);
+        sum.N += N;
+        sum.V_x += factor * work(RigidField::translation_x, k);
+        sum.V_z += factor * work(RigidField::translation_z, k);
+        sum.M_x += factor * h * work(RigidField::slope_x, k) - N * centre_x;
+        sum.M_z += factor * h * work(RigidField::slope_z, k) - N * centre_z;
+      }
   }
 
 
@@ -275,24 +266,43 @@ namespace lamella
   BeamSecondOrder::settle(const Vector &v)
   {
     stress.assign(stretch.size(), {});
-    double     energy = 0.;
-    const auto add    = [&](const unsigned int k, const SectionForce &force) {
-      add_resultants(1., force.work[2].begin(), stress[k]);
-    };
-    beam.for_each_section_force(
-      v, stretch, [&](const unsigned int k, const SectionForce &force) {
-        energy += beam.axis().integration_weights()[k] * force.energy;
-        add(k, force);
-      });
-    beam.for_each_section_force(u, {}, add);
+    double energy = 0.;
+    beam.along_axis().for_each_element([&](const unsigned int   cell,
+                                           const SectionAnswer &answer) {
+      FieldParts q = beam.along_axis().on_element(cell, answer.fields(), v);
+      for (unsigned int k = 0; k < beam.along_axis().n_stations(); ++k)
+        q[FieldPart::derivative](RigidField::translation_y, k) +=
+          stretch[cell * beam.along_axis().n_stations() + k];
+      const SectionForces forces = answer.forces(q);
+      energy += beam.along_axis().energy(cell, forces);
+      add_resultants(1., cell, forces);
+      add_resultants(1.,
+                     cell,
+                     answer.forces(
+                       beam.along_axis().on_element(cell, answer.fields(), u)));
+    });
     if (beam.is_heated())
       {
-        const auto         works = beam.works_of_heat().first;
-        const unsigned int begin = beam.own_points().first;
-        for (unsigned int k = 0; k < works.size(); ++k)
-          add_resultants(-1., works[k][2].data(), stress[begin + k]);
+        const auto         heat  = beam.forces_of_heat();
+        const unsigned int begin = beam.axis().own_cells().first;
+        for (unsigned int c = 0; c < heat.size(); ++c)
+          add_resultants(-1., begin + c, heat[c]);
       }
     return Utilities::MPI::sum(energy, communicator());
+  }
+
+
+
+  BeamSecondOrder::Turn
+  BeamSecondOrder::forces_on_turn(const Resultants &s, const Turn &at) const
+  {
+    Turn on;
+    on.slope_x = s.N * at.slope_x + s.M_z * at.twist + s.V_z * at.phi;
+    on.slope_z = s.N * at.slope_z - s.M_x * at.twist - s.V_x * at.phi;
+    on.twist =
+      s.N * radius_2 * at.twist + s.M_z * at.slope_x - s.M_x * at.slope_z;
+    on.phi = s.V_z * at.slope_x - s.V_x * at.slope_z;
+    return on;
   }
 
 
@@ -303,30 +313,30 @@ namespace lamella
     const Axis        &axis     = beam.axis();
     const NodalMotions of_nodes = motions_of_nodes(w);
     NodalMotions       forces(of_nodes.size());
-    const auto [begin, end] = beam.own_points();
+    const auto [begin, end] = beam.along_axis().own_points();
     for (unsigned int k = begin; k < end; ++k)
       {
-        const AxisPoint  &point  = axis.integration_points()[k];
-        const double      weight = axis.integration_weights()[k];
-        const Resultants &s      = stress[k];
-        const Turn        at     = turn_at(point, of_nodes);
-        const double      on_slope_x =
-                       s.N * at.slope_x + s.M_z * at.twist + s.V_z * at.phi,
-                     on_slope_z =
-                       s.N * at.slope_z - s.M_x * at.twist - s.V_x * at.phi,
-                     on_twist = s.N * radius_2 * at.twist + s.M_z * at.slope_x -
-                                s.M_x * at.slope_z,
-                     on_phi = s.V_z * at.slope_x - s.V_x * at.slope_z;
-        const auto &nodes   = axis.nodes_of_cell(point.cell);
+        const AxisPoint &point  = axis.integration_points()[k];
+        const double     weight = axis.integration_weights()[k];
+        const Turn  on    = forces_on_turn(stress[k], turn_at(point, of_nodes));
+        const auto &nodes = axis.nodes_of_cell(point.cell);
         for (unsigned int i = 0; i < nodes.size(); ++i)
           {
             auto &force = forces[nodes[i]];
-            force[along_x] += weight * point.dN[i] * on_slope_x;
-            force[along_z] += weight * point.dN[i] * on_slope_z;
+            force[along_x] += weight * point.dN[i] * on.slope_x;
+            force[along_z] += weight * point.dN[i] * on.slope_z;
             force[turn] +=
-              weight * (point.dN[i] * on_twist + point.N[i] * on_phi);
+              weight * (point.dN[i] * on.twist + point.N[i] * on.phi);
           }
       }
+    add_on_fields(forces, f);
+  }
+
+
+
+  void
+  BeamSecondOrder::add_on_fields(const NodalMotions &forces, Vector &f) const
+  {
     Vector share(f.size());
     for (unsigned int node = 0; node < forces.size(); ++node)
       {

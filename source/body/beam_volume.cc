@@ -12,19 +12,19 @@ namespace lamella
 
   namespace
   {
-    /// The forces that the stress @p stress, times what it stands for, does
-    /// work with at @p point: of each of its fields those on its value without
-    /// transverse shear, on its value in transverse shear, on its derivative.
-    std::vector<std::array<double, 3>>
+    /// The work that the stress @p stress, times what it stands for, does at
+    /// @p point on each of its fields: an entry of each FieldPart.
+    std::vector<std::array<double, FieldPart::n>>
     work_of(const Voigt &stress, const SectionPoint &point)
     {
-      std::vector<std::array<double, 3>> work(point.fields->size());
+      std::vector<std::array<double, FieldPart::n>> work(point.fields->size());
       for (unsigned int a = 0; a < work.size(); ++a)
         {
           for (unsigned int c = 0; c < 6; ++c)
-            work[a][is_transverse_shear(c) ? 1 : 0] +=
+            work[a][is_transverse_shear(c) ? FieldPart::shear_value :
+                                             FieldPart::value] +=
               point.in_plane[a][c] * stress[c];
-          work[a][2] = point.along[a] * stress;
+          work[a][FieldPart::derivative] = point.along[a] * stress;
         }
       return work;
     }
@@ -70,61 +70,54 @@ namespace lamella
 
 
 
-  void
-  Beam::add_section_works(std::vector<SectionWork> work,
-                          const unsigned int       begin,
-                          Vector                  &share) const
+  std::vector<SectionForces>
+  Beam::forces_of_heat(const std::vector<std::vector<double>> &stations) const
   {
-    SectionForce force;
-    for (unsigned int k = 0; k < work.size(); ++k)
-      {
-        for (unsigned int p = 0; p < 3; ++p)
+    std::vector<SectionForces> forces;
+    for (const std::vector<double> &group : stations)
+      forces.emplace_back(beam_section->n_fields(), group.size());
+    beam_section->for_each_point([&](const SectionPoint &point,
+                                     const double        weight) {
+      const Voigt alpha = expansion_at(point);
+      const Voigt active =
+        alpha -
+        beam_section->completion_of_initial(point.cell, point.position, alpha);
+      // Of one kelvin.
+      const Voigt stress =
+        weight *
+        (beam_section->law(point.cell, point.position).stiffness() * active);
+      const auto unit = work_of(stress, point);
+      for (unsigned int g = 0; g < stations.size(); ++g)
+        for (unsigned int k = 0; k < stations[g].size(); ++k)
           {
-            space->append_modes(work[k][p]);
-            force.work[p].reinit(work[k][p].size(), true);
-            std::copy(work[k][p].begin(),
-                      work[k][p].end(),
-                      force.work[p].begin());
+            const double T = temperature(placement.to_scene(
+              {point.position[0], stations[g][k], point.position[1]}));
+            forces[g].energy[k] += 0.5 * T * T * (stress * active);
+            for (unsigned int a = 0; a < unit.size(); ++a)
+              for (unsigned int p = 0; p < FieldPart::n; ++p)
+                forces[g].work[p]((*point.fields)[a], k) += T * unit[a][p];
           }
-        add_section_force(begin + k, force, share);
-      }
+    });
+    return forces;
   }
 
 
 
-  std::pair<std::vector<Beam::SectionWork>, double>
-  Beam::works_of_heat() const
+  std::vector<SectionForces>
+  Beam::forces_of_heat() const
   {
-    const auto [begin, end]               = own_points();
-    const auto               &axis_points = beam_axis->integration_points();
-    double                    energy      = 0.;
-    const std::vector<double> none(beam_section->n_fields(), 0.);
-    std::vector<SectionWork>  work(end - begin, {{none, none, none}});
-    beam_section->for_each_point(
-      [&, first = begin, last = end](const SectionPoint &point,
-                                     const double        weight) {
-        const Voigt alpha = expansion_at(point);
-        const Voigt active =
-          alpha - beam_section->completion_of_initial(point.cell,
-                                                      point.position,
-                                                      alpha);
-        // Of one kelvin.
-        const Voigt stress =
-          weight *
-          (beam_section->law(point.cell, point.position).stiffness() * active);
-        const auto unit = work_of(stress, point);
-        for (unsigned int k = first; k < last; ++k)
-          {
-            const double T = temperature(placement.to_scene(
-              {point.position[0], axis_points[k].y, point.position[1]}));
-            energy += 0.5 * T * T * beam_axis->integration_weights()[k] *
-                      (stress * active);
-            for (unsigned int a = 0; a < unit.size(); ++a)
-              for (unsigned int p = 0; p < 3; ++p)
-                work[k - first][p][(*point.fields)[a]] += T * unit[a][p];
-          }
-      });
-    return {std::move(work), energy};
+    std::vector<std::vector<double>> stations;
+    const auto [begin, end] = beam_axis->own_cells();
+    for (unsigned int cell = begin; cell < end; ++cell)
+      {
+        stations.emplace_back();
+        for (unsigned int k = 0; k < along_axis().n_stations(); ++k)
+          stations.back().push_back(
+            beam_axis
+              ->integration_points()[cell * along_axis().n_stations() + k]
+              .y);
+      }
+    return forces_of_heat(stations);
   }
 
 
@@ -134,11 +127,15 @@ namespace lamella
   {
     if (!is_heated())
       return 0.;
-    auto [work, energy] = works_of_heat();
-    Vector share(f.size());
-    add_section_works(std::move(work), own_points().first, share);
-    sum_over_processes(share);
-    f += share;
+    const std::vector<SectionForces> forces = forces_of_heat();
+    const unsigned int               begin  = beam_axis->own_cells().first;
+    double                           energy = 0.;
+    along_axis().add_forces(
+      [&](const unsigned int cell, const SectionAnswer &answer) {
+        energy += along_axis().energy(cell, forces[cell - begin]);
+        return on_list(*space, answer.fields(), forces[cell - begin]);
+      },
+      f);
     return Utilities::MPI::sum(energy, communicator());
   }
 
@@ -151,25 +148,13 @@ namespace lamella
                      Vector(beam_section->n_fields())};
     if (!is_heated())
       return heat;
-    beam_section->for_each_point([&](const SectionPoint &point,
-                                     const double        weight) {
-      const double T = temperature(
-        placement.to_scene({point.position[0], y, point.position[1]}));
-      const Voigt alpha = expansion_at(point);
-      const Voigt active =
-        alpha -
-        beam_section->completion_of_initial(point.cell, point.position, alpha);
-      const auto work =
-        work_of(weight * T *
-                  (beam_section->law(point.cell, point.position).stiffness() *
-                   active),
-                point);
-      for (unsigned int a = 0; a < work.size(); ++a)
-        {
-          heat.on_values[(*point.fields)[a]] += work[a][0] + work[a][1];
-          heat.on_derivatives[(*point.fields)[a]] += work[a][2];
-        }
-    });
+    const FieldParts work = forces_of_heat({{y}})[0].work;
+    for (unsigned int alpha = 0; alpha < heat.on_values.size(); ++alpha)
+      {
+        heat.on_values[alpha] = work[FieldPart::value](alpha, 0) +
+                                work[FieldPart::shear_value](alpha, 0);
+        heat.on_derivatives[alpha] = work[FieldPart::derivative](alpha, 0);
+      }
     return heat;
   }
 
@@ -195,16 +180,14 @@ namespace lamella
   void
   Beam::add_weight(const Tensor<1, 3> &acceleration, Vector &f) const
   {
-    const Vector              load = section_weight(acceleration);
-    const std::vector<double> none(load.size(), 0.);
-    const auto [begin, end] = own_points();
-    Vector share(f.size());
-    add_section_works(
-      std::vector<SectionWork>(end - begin,
-                               {{{load.begin(), load.end()}, none, none}}),
-      begin,
-      share);
-    sum_over_processes(share);
-    f += share;
+    const Vector  load = section_weight(acceleration);
+    SectionForces forces(load.size(), along_axis().n_stations());
+    for (unsigned int k = 0; k < along_axis().n_stations(); ++k)
+      std::copy(load.begin(), load.end(), &forces.work[FieldPart::value](0, k));
+    along_axis().add_forces(
+      [&](const unsigned int, const SectionAnswer &answer) {
+        return on_list(*space, answer.fields(), forces);
+      },
+      f);
   }
 } // namespace lamella

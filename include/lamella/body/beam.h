@@ -3,12 +3,10 @@
 #ifndef lamella_body_beam_h
 #define lamella_body_beam_h
 
-#include <lamella/axis/axis.h>
-#include <lamella/body/beam_dof_map.h>
+#include <lamella/body/axis_loop.h>
 #include <lamella/body/body.h>
 #include <lamella/body/fields.h>
 #include <lamella/body/placement.h>
-#include <lamella/section/field_space.h>
 
 namespace lamella
 {
@@ -133,28 +131,19 @@ namespace lamella
     dealii::BoundingBox<3>
     bounding_box() const override;
 
-    /**
-     * By sum factorisation: at each integration point of the axis the fields'
-     * coefficients are formed once, then the section answers for all of them.
-     * A section whose fields span_the_section() does so by its moments, nine
-     * dense products of n_fields x n_fields a point of the axis, whatever the
-     * number of its cells. On elements whose nodes carry dense lists and
-     * nothing else the products of FieldSpace do the same, those of the fields
-     * that the element has, all points of it at once. All others go
-     * through the section's integration points with the few fields that live
-     * at each.
-     */
+    /// What the section answers to @p u all along the axis (AxisLoop).
     void
     add_internal_forces(const Vector &u, Vector &f) const override;
     /// `automatic` on one process is a factorisation by dense blocks, one for
-    /// each node of the axis, if all of its elements are dense.
+    /// each node of the axis, if all of them carry
+    /// dense lists (FieldSpace).
     std::unique_ptr<LinearSolver>
     make_solver(const Constraints             &constraints,
                 const std::vector<SpringTerm> &springs = {},
                 const SolverKind               asked   = SolverKind::automatic,
                 const SolverMonitor           &monitor = {}) const override;
-    /// The energy likewise. Rotations are looked at in the section's
-    /// integration points, of which there are few where moments do the rest.
+    /// The energy likewise. Rotations are looked at in the section's points
+    /// (SectionAnswer::largest_rotation()).
     Deformation
     deformation(const Vector &u) const override;
     std::unique_ptr<SecondOrder>
@@ -333,34 +322,10 @@ namespace lamella
     void
     constrain_to_kirchhoff();
 
-    /// The generalised displacements u_tau(y) of Eq. 1, the fields'
-    /// coefficients, and their derivatives along y at a point of the axis: for
-    /// each alpha sum_i N_i u_(i,alpha), the same with what stands for N_i in
-    /// transverse shear, and sum_i N_i' u_(i,alpha).
-    struct AxisState
-    {
-      std::vector<double> value, shear_value, derivative;
-
-      explicit AxisState(const unsigned int n_fields)
-        : value(n_fields, 0.)
-        , shear_value(n_fields, 0.)
-        , derivative(n_fields, 0.)
-      {}
-    };
-
-    /// That of the displacement @p u, for all fields of the space. Derivatives
-    /// are taken of the differences to the element's first node: a rigid
-    /// translation has none, to the last bit.
-    AxisState
-    list_state(const AxisPoint &point, const Vector &u) const;
-
-    /// list_state() in the fields of the section: what modes are made of is
-    /// added to these.
-    AxisState
-    axis_state(const AxisPoint &point, const Vector &u) const;
-
-    /// axis_state() at several places of one axis element: entry
-    /// alpha * y.size() + j is that of the section's field alpha at place j.
+    /// The generalised displacements u_tau(y) of Eq. 1, a number of each
+    /// FieldPart for all fields of the section, modes added to these, at
+    /// several places of one axis element: entry alpha * y.size() + j is that
+    /// of the field alpha at place j.
     struct AxisStates
     {
       std::vector<double> y, value, shear_value, derivative;
@@ -378,124 +343,27 @@ namespace lamella
                 const std::vector<double> &etas,
                 const Vector              &u) const;
 
-    /// The integration points along the axis that are this process's, first and
-    /// one past the last: those of Axis::own_cells().
-    std::pair<unsigned int, unsigned int>
-    own_points() const;
-
-    /// What the section answers at a point of the axis, the stress resultants
-    /// of all fields: the forces that do work on each field's value without
-    /// transverse shear, on its value in transverse shear, and on its
-    /// derivative, each of n_fields(), and the strain energy per length.
-    struct SectionForce
+    /// What integrates over the axis. Refers to the beam.
+    AxisLoop
+    along_axis() const
     {
-      std::array<Vector, 3> work;
-      double                energy = 0.;
-    };
-
-    /**
-     * The section force at the integration point @p k of the axis, from the
-     * moments of a section that spans_the_section(),
-     *   work_p = sum_q moments(p, q) e_q,   energy = sum_p e_p . work_p / 2,
-     * where e_0, e_1, e_2 are the three parts of AxisState. Strains come first
-     * here, too: those of whole fields in place of those at points, and the
-     * slope of a section joins that of the axis, w' + a / h, before anything
-     * multiplies it. An initial strain of the plies has no part in it. Here and
-     * below @p stretch is a strain along the axis at each integration point of
-     * it, the same all over the section, that is added to that of u; empty:
-     * none.
-     */
-    void
-    force_by_moments(const unsigned int         k,
-                     const Vector              &u,
-                     const std::vector<double> &stretch,
-                     SectionForce              &force) const;
-    using UseOfForce =
-      std::function<void(const unsigned int, const SectionForce &)>;
-
-    /// The fields that nodes of a dense element carry, ascending, and their
-    /// products, [S_00, S_01; S_10, S_11] between them.
-    struct DenseProducts
-    {
-      std::vector<unsigned int>        fields;
-      dealii::LAPACKFullMatrix<double> S;
-    };
-
-    /// Makes @p products those of the element @p cell; nothing to be done if
-    /// its fields are those of the one before.
-    void
-    make_products(const unsigned int cell, DenseProducts &products) const;
-
-    /// Values in the first columns and derivatives in the last, a column for
-    /// each point of the element @p cell, in the fields @p fields: list_state()
-    /// of them.
-    dealii::LAPACKFullMatrix<double>
-    states_of_element(const unsigned int               cell,
-                      const std::vector<unsigned int> &fields,
-                      const Vector                    &u,
-                      const std::vector<double>       &stretch) const;
-
-    /// Calls @p use with the section force at each point of the element
-    /// @p cell, which is_dense(), from S_pq of its fields; all work is done on
-    /// values and derivatives. @p products are those of any element.
-    void
-    forces_of_dense_element(const unsigned int         cell,
-                            const Vector              &u,
-                            const std::vector<double> &stretch,
-                            DenseProducts             &products,
-                            const UseOfForce          &use) const;
-
-    /// Calls @p use with the section force at each of own_points() that one of
-    /// these two answers for.
-    void
-    for_each_smooth_force(const Vector              &u,
-                          const std::vector<double> &stretch,
-                          const UseOfForce          &use) const;
-
-    /// The same at those that are left, through the points of the section.
-    void
-    for_each_force_by_points(const Vector              &u,
-                             const std::vector<double> &stretch,
-                             const UseOfForce          &use) const;
-
-    /// The same at all of own_points(), each of them once.
-    void
-    for_each_section_force(const Vector              &u,
-                           const std::vector<double> &stretch,
-                           const UseOfForce          &use) const
-    {
-      for_each_smooth_force(u, stretch, use);
-      if (!beam_section->spans_the_section())
-        for_each_force_by_points(u, stretch, use);
+      return {*space, *beam_axis, dof_map};
     }
 
-    /// Whether the axis element @p cell is dense: its nodes carry dense lists
-    /// (FieldSpace), and transverse shear strains are as the displacements give
-    /// them.
-    bool
-    is_dense(const unsigned int cell) const;
-
-    /// Adds what the section force does at the integration point @p point of
-    /// the axis to @p share, which has all DoFs.
-    void
-    add_section_force(const unsigned int  point,
-                      const SectionForce &force,
-                      Vector             &share) const;
-
-    /// Kinematics at a point, in the body's axes: the displacement, its
-    /// derivative along y, the strain (as the theory completes it, order of
-    /// Eq. 4), and the rotation about the axis in rad.
+    /// Kinematics at a point, in the body's axes: the displacement and the
+    /// strain (as the theory completes it, order of Eq. 4).
     struct PointState
     {
-      dealii::Tensor<1, 3> displacement, slope;
+      dealii::Tensor<1, 3> displacement;
       Voigt                strain;
-      double               twist = 0.;
     };
 
-    /// The sums over the fields that do not vanish at @p point. The transverse
-    /// shear strains take the shear values of @p state.
-    static PointState
-    point_state(const SectionPoint &point, const AxisState &state);
+    /// The sums over the fields that do not vanish at @p point of the section,
+    /// at @p on_axis, of the displacement @p u.
+    PointState
+    point_state(const SectionPoint &point,
+                const AxisPoint    &on_axis,
+                const Vector       &u) const;
 
     /// The law of the section cell @p cell at the section's point @p at, with
     /// the initial strain of heat at @p x, which is that point in the scene.
@@ -515,22 +383,16 @@ namespace lamella
                  const SectionPoint     &point,
                  const dealii::Point<3> &x) const;
 
-    /// Of a point of the section the forces that a stress does work with there,
-    /// integrated over the section for each point of the axis: what
-    /// add_section_force() takes, of the fields of the section only.
-    using SectionWork = std::array<std::vector<double>, 3>;
+    /// What the stress C epsilon_0 of heat does in each of some groups of
+    /// stations of the axis, each given by y, on the fields of the section,
+    /// with its energy epsilon_0 . C epsilon_0 / 2. The section's points are
+    /// looked at once.
+    std::vector<SectionForces>
+    forces_of_heat(const std::vector<std::vector<double>> &stations) const;
 
-    /// What the stress C epsilon_0 of heat does at each of own_points(), and
-    /// the energy that add_heat() returns, this process' share.
-    std::pair<std::vector<SectionWork>, double>
-    works_of_heat() const;
-
-    /// Adds what the work @p work of each of the points of the axis from
-    /// @p begin on comes to, modes among it, to @p share.
-    void
-    add_section_works(std::vector<SectionWork> work,
-                      const unsigned int       begin,
-                      Vector                  &share) const;
+    /// The same at the integration points of each of Axis::own_cells().
+    std::vector<SectionForces>
+    forces_of_heat() const;
 
     /// A point of the section with what samples need of it, for all places
     /// along the axis.
@@ -628,8 +490,6 @@ namespace lamella
     BeamDofMap                        dof_map;
     /// theory(); empty: that of the section.
     std::string label;
-    /// Of each axis element whether it is_dense().
-    std::vector<bool> dense_cells;
     /// Closed; without lines but for EBBT.
     Constraints kirchhoff;
   };

@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <lamella/base/processes.h>
+#include <lamella/body/axis_loop.h>
+
+#include <algorithm>
+#include <iterator>
+
+namespace lamella
+{
+  using namespace dealii;
+
+  std::vector<unsigned int>
+  AxisLoop::fields_of_element(const unsigned int cell) const
+  {
+    const auto               &nodes  = axis.nodes_of_cell(cell);
+    std::vector<unsigned int> fields = dof_map.fields(nodes[0]);
+    for (unsigned int i = 1; i < nodes.size(); ++i)
+      {
+        const auto &list = dof_map.fields(nodes[i]);
+        if (list == fields)
+          continue;
+        std::vector<unsigned int> both;
+        std::set_union(fields.begin(),
+                       fields.end(),
+                       list.begin(),
+                       list.end(),
+                       std::back_inserter(both));
+        fields.swap(both);
+      }
+    return fields;
+  }
+
+
+
+  std::pair<unsigned int, unsigned int>
+  AxisLoop::own_points() const
+  {
+    const auto [begin, end] = axis.own_cells();
+    return {n_stations() * begin, n_stations() * end};
+  }
+
+
+
+  void
+  AxisLoop::for_each_element(const UseOfElement &use) const
+  {
+    std::unique_ptr<const SectionAnswer> answer;
+    const auto [begin, end] = axis.own_cells();
+    for (unsigned int cell = begin; cell < end; ++cell)
+      {
+        std::vector<unsigned int> fields = fields_of_element(cell);
+        if (answer == nullptr || answer->fields() != fields)
+          answer = make_section_answer(space,
+                                       std::move(fields),
+                                       axis.has_assumed_shear());
+        use(cell, *answer);
+      }
+  }
+
+
+
+  FieldParts
+  AxisLoop::at(const ArrayView<const AxisPoint> &stations,
+               const std::vector<unsigned int>  &fields,
+               const Vector                     &u) const
+  {
+    const auto &nodes = axis.nodes_of_cell(stations[0].cell);
+    FieldParts  q     = field_parts(fields.size(), stations.size());
+    for (unsigned int a = 0; a < fields.size(); ++a)
+      {
+        const auto at_node = [&](const unsigned int node) {
+          const int place = dof_map.place(node, fields[a]);
+          return place < 0 ? 0. : u[dof_map.first(node) + place];
+        };
+        const double first = at_node(nodes[0]);
+        for (unsigned int i = 0; i < nodes.size(); ++i)
+          {
+            const double here = at_node(nodes[i]);
+            for (unsigned int k = 0; k < stations.size(); ++k)
+              {
+                const AxisPoint &point = stations[k];
+                q[FieldPart::value](a, k) += point.N[i] * here;
+                q[FieldPart::shear_value](a, k) += point.N_shear[i] * here;
+                q[FieldPart::derivative](a, k) += point.dN[i] * (here - first);
+              }
+          }
+      }
+    return q;
+  }
+
+
+
+  FieldParts
+  AxisLoop::on_element(const unsigned int               cell,
+                       const std::vector<unsigned int> &fields,
+                       const Vector                    &u) const
+  {
+    return at(make_array_view(axis.integration_points(),
+                              cell * n_stations(),
+                              n_stations()),
+              fields,
+              u);
+  }
+
+
+
+  void
+  AxisLoop::add_on_nodes(const unsigned int               cell,
+                         const std::vector<unsigned int> &fields,
+                         const FieldParts                &work,
+                         Vector                          &f) const
+  {
+    for (unsigned int k = 0; k < n_stations(); ++k)
+      {
+        const unsigned int number = cell * n_stations() + k;
+        const AxisPoint   &point  = axis.integration_points()[number];
+        const double       weight = axis.integration_weights()[number];
+        const auto        &nodes  = axis.nodes_of_cell(cell);
+        for (unsigned int i = 0; i < nodes.size(); ++i)
+          for (unsigned int a = 0; a < fields.size(); ++a)
+            if (const int place = dof_map.place(nodes[i], fields[a]);
+                place >= 0)
+              f[dof_map.first(nodes[i]) + place] +=
+                weight *
+                (point.N[i] * work[FieldPart::value](a, k) +
+                 point.N_shear[i] * work[FieldPart::shear_value](a, k) +
+                 point.dN[i] * work[FieldPart::derivative](a, k));
+      }
+  }
+
+
+
+  void
+  AxisLoop::add_forces(const ForcesOfElement &forces_of, Vector &f) const
+  {
+    Vector share(f.size());
+    for_each_element([&](const unsigned int cell, const SectionAnswer &answer) {
+      add_on_nodes(cell, answer.fields(), forces_of(cell, answer).work, share);
+    });
+    sum_over_processes(share);
+    f += share;
+  }
+
+
+
+  double
+  AxisLoop::energy(const unsigned int cell, const SectionForces &forces) const
+  {
+    double sum = 0.;
+    for (unsigned int k = 0; k < n_stations(); ++k)
+      sum +=
+        axis.integration_weights()[cell * n_stations() + k] * forces.energy[k];
+    return sum;
+  }
+} // namespace lamella

@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+// The stiffness of a beam, a row of Kronecker products at a time, and what
+// solves with it.
+
+#include <lamella/base/processes.h>
+#include <lamella/body/beam.h>
+#include <lamella/linear/block_factorisation.h>
+#include <lamella/linear/factorisation.h>
+
+#include <algorithm>
+#include <array>
+#include <map>
+
+namespace lamella
+{
+  using namespace dealii;
+
+  namespace
+  {
+    /// Whether every node couples all its fields with all of its neighbours'.
+    bool
+    is_dense(const FieldSpace &space, const Axis &axis, const BeamDofMap &dofs)
+    {
+      if (axis.has_assumed_shear())
+        return false;
+      for (unsigned int node = 0; node < dofs.n_nodes(); ++node)
+        if (!space.is_dense(dofs.fields(node)))
+          return false;
+      return true;
+    }
+
+
+
+    /// The section's factor of the stiffness: a row for each field that any
+    /// node carries.
+    std::vector<FactorRow>
+    section_rows(const FieldSpace &space,
+                 const Axis       &axis,
+                 const BeamDofMap &dofs)
+    {
+      std::vector<bool> carried(space.n_fields(), false);
+      for (unsigned int node = 0; node < dofs.n_nodes(); ++node)
+        for (const unsigned int alpha : dofs.fields(node))
+          carried[alpha] = true;
+      std::vector<unsigned int> fields;
+      for (unsigned int alpha = 0; alpha < carried.size(); ++alpha)
+        if (carried[alpha])
+          fields.push_back(alpha);
+      return make_section_answer(space,
+                                 std::move(fields),
+                                 axis.has_assumed_shear())
+        ->stiffness();
+    }
+
+
+
+    FactorRow
+    axis_row(const Axis &axis, const unsigned int node)
+    {
+      return factor_row(
+        [&axis](const unsigned int m) -> auto & {
+          return m < 4 ? axis.A(m / 2, m % 2) : axis.A_shear();
+        },
+        node,
+        [](const unsigned int) { return true; });
+    }
+
+
+
+    /// Makes @p block the row of K that is @p on_axis times @p on_section.
+    void
+    fill_row(const BeamDofMap &dofs,
+             const FactorRow  &on_axis,
+             const FactorRow  &on_section,
+             const bool        with_values,
+             StiffnessBlock   &block)
+    {
+      block.columns.clear();
+      block.values.clear();
+      for (unsigned int m = 0; m < on_axis.columns.size(); ++m)
+        {
+          const unsigned int           j = on_axis.columns[m];
+          const std::array<double, 5> &A = on_axis.entries[m];
+          for (unsigned int b = 0; b < on_section.columns.size(); ++b)
+            {
+              const int place = dofs.place(j, on_section.columns[b]);
+              if (place < 0)
+                continue;
+              block.columns.push_back(dofs.first(j) + place);
+              const std::array<double, 5> &S = on_section.entries[b];
+              if (with_values)
+                block.values.push_back(A[0] * S[0] + A[1] * S[1] + A[2] * S[2] +
+                                       A[3] * S[3] + (A[4] - A[0]) * S[4]);
+            }
+        }
+    }
+  } // namespace
+
+
+
+  double
+  Beam::stiffness_entries() const
+  {
+    const Matrix      &S   = beam_section->S(0, 0);
+    const unsigned int all = beam_section->n_fields();
+    // Lists of fields of the section are as sparse as its matrices.
+    using List = std::vector<unsigned int>;
+    std::map<std::pair<const List *, const List *>, double> sparse;
+    const auto entries_between = [&](const unsigned int i,
+                                     const unsigned int j) {
+      const List &rows = dof_map.fields(i);
+      const auto [known, is_new] =
+        sparse.try_emplace({&rows, &dof_map.fields(j)}, 0.);
+      if (is_new)
+        for (const unsigned int a : rows)
+          for (auto entry = S.begin(a); entry != S.end(a); ++entry)
+            known->second += dof_map.place(j, entry->column()) >= 0;
+      return known->second;
+    };
+    double sum = 0.;
+    for (const auto &entry : beam_axis->A(0, 0))
+      {
+        const List &row    = dof_map.fields(entry.row()),
+                   &column = dof_map.fields(entry.column());
+        sum +=
+          row.back() < all && column.back() < all ?
+            entries_between(entry.row(), entry.column()) :
+            std::min(double(row.size()) * column.size(),
+                     S.n_nonzero_elements() +
+                       space->n_dense() * double(row.size() + column.size()));
+      }
+    return sum;
+  }
+
+
+
+  std::unique_ptr<LinearSolver>
+  Beam::make_solver(const Constraints             &constraints,
+                    const std::vector<SpringTerm> &springs,
+                    const SolverKind               asked,
+                    const SolverMonitor           &monitor) const
+  {
+    if (asked != SolverKind::automatic || n_processes() > 1 ||
+        !is_dense(*space, *beam_axis, dof_map))
+      return Body::make_solver(constraints, springs, asked, monitor);
+    DenseBlocks blocks;
+    for (unsigned int node = 0; node < dof_map.n_nodes(); ++node)
+      blocks.first.push_back(dof_map.first(node));
+    blocks.first.push_back(dof_map.n_dofs());
+    for (unsigned int cell = 0; cell < beam_axis->n_cells(); ++cell)
+      blocks.cliques.push_back(beam_axis->nodes_of_cell(cell));
+    try
+      {
+        return factorise_blocks(stiffness_terms(springs),
+                                blocks,
+                                constraints,
+                                "body '" + name() + "'",
+                                monitor);
+      }
+    catch (const NotPositiveDefinite &error)
+      {
+        throw_with_place(error);
+      }
+  }
+
+
+
+  void
+  Beam::for_each_stiffness_block(
+    const bool                                         with_values,
+    const std::function<void(const StiffnessBlock &)> &use) const
+  {
+    const std::vector<FactorRow> on_section =
+      section_rows(*space, *beam_axis, dof_map);
+    // A block is a row of the Kronecker products.
+    StiffnessBlock block;
+    block.rows.resize(1);
+    block.columns_ascend    = true;
+    const auto [begin, end] = beam_axis->own_nodes();
+    for (unsigned int i = begin; i < end; ++i)
+      {
+        const FactorRow                  on_axis = axis_row(*beam_axis, i);
+        const std::vector<unsigned int> &fields  = dof_map.fields(i);
+        for (unsigned int k = 0; k < fields.size(); ++k)
+          {
+            block.rows[0] = dof_map.first(i) + k;
+            fill_row(
+              dof_map, on_axis, on_section[fields[k]], with_values, block);
+            use(block);
+          }
+      }
+  }
+} // namespace lamella
