@@ -147,7 +147,7 @@ namespace lamella
                       TheoryParameters::parse(in, scene_theory) :
                       body.pieces.leading();
       body.axis   = AxisParameters::parse(in, length);
-      if (body.theory.kind == Theory::Kind::EBBT && body.axis.degree != 3)
+      if (body.theory.keeps_sections_normal() && body.axis.degree != 3)
         in["Axis element"].refuse(
           "EBBT needs B4, whose cubic deflections Kirchhoff's constraint makes "
           "smooth from element to element",
@@ -250,7 +250,7 @@ namespace lamella
       {
         const auto &mesh = meshes.at(description.section);
         check_slenderness(description, *mesh);
-        if (description.theory.kind == Theory::Kind::solid)
+        if (description.theory.is_solid())
           {
             SolidRefinement refinement = description.refinement;
             refinement.memory_limit    = memory_limit;

@@ -40,11 +40,9 @@ namespace lamella
                                "/Kinematics/Refine near=\") and refine with "
                                "Refinements, the section's cells and Axis "
                                "elements.");
-          if (body.theory.kind != Theory::Kind::solid)
+          if (!body.theory.is_solid())
             body.refinement = {};
-          body.theory       = {};
-          body.theory.kind  = Theory::Kind::solid;
-          body.theory.order = degree;
+          body.theory = Theory::solid(degree);
         }
       return solid;
     }
@@ -350,10 +348,7 @@ namespace lamella
         for (unsigned int n = firsts[body].first; n < firsts[body + 1].first;
              ++n)
           write_node(deck, n, node(n));
-        const unsigned int n_plies = dynamic_cast<const Solid &>(*solids[body])
-                                       .hexahedra()
-                                       .section()
-                                       .plies.size();
+        const unsigned int n_plies = solids[body]->plies().size();
         for (unsigned int ply = 0; ply < n_plies; ++ply)
           {
             deck << "*ELEMENT, TYPE=" << element_type.name()
@@ -401,8 +396,7 @@ namespace lamella
   CalculixMesh::write_sections(std::ostream      &deck,
                                const unsigned int body) const
   {
-    const std::vector<Ply> &plies =
-      dynamic_cast<const Solid &>(*solids[body]).hexahedra().section().plies;
+    const std::vector<Ply> &plies = solids[body]->plies();
     for (unsigned int ply = 0; ply < plies.size(); ++ply)
       {
         const std::string set =

@@ -182,10 +182,8 @@ namespace lamella
     constexpr double most_dofs = 300000.;
 
     SectionStiffness result;
-    Theory           theory;
-    theory.kind      = Theory::Kind::LE;
-    theory.order     = expansion_degree(*mesh);
-    result.expansion = "LE-" + std::to_string(theory.order);
+    const Theory     theory = Theory::layerwise(expansion_degree(*mesh));
+    result.expansion        = "LE-" + std::to_string(theory.order);
     try
       {
         if (n_dofs(*mesh, theory.order) > most_dofs)

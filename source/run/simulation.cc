@@ -47,7 +47,7 @@ namespace lamella
     for (unsigned int b = 0; b < scene().bodies.size(); ++b)
       if (const Body &body = *built->structure().bodies()[b];
           scene().bodies[b].pieces.empty() &&
-          scene().bodies[b].theory.kind == Theory::Kind::SV)
+          scene().bodies[b].theory.is_of_solutions())
         {
           rules.unsolved.push_back(body.name());
           out << "Body " << body.name() << ": " << body.theory()

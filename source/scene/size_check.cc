@@ -39,8 +39,7 @@ namespace lamella
                            laminate.cells_per_ply[0] * laminate.angles.size() :
                            sum(laminate.cells_per_ply)),
                    ny = sum(body.axis.elements), p = body.theory.order;
-      const bool   is_solid = body.theory.kind == Theory::Kind::solid;
-      const double q        = is_solid ? p : body.axis.degree;
+      const double q    = body.theory.is_solid() ? p : body.axis.degree;
       const double dofs = 3. * (p * nx + 1.) * (p * nz + 1.) * (q * ny + 1.);
       // Along a direction a node sees 2 p + 1 nodes where elements meet and
       // p + 1 inside of one: p + 2 on average.
@@ -57,9 +56,8 @@ namespace lamella
       {
         const auto *laminate =
           std::get_if<Laminate>(&scene.sections.at(body.section));
-        const auto kind = body.theory.kind;
         if (laminate == nullptr ||
-            (kind != Theory::Kind::LE && kind != Theory::Kind::solid))
+            !(body.theory.is_layerwise() || body.theory.is_solid()))
           continue;
         const auto [dofs, entries] =
           size_of(body, *laminate, scene.divisions_of(body.section));

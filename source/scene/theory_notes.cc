@@ -34,10 +34,10 @@ namespace lamella
       };
       const double truth = phi(shear_stiffness(plies, width));
       double       found = 0.;
-      if (body.theory.kind == Theory::Kind::TBT)
-        found = phi(body.theory.shear_factor * stiffness.GA);
-      else if (body.theory.kind == Theory::Kind::TE)
+      if (body.theory.is_taylor())
         found = phi(shear_stiffness(plies, width, body.theory.order));
+      else if (!body.theory.keeps_sections_normal())
+        found = phi(body.theory.shear_factor * stiffness.GA);
       return (1. + truth) / (1. + found);
     }
 
@@ -84,7 +84,7 @@ namespace lamella
                      const std::shared_ptr<const SectionMesh> &mesh,
                      std::vector<std::string>                 &notes)
     {
-      if (body.theory.kind != Theory::Kind::TE)
+      if (!body.theory.is_taylor())
         return;
       const auto truth = torsional_stiffness(*mesh);
       if (!truth)
@@ -193,13 +193,10 @@ namespace lamella
       {
         const BodyDescription &body = scene.bodies[b];
         const auto            &mesh = meshes.at(body.section);
-        const auto             kind = body.theory.kind;
         // Sections of the others are plane, or contract freely.
-        if (kind == Theory::Kind::LE || kind == Theory::Kind::SV ||
-            (kind == Theory::Kind::TE && body.theory.order > 1))
+        if (body.theory.contracts_by_itself() && !body.theory.is_solid())
           add_clamp_note(b, scene, *mesh, notes);
-        if (kind == Theory::Kind::LE || kind == Theory::Kind::SV ||
-            kind == Theory::Kind::solid)
+        if (!body.theory.is_single_layer())
           continue;
         add_shear_note(body, scene, notes);
         if (!std::holds_alternative<Laminate>(scene.sections.at(body.section)))
@@ -220,8 +217,7 @@ namespace lamella
       return std::any_of(theories.begin(),
                          theories.end(),
                          [](const Theory &theory) {
-                           return theory.kind == Theory::Kind::LE &&
-                                  theory.order == 1;
+                           return theory.is_layerwise() && theory.order == 1;
                          });
     }
 
@@ -234,7 +230,7 @@ namespace lamella
       std::vector<std::string> notes;
       for (const BodyDescription &body : scene.bodies)
         {
-          if (body.theory.kind != Theory::Kind::solid && body.axis.degree < 3 &&
+          if (!body.theory.is_solid() && body.axis.degree < 3 &&
               !body.axis.assumed_shear)
             notes.push_back(
               "body " + body.name + ": B" +
@@ -261,8 +257,7 @@ namespace lamella
       for (const BodyDescription &body : scene.bodies)
         {
           const SectionShape &shape = scene.sections.at(body.section);
-          if (body.theory.kind == Theory::Kind::solid &&
-              body.theory.order == 1 &&
+          if (body.theory.is_solid() && body.theory.order == 1 &&
               !std::holds_alternative<Laminate>(shape) &&
               !std::holds_alternative<ThinWalled>(shape))
             notes.push_back(
@@ -286,9 +281,7 @@ namespace lamella
         {
           const Laminate *laminate =
             std::get_if<Laminate>(&scene.sections.at(body.section));
-          if (laminate == nullptr || (!body.theory.is_classical() &&
-                                      !(body.theory.kind == Theory::Kind::TE &&
-                                        body.theory.order == 1)))
+          if (laminate == nullptr || body.theory.contracts_by_itself())
             continue;
           const LaminateStiffness stiffness =
             laminate_stiffness(laminate->plies(scene.materials),

@@ -7,6 +7,7 @@
 #include <regex>
 #include <set>
 #include <tuple>
+#include <utility>
 
 namespace lamella
 {
@@ -40,6 +41,89 @@ namespace lamella
       }
     theory.section_order = default_section_order;
     return theory;
+  }
+
+
+
+  namespace
+  {
+    /// The family of a theory and its rank in it.
+    std::pair<Theory::Kind, double>
+    rank_of(const Theory &theory)
+    {
+      if (theory.keeps_sections_normal())
+        return {Theory::Kind::TE, 0.};
+      if (theory.is_classical())
+        return {Theory::Kind::TE, 0.5};
+      return {theory.kind, theory.order};
+    }
+
+
+
+    Theory
+    theory_of(const Theory::Kind kind, const unsigned int order)
+    {
+      Theory theory;
+      theory.kind  = kind;
+      theory.order = order;
+      return theory;
+    }
+  } // namespace
+
+
+
+  Theory
+  Theory::from_solutions(const unsigned int waves) const
+  {
+    Theory theory        = *this;
+    theory.kind          = Kind::SV;
+    theory.section_order = order;
+    theory.order         = waves;
+    return theory;
+  }
+
+
+
+  bool
+  Theory::holds(const Theory &other) const
+  {
+    const auto [family, rank]     = rank_of(*this);
+    const auto [of_other, lowest] = rank_of(other);
+    return family == of_other && rank >= lowest;
+  }
+
+
+
+  Theory
+  Theory::layerwise(const unsigned int order)
+  {
+    return theory_of(Kind::LE, order);
+  }
+
+
+
+  Theory
+  Theory::of_solutions(const unsigned int waves, const unsigned int degree)
+  {
+    Theory theory        = theory_of(Kind::SV, waves);
+    theory.section_order = degree;
+    return theory;
+  }
+
+
+
+  Theory
+  Theory::taylor(const unsigned int order)
+  {
+    return theory_of(Kind::TE, order);
+  }
+
+
+
+  Theory
+  Theory::solid(const unsigned int order)
+  {
+    return theory_of(Kind::solid, order);
   }
 
 

@@ -27,25 +27,15 @@ namespace lamella
 
 
 
-    /// Which theories hold others: those of the same family and a lower rank.
-    /// Runs to a tolerance are a family of their own.
-    struct Richness
+    /// Whether the theory of @p one holds that of @p other. Runs to a tolerance
+    /// hold those to a larger one, and no others.
+    bool
+    holds(const RungResult &one, const RungResult &other)
     {
-      Theory::Kind family = Theory::Kind::undefined;
-      double       rank   = 0.;
-    };
-
-    Richness
-    richness_of(const RungResult &rung)
-    {
-      if (rung.tolerance)
-        return {Theory::Kind::undefined, -*rung.tolerance};
-      const Theory theory = theory_of(rung);
-      if (theory.kind == Theory::Kind::EBBT)
-        return {Theory::Kind::TE, 0.};
-      if (theory.kind == Theory::Kind::TBT)
-        return {Theory::Kind::TE, 0.5};
-      return {theory.kind, static_cast<double>(theory.order)};
+      if (one.tolerance || other.tolerance)
+        return one.tolerance && other.tolerance &&
+               *one.tolerance <= *other.tolerance;
+      return theory_of(one).holds(theory_of(other));
     }
   } // namespace
 
@@ -72,7 +62,7 @@ namespace lamella
       {
         const bool meant = name == "finest" || all[k].name == name ||
                            (name == "solid" && !all[k].tolerance &&
-                            theory_of(all[k]).kind == Theory::Kind::solid);
+                            theory_of(all[k]).is_solid());
         if (meant && all[k].failure.empty())
           return k;
         if (meant && all[k].name == name)
@@ -170,9 +160,7 @@ namespace lamella
   bool
   TradeTable::is_richer(const unsigned int other, const unsigned int k) const
   {
-    const Richness one = richness_of(all[k]), two = richness_of(all[other]);
-    return two.family == one.family && two.rank >= one.rank &&
-           all[other].axis >= all[k].axis &&
+    return holds(all[other], all[k]) && all[other].axis >= all[k].axis &&
            all[other].section >= all[k].section && !all[other].overridden &&
            !all[k].overridden && all[other].dofs > all[k].dofs;
   }

@@ -91,6 +91,84 @@ namespace lamella
       return kind == Kind::EBBT || kind == Kind::TBT;
     }
 
+    // What others ask of a theory: no room above knows the kinds.
+
+    /// Whether there is no expansion of a section at all, but hexahedra.
+    bool
+    is_solid() const
+    {
+      return kind == Kind::solid;
+    }
+    /// Whether one polynomial spans the whole section, over all plies: the
+    /// classical theories and TE.
+    bool
+    is_single_layer() const
+    {
+      return is_classical() || is_taylor();
+    }
+    /// Whether it is a complete polynomial in each component.
+    bool
+    is_taylor() const
+    {
+      return kind == Kind::TE;
+    }
+    /// Whether each cell of a section has functions of its own, of a degree
+    /// that is the theory's order.
+    bool
+    is_layerwise() const
+    {
+      return kind == Kind::LE;
+    }
+    /// Whether the fields are solutions on the section, of which a scene
+    /// chooses those that it excites; the order numbers their waves.
+    bool
+    is_of_solutions() const
+    {
+      return kind == Kind::SV;
+    }
+    /// Whether sections stay normal to the axis, which ties rotations to
+    /// deflections and leaves no shear strain.
+    bool
+    keeps_sections_normal() const
+    {
+      return kind == Kind::EBBT;
+    }
+    /// Whether a section can turn about the axis.
+    bool
+    can_twist() const
+    {
+      return !is_classical();
+    }
+    /// Whether sections contract, and plies couple, by functions of the
+    /// theory's own: not so where u_x and u_z are linear at most.
+    bool
+    contracts_by_itself() const
+    {
+      return !is_single_layer() || order > 1;
+    }
+
+    /// Of LE-N the SV of @p waves wave numbers whose fields are made of it.
+    Theory
+    from_solutions(const unsigned int waves) const;
+
+    /// Whether the displacements of @p other are among those of the theory: of
+    /// one family, in which EBBT is the least of TE and TBT the next, and no
+    /// lower order.
+    bool
+    holds(const Theory &other) const;
+
+    /// LE of the degree @p order, SV of @p waves wave numbers made of LE of the
+    /// degree @p degree, TE and solid of the order @p order, with defaults for
+    /// the rest.
+    static Theory
+    layerwise(const unsigned int order);
+    static Theory
+    of_solutions(const unsigned int waves, const unsigned int degree);
+    static Theory
+    taylor(const unsigned int order);
+    static Theory
+    solid(const unsigned int order);
+
     /// The theory that makes the Section in which the fields are: LE of the
     /// section_order for SV-N, the theory itself for all others.
     Theory
