@@ -56,11 +56,10 @@ namespace lamella
              const Placement                              &placement,
              const std::vector<std::vector<unsigned int>> &fields_of_node,
              const std::string                            &theory)
-    : Body(name)
+    : Body(name, placement)
     , space(std::move(given))
     , beam_section(space->shared_section())
     , beam_axis(std::move(axis))
-    , placement(placement)
     , dof_map(fields_of_node, space->n_fields())
     , label(theory)
   {
@@ -71,7 +70,7 @@ namespace lamella
                          " nodes along its axis, too few to share among " +
                          std::to_string(n_processes()) + " processes",
                        "Start fewer processes, or take more Axis elements.");
-    if (beam_section->theory().kind == Theory::Kind::EBBT)
+    if (beam_section->theory().keeps_sections_normal())
       constrain_to_kirchhoff();
     kirchhoff.close();
   }
@@ -140,7 +139,7 @@ namespace lamella
     const unsigned int complete = (theory.order + 1) * (theory.order + 2) / 2;
     const unsigned int n        = beam_section->element().n_functions();
     const std::string  left_out =
-      theory.kind == Theory::Kind::TE && n < complete ?
+      theory.is_taylor() && n < complete ?
          " (" + std::to_string(complete - n) + " of " +
           std::to_string(complete) +
           " polynomials depend on the others on this section)" :
@@ -263,7 +262,7 @@ namespace lamella
   std::vector<RigidMotion>
   Beam::missing_motions() const
   {
-    if (!beam_section->theory().is_classical())
+    if (beam_section->theory().can_twist())
       return {};
     // The turn about the axis.
     const Tensor<1, 3> axis = placement.axes[1];
@@ -299,5 +298,16 @@ namespace lamella
     result.max_rotation =
       Utilities::MPI::max(result.max_rotation, communicator());
     return result;
+  }
+
+
+
+  std::vector<const Beam *>
+  beams_of(const Bodies &bodies)
+  {
+    std::vector<const Beam *> beams;
+    for (const std::unique_ptr<Body> &body : bodies)
+      beams.push_back(dynamic_cast<const Beam *>(body.get()));
+    return beams;
   }
 } // namespace lamella

@@ -86,6 +86,31 @@ namespace lamella
 
 
 
+  PlyAt
+  Beam::ply_at(const Location::Place &place) const
+  {
+    const unsigned int cell = place.cell % beam_section->n_cells();
+    const Point<2>     x    = beam_section->element()
+                         .map(cell, {place.unit[0], place.unit[2]})
+                         .position;
+    return {beam_section->cell_ply(cell), beam_section->ply_axes(cell, x)};
+  }
+
+
+
+  Cells
+  Beam::cells() const
+  {
+    const unsigned int n    = beam_section->n_cells(),
+                       p    = beam_section->element().degree();
+    const auto [begin, end] = beam_axis->own_cells();
+    return {beam_axis->n_cells() * n,
+            {begin * n, end * n},
+            {{p, beam_axis->degree(), p}}};
+  }
+
+
+
   std::array<unsigned int, 3>
   Beam::recovery_degrees() const
   {
@@ -93,12 +118,11 @@ namespace lamella
     // with it the strain of bending.
     const Theory      &theory  = beam_section->theory();
     const unsigned int along   = beam_axis->degree(),
-                       section = theory.kind == Theory::Kind::LE ?
+                       section = theory.is_layerwise() ?
                                    beam_section->element().degree() :
                                    0;
-    return {{section,
-             theory.kind == Theory::Kind::EBBT ? along - 1 : along,
-             section}};
+    return {
+      {section, theory.keeps_sections_normal() ? along - 1 : along, section}};
   }
 
 

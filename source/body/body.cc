@@ -21,13 +21,46 @@ namespace lamella
 
 
 
-  Body::Body(std::string name)
-    : body_name(std::move(name))
+  Body::Body(std::string name, const Placement &placement)
+    : placement(placement)
+    , body_name(std::move(name))
   {}
 
 
 
   Body::~Body() = default;
+
+
+
+  const Constraints &
+  Body::kinematic_constraints() const
+  {
+    static const Constraints none = [] {
+      Constraints empty;
+      empty.close();
+      return empty;
+    }();
+    return none;
+  }
+
+
+
+  Point<3>
+  Body::centre() const
+  {
+    return bounding_box().center();
+  }
+
+
+
+  double
+  Body::size() const
+  {
+    const BoundingBox<3> box = bounding_box();
+    return 0.5 *
+           std::max(
+             {box.side_length(0), box.side_length(1), box.side_length(2)});
+  }
 
 
 

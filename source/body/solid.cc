@@ -18,10 +18,9 @@ namespace lamella
                const Placement                   &placement,
                const unsigned int                 degree,
                const SolidRefinement             &refinement)
-    : Body(name)
+    : Body(name, placement)
     , mesh(section, axis, degree, refinement, "Body " + name)
     , element(degree)
-    , placement(placement)
     , axis_length(axis.length)
     , laws(section->plies)
     , is_curved(has_curved_edges(*section))

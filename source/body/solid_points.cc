@@ -176,6 +176,16 @@ namespace lamella
 
 
 
+  PlyAt
+  Solid::ply_at(const Location::Place &place) const
+  {
+    const Point<3> x =
+      element.evaluate(nodes_of(place.cell), place.unit).position;
+    return {mesh.cells()[place.cell].ply, ply_axes(place.cell, x)};
+  }
+
+
+
   std::vector<std::vector<Row>>
   Solid::rows(const std::vector<Location> &locations,
               const Quantity               quantity,
@@ -596,15 +606,4 @@ namespace lamella
     return tidy_breaks(std::move(breaks));
   }
 
-
-
-  unsigned int
-  Solid::line_degree(const Point<3> &from, const Point<3> &to) const
-  {
-    const Tensor<1, 3> d          = placement.vector_to_body(to - from);
-    unsigned int       directions = 0;
-    for (unsigned int c = 0; c < 3; ++c)
-      directions += std::abs(d[c]) > arithmetic::same_place_along * d.norm();
-    return degree() * directions;
-  }
 } // namespace lamella

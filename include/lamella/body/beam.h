@@ -188,6 +188,12 @@ namespace lamella
     sample(const Location &location, const Vector &u) const override;
     dealii::Point<3>
     position(const Location::Place &place) const override;
+    PlyAt
+    ply_at(const Location::Place &place) const override;
+    /// Along the axis the degree of its elements, across it that of the
+    /// section's functions within a cell.
+    Cells
+    cells() const override;
     /// Along the axis the degree of its elements, one less for EBBT, whose
     /// rotation is -w'; across it that of LE-N, or zero.
     std::array<unsigned int, 3>
@@ -284,12 +290,6 @@ namespace lamella
       return *space;
     }
 
-    const Placement &
-    place() const
-    {
-      return placement;
-    }
-
   protected:
     /// A block is one row of K, its columns ascending: no more of K than that
     /// is in memory, besides the factors. Own nodes only.
@@ -300,6 +300,7 @@ namespace lamella
 
   private:
     friend class BeamSecondOrder;
+
     /// 1e-6 of the section's smaller extent [length]: what is nearer than that
     /// to a line of the mesh lies on it. Positions come out of decimal texts
     /// and rotations, often with ten digits of a long body.
@@ -486,13 +487,18 @@ namespace lamella
     std::shared_ptr<const FieldSpace> space;
     std::shared_ptr<const Section>    beam_section;
     std::shared_ptr<const Axis>       beam_axis;
-    Placement                         placement;
     BeamDofMap                        dof_map;
     /// theory(); empty: that of the section.
     std::string label;
     /// Closed; without lines but for EBBT.
     Constraints kirchhoff;
   };
+
+  /// The beams among @p bodies, by the numbers of these; null for all others.
+  /// Whoever needs beams, as they choose fields or axes, is given these; nobody
+  /// else asks what a body is.
+  std::vector<const Beam *>
+  beams_of(const Bodies &bodies);
 } // namespace lamella
 
 #endif

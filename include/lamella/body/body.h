@@ -16,6 +16,7 @@
 #define lamella_body_body_h
 
 #include <lamella/base/row.h>
+#include <lamella/body/placement.h>
 #include <lamella/linear/stiffness_matrix.h>
 #include <lamella/material/elasticity.h>
 
@@ -26,6 +27,7 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace lamella
@@ -181,6 +183,31 @@ namespace lamella
   using GridIntervals = std::array<unsigned int, 3>;
 
   /**
+   * The elements of a body by number, as all see them that look at elements and
+   * not at points: pictures, cuts, lines, the recovery of strains. What there
+   * is at a place of an element Body::position(), Body::ply_at() and
+   * Body::sample() say.
+   */
+  struct Cells
+  {
+    /// How many the body has on all processes together.
+    unsigned int n = 0;
+    /// Those of this process, the first and one past the last.
+    std::pair<unsigned int, unsigned int> own;
+    /// The degrees of the displacements within an element along its unit
+    /// coordinates, each at least 1. Where elements differ, the largest.
+    GridIntervals degrees{{1, 1, 1}};
+  };
+
+  /// The ply that a place lies in, a number in Body::plies(), and its axes
+  /// there in those of the body, a row each (Ply::axes()).
+  struct PlyAt
+  {
+    unsigned int ply = 0;
+    Triad        axes;
+  };
+
+  /**
    * An element of a body for pictures: fields on a regular grid of its unit
    * cube, or on the layer of it that a cut goes through. The coordinate xi of
    * the section runs fastest, then that of the axis, then the other one of the
@@ -235,9 +262,16 @@ namespace lamella
    * (Row::add_to), a prescribed displacement is r_c(u) = value, a gap of two
    * bodies the difference of their rows along a normal (Eq. 16).
    *
-   * The functions come in five groups, in this order: DoFs and rigid motions;
-   * forces and energy; points, rows and samples; surfaces and lines; pictures
-   * and solvers.
+   * The functions come in groups by those who call them, in this order: DoFs
+   * and rigid motions (supports, and whoever solves); mechanics (`solve`);
+   * points, rows and samples (conditions, contact, recovery); surfaces (the
+   * same three); elements (recovery and reports); solvers (`solve`).
+   *
+   * A new kind of body has to write those that are pure, as few as say what it
+   * is: its DoFs, how it answers a displacement, the map of an element and the
+   * rows there, how its surface hangs together. All others follow from these,
+   * by code that is written once, here, and are written again only where a body
+   * knows a shorter way.
    *
    * Where several processes run, each holds the same body and whole vectors.
    * Those functions that share work are collective, which is said at each:
@@ -250,14 +284,25 @@ namespace lamella
   class Body
   {
   public:
-    /// @p name is the scene's, for messages.
-    explicit Body(std::string name);
+    /// @p name is the scene's, for messages; @p placement says where the body
+    /// stands.
+    explicit Body(std::string name, const Placement &placement = {});
     virtual ~Body();
+
+    // ---- DoFs and rigid motions
 
     const std::string &
     name() const
     {
       return body_name;
+    }
+
+    /// Where the body stands in the scene: y of its axes is the position along
+    /// it (cut()).
+    const Placement &
+    place() const
+    {
+      return placement;
     }
 
     /// The structural theory, as the user writes it, and what the mesh has of
@@ -302,7 +347,10 @@ namespace lamella
      * what keeps the digits of slender beams. 0 for all DoFs of a nodal basis.
      */
     virtual unsigned int
-    dof_level(const DofIndex dof) const = 0;
+    dof_level(const DofIndex) const
+    {
+      return 0;
+    }
 
     /// For each DoF the largest displacement of the body that a unit of it
     /// makes, but for a factor of order one: what makes weights of rows that
@@ -328,7 +376,7 @@ namespace lamella
      * solid, none otherwise.
      */
     virtual const Constraints &
-    kinematic_constraints() const = 0;
+    kinematic_constraints() const;
 
     /**
      * The six rigid motions as displacement vectors, three unit translations
@@ -353,19 +401,23 @@ namespace lamella
 
     /// The point that rigid rotations turn about and moments are taken about,
     /// scene axes: of a beam the section's centre of area half way along the
-    /// axis, of a solid the middle of the box around its nodes.
+    /// axis, of a solid the middle of the box around its nodes. Here that of
+    /// bounding_box().
     virtual dealii::Point<3>
-    centre() const = 0;
+    centre() const;
 
-    /// Half the largest extension: the length that makes a rotation comparable
-    /// with a translation. A scale for tolerances, no measure.
+    /// Half the largest extension, here of bounding_box(): the length that
+    /// makes a rotation comparable with a translation. A scale for tolerances,
+    /// no measure.
     virtual double
-    size() const = 0;
+    size() const;
 
     /// Of the undeformed body, its sides along the scene's axes. It goes by
     /// vertices or nodes, so curved edges may leave it a little.
     virtual dealii::BoundingBox<3>
     bounding_box() const = 0;
+
+    // ---- mechanics
 
     /**
      * f += integral B^T sigma(B u) dV, strain first: the rounding is that of
@@ -381,10 +433,12 @@ namespace lamella
     virtual void
     add_internal_forces(const Vector &u, Vector &f) const = 0;
 
-    /// The strain energy of @p u and the largest rotation in it. Collective;
-    /// all processes get the same.
+    /// The strain energy of @p u and the largest rotation in it. Here the work
+    /// of the internal forces, and curl u of the displacements at a grid of
+    /// picture_degrees() in each element, which is theirs if they are
+    /// isoparametric. Collective; all processes get the same.
     virtual Deformation
-    deformation(const Vector &u) const = 0;
+    deformation(const Vector &u) const;
 
     /// What the linear strain leaves out at the displacement @p u, which is not
     /// kept. Refers to the body. Collective.
@@ -411,20 +465,23 @@ namespace lamella
     /// f += integral B^T C epsilon_0 dV: what heat does, as the load that makes
     /// the same displacements; no resultant. By the points that integrate the
     /// stiffness. Returns integral epsilon_0 . C epsilon_0 / 2 dV, the energy
-    /// of the body when it is heated and held. Zero if nobody heats it.
-    /// Collective.
+    /// of the body when it is heated and held. Zero if nobody heats it. Here by
+    /// rows at Gauss points, one more than picture_degrees() along each
+    /// coordinate. Collective.
     virtual double
-    add_heat(Vector &f) const = 0;
+    add_heat(Vector &f) const;
 
     /// f += integral of rho g . u dV, g = @p acceleration in scene axes
     /// [length/s^2]. Throws InputError for a ply whose material has no density.
-    /// Collective.
+    /// Here by rows, as add_heat(). Collective.
     virtual void
-    add_weight(const dealii::Tensor<1, 3> &acceleration, Vector &f) const = 0;
+    add_weight(const dealii::Tensor<1, 3> &acceleration, Vector &f) const;
 
     /// The homogeneous parts of the body's section.
     virtual const std::vector<Ply> &
     plies() const = 0;
+
+    // ---- points, rows and samples
 
     /**
      * The places of each point, by point and by ply: one location a ply, plies
@@ -458,34 +515,22 @@ namespace lamella
          const Frame                  frame = Frame::scene) const = 0;
 
     /// All fields of the displacement @p u at @p location, the means over its
-    /// places and how much these differ. The numbers are those of rows(), at
-    /// less cost: six stresses at once.
+    /// places and how much these differ. The numbers are those of rows(), which
+    /// are asked here; bodies have them at less cost, six stresses at once.
     virtual FieldSample
-    sample(const Location &location, const Vector &u) const = 0;
+    sample(const Location &location, const Vector &u) const;
 
-    /// Where @p place is, scene axes. With locate() it gives an element's
-    /// neighbours: those that have a place at one of its corners.
+    /// Where @p place is, scene axes: the map of an element's unit cube. With
+    /// locate() it gives an element's neighbours: those that have a place at
+    /// one of its corners.
     virtual dealii::Point<3>
     position(const Location::Place &place) const = 0;
 
-    /**
-     * How the recovery of strains sees an element (recover/recovery.h): for
-     * each unit coordinate the degree p of the displacements, whose derivatives
-     * are best at the p Gauss points (superconvergence). Zero along a
-     * coordinate in which one expansion spans all elements, so that strains are
-     * smooth there and leave nothing to recover: across the section of Taylor
-     * theories. The order is that of Location::Place::unit.
-     */
-    virtual std::array<unsigned int, 3>
-    recovery_degrees() const = 0;
+    /// The ply of the element there.
+    virtual PlyAt
+    ply_at(const Location::Place &place) const = 0;
 
-    /// The same of the element @p cell where elements differ: at most the above
-    /// and zero along the same coordinates.
-    virtual std::array<unsigned int, 3>
-    recovery_degrees_of(const unsigned int) const
-    {
-      return recovery_degrees();
-    }
+    // ---- surfaces
 
     /// Names that the functions below take: the named boundaries of the
     /// section, swept along the axis, then the two sections `start` and `end`,
@@ -495,34 +540,10 @@ namespace lamella
     virtual std::vector<std::string>
     surfaces() const = 0;
 
-    /**
-     * Points that fix the trace on @p surface, with outward normals and
-     * tributary areas: int N_i F_tau dA of the nodal functions there, which sum
-     * to the area (on the ends of a beam with curved edges only nearly). Where
-     * node-to-node contact (the paper's Sec. 3.3) is collocated, and supports
-     * of the normal displacement.
-     */
-    virtual std::vector<SurfacePoint>
-    surface_points(const std::string &surface) const = 0;
-
-    /// Locations that fix the displacement on @p surface, as few as that takes:
-    /// with u given at all of them it is given on the whole surface. What a
-    /// support that prescribes u there is made of.
-    virtual std::vector<Location>
-    fixing_points(const std::string &surface) const = 0;
-
-    /// Locations that fix the displacement of the whole body.
-    virtual std::vector<Location>
-    body_points() const = 0;
-
-    /// The facets that @p surface is made of, without gaps and overlaps: the
-    /// cells of surface integrals.
-    virtual std::vector<SurfaceFacet>
-    surface_facets(const std::string &surface) const = 0;
-
-    /// The same facets with the nodes that they share, by the body's own
-    /// numbers (body/surface_topology.h): what makes nodal functions on the
-    /// surface continuous.
+    /// The facets that @p surface is made of, without gaps and overlaps, and
+    /// the nodes that they share, by the body's own numbers
+    /// (body/surface_topology.h): what makes nodal functions on the surface
+    /// continuous.
     virtual SurfaceTopology
     surface_topology(const std::string &surface) const = 0;
 
@@ -536,20 +557,80 @@ namespace lamella
     surface_point(const SurfaceFacet     &facet,
                   const dealii::Point<2> &st) const = 0;
 
+    /// The facets of surface_topology() alone: the cells of surface integrals.
+    virtual std::vector<SurfaceFacet>
+    surface_facets(const std::string &surface) const;
+
+    /**
+     * Points that fix the trace on @p surface, with outward normals and
+     * tributary areas: int N_i F_tau dA of the nodal functions there, which sum
+     * to the area (on the ends of a beam with curved edges only nearly). Where
+     * node-to-node contact (the paper's Sec. 3.3) is collocated, and supports
+     * of the normal displacement. Here the nodes of the facets' grids; one that
+     * hangs between two others gives them its area, half each.
+     */
+    virtual std::vector<SurfacePoint>
+    surface_points(const std::string &surface) const;
+
+    /// Locations that fix the displacement on @p surface, as few as that takes:
+    /// with u given at all of them it is given on the whole surface. What a
+    /// support that prescribes u there is made of. Here the nodes of the
+    /// facets' traces that hang nowhere.
+    virtual std::vector<Location>
+    fixing_points(const std::string &surface) const;
+
+    /// Locations that fix the displacement of the whole body. Here the
+    /// Gauss-Lobatto grid of each element, of the degrees of cells(): points
+    /// that elements share come from each of them.
+    virtual std::vector<Location>
+    body_points() const;
+
+    // ---- elements
+
+    /// The elements by number.
+    virtual Cells
+    cells() const = 0;
+
+    /**
+     * How the recovery of strains sees an element (recover/recovery.h): for
+     * each unit coordinate the degree p of the displacements, whose derivatives
+     * are best at the p Gauss points (superconvergence). Zero along a
+     * coordinate in which one expansion spans all elements, so that strains are
+     * smooth there and leave nothing to recover: across the section of Taylor
+     * theories. The order is that of Location::Place::unit. Here those of
+     * cells().
+     */
+    virtual std::array<unsigned int, 3>
+    recovery_degrees() const
+    {
+      return cells().degrees;
+    }
+
+    /// The same of the element @p cell where elements differ: at most the above
+    /// and zero along the same coordinates.
+    virtual std::array<unsigned int, 3>
+    recovery_degrees_of(const unsigned int) const
+    {
+      return recovery_degrees();
+    }
+
     /**
      * The parameters in [0, 1], ascending, where the segment from @p a to @p b
      * crosses from element to element, its ends among them: between two of them
      * the displacement along it is one polynomial. Scene axes. Curved edges of
-     * the section count as straight here, from vertex to vertex.
+     * the section count as straight here, from vertex to vertex. Here where it
+     * meets the sides of elements, each the bilinear surface through its
+     * corners. Bodies follow curved edges.
      */
     virtual std::vector<double>
-    line_breaks(const dealii::Point<3> &a, const dealii::Point<3> &b) const = 0;
+    line_breaks(const dealii::Point<3> &a, const dealii::Point<3> &b) const;
 
     /// The polynomial degree of displacements along the segment from @p a to
     /// @p b within an element: on a skew line the sum of those it runs along,
-    /// since the functions are products. Zero only where a equals b.
+    /// since the functions are products. Zero only where a equals b. Here those
+    /// of cells(), whose unit coordinates follow the axes of the body.
     virtual unsigned int
-    line_degree(const dealii::Point<3> &a, const dealii::Point<3> &b) const = 0;
+    line_degree(const dealii::Point<3> &a, const dealii::Point<3> &b) const;
 
     /// Points of the segment from @p a to @p b that fix the displacement there:
     /// line_degree() + 1 Gauss-Lobatto points between each two of its
@@ -563,16 +644,20 @@ namespace lamella
      * by element, with the fields of @p u on (n + 1) x (n + 1) points each, for
      * contours. Where it lies between two elements along the axis the fields
      * are the means of both, with their jump. Empty if @p position is outside
-     * of the body. The whole section on every process.
+     * of the body. The whole section on every process. Here the second unit
+     * coordinate of an element runs along the axis, its two sides across.
      */
     virtual std::vector<OutputCell>
-    cut(const double position, const unsigned int n, const Vector &u) const = 0;
+    cut(const double position, const unsigned int n, const Vector &u) const;
 
     /// The degrees of the displacements within an element along each of its
     /// unit coordinates, and of its shape where that is more: as many intervals
-    /// as a picture of it needs. At least 1.
+    /// as a picture of it needs. At least 1. Here those of cells().
     virtual GridIntervals
-    picture_degrees() const = 0;
+    picture_degrees() const
+    {
+      return cells().degrees;
+    }
 
     /// What is done with an element: its number among those of this process,
     /// and what is on it, which is good until the next one.
@@ -586,11 +671,13 @@ namespace lamella
     virtual void
     for_each_output_cell(const GridIntervals   &n,
                          const Vector          &u,
-                         const UseOfOutputCell &use) const = 0;
+                         const UseOfOutputCell &use) const;
 
     /// The same elements by their numbers, with (n + 1)^3 points each.
     std::vector<OutputCell>
     output_cells(const unsigned int n, const Vector &u) const;
+
+    // ---- solvers
 
     /**
      * What @p asked means for this body and this number of processes, never
@@ -683,7 +770,35 @@ namespace lamella
     [[noreturn]] void
     throw_with_place(const NotPositiveDefinite &error) const;
 
+    const Placement placement;
+
   private:
+    /// Of each own element the Gauss points of add_heat(), with their weights.
+    using UseOfPoints = std::function<void(const std::vector<Location> &,
+                                           const std::vector<double> &)>;
+    void
+    for_each_cell_by_points(const UseOfPoints &use) const;
+
+    /// Whether the middle of the side of @p before that ends it along the axis
+    /// lies on the one that begins @p cell, or the other way round.
+    bool
+    meets(const unsigned int before, const unsigned int cell) const;
+
+    /// Fields at the grid points of @p cell, @p etas along the axis; the
+    /// intervals of @p n count in the section.
+    OutputCell
+    sample_grid(const unsigned int         cell,
+                const GridIntervals       &n,
+                const std::vector<double> &etas,
+                const Vector              &u) const;
+
+    /// Replaces the samples of @p cell's first layer of points by the means
+    /// with those of the cells before it along the axis.
+    void
+    average_with_layer_before(const unsigned int cell,
+                              const Vector      &u,
+                              OutputCell        &grid) const;
+
     std::string body_name;
     ScalarField temperature_change;
   };

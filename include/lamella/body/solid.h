@@ -64,11 +64,6 @@ namespace lamella
       return placement.to_scene(mesh.nodes()[dof / 3]);
     }
 
-    unsigned int
-    dof_level(const DofIndex) const override
-    {
-      return 0;
-    }
     const Constraints &
     kinematic_constraints() const override
     {
@@ -110,10 +105,14 @@ namespace lamella
     sample(const Location &location, const Vector &u) const override;
     dealii::Point<3>
     position(const Location::Place &place) const override;
-    std::array<unsigned int, 3>
-    recovery_degrees() const override
+    PlyAt
+    ply_at(const Location::Place &place) const override;
+    Cells
+    cells() const override
     {
-      return {{degree(), degree(), degree()}};
+      return {static_cast<unsigned int>(mesh.cells().size()),
+              mesh.owned_cells(),
+              {{degree(), degree(), degree()}}};
     }
 
     std::vector<std::string>
@@ -140,23 +139,6 @@ namespace lamella
     {
       return element.degree();
     }
-    unsigned int
-    line_degree(const dealii::Point<3> &a,
-                const dealii::Point<3> &b) const override;
-
-    std::vector<OutputCell>
-    cut(const double       position,
-        const unsigned int n,
-        const Vector      &u) const override;
-    GridIntervals
-    picture_degrees() const override
-    {
-      return {{degree(), degree(), degree()}};
-    }
-    void
-    for_each_output_cell(const GridIntervals   &n,
-                         const Vector          &u,
-                         const UseOfOutputCell &use) const override;
 
     const HexahedralMesh &
     hexahedra() const
@@ -259,24 +241,8 @@ namespace lamella
     node_locations(
       const std::vector<std::pair<unsigned int, unsigned int>> &faces) const;
 
-    /// Fields at the grid points of @p cell, @p etas along the axis; the
-    /// intervals of @p n count in the section.
-    OutputCell
-    sample_grid(const unsigned int         cell,
-                const GridIntervals       &n,
-                const std::vector<double> &etas,
-                const Vector              &u) const;
-
-    /// Replaces the samples of @p cell's first layer of points by the means
-    /// with those of the cells before it along the axis.
-    void
-    average_with_layer_before(const unsigned int cell,
-                              const Vector      &u,
-                              OutputCell        &grid) const;
-
     HexahedralMesh            mesh;
     Hexahedron                element;
-    Placement                 placement;
     double                    axis_length;
     PlyLaws                   laws;
     Constraints               hanging;

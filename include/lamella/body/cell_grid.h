@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef lamella_body_cell_grid_h
+#define lamella_body_cell_grid_h
+
+#include <lamella/body/body.h>
+
+#include <deal.II/base/tensor.h>
+
+#include <vector>
+
+namespace lamella
+{
+  /**
+   * A Gauss-Lobatto grid on an element's unit cube and the polynomials through
+   * its nodes, products of GaussLobattoBasis:
+   *   f(u) = sum_k N_k(u) f_k.
+   * What is known of any body at its places becomes a field on an element this
+   * way, with derivatives: its map, and what displaces it. The coordinate xi of
+   * the section runs fastest, as in an OutputCell.
+   *
+   * Refers to nothing but tables of the program.
+   */
+  class CellGrid
+  {
+  public:
+    /// @p degrees along the unit coordinates, each at least 1.
+    explicit CellGrid(const GridIntervals &degrees);
+
+    /// Of the unit cube.
+    const std::vector<dealii::Point<3>> &
+    nodes() const
+    {
+      return grid;
+    }
+
+    /// N_k and its derivatives by the unit coordinates, for all nodes.
+    struct Functions
+    {
+      std::vector<double>               N;
+      std::vector<dealii::Tensor<1, 3>> dN;
+    };
+    Functions
+    evaluate(const dealii::Point<3> &unit) const;
+
+    /// The nodes of the element @p cell of @p body, scene axes.
+    std::vector<dealii::Point<3>>
+    positions(const Body &body, const unsigned int cell) const;
+
+  private:
+    GridIntervals                 degrees;
+    std::vector<dealii::Point<3>> grid;
+  };
+
+  /// sum_k f_k (x) dN_k: d f_c / d u_d of the field with the values @p f at the
+  /// nodes. Of positions the Jacobian.
+  template <typename Values>
+  dealii::Tensor<2, 3>
+  unit_gradient(const Values &f, const CellGrid::Functions &functions)
+  {
+    dealii::Tensor<2, 3> sum;
+    for (unsigned int k = 0; k < functions.dN.size(); ++k)
+      for (unsigned int c = 0; c < 3; ++c)
+        sum[c] += f[k][c] * functions.dN[k];
+    return sum;
+  }
+} // namespace lamella
+
+#endif

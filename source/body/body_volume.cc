@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+// What follows of a body's rows and of the maps of its elements: integrals over
+// its volume, and samples.
+
+#include <lamella/base/processes.h>
+#include <lamella/body/body.h>
+#include <lamella/body/cell_grid.h>
+#include <lamella/body/fields.h>
+#include <lamella/shape/section_mesh.h>
+
+#include <deal.II/base/quadrature_lib.h>
+
+namespace lamella
+{
+  using namespace dealii;
+
+  namespace
+  {
+    /// As many as the products of two functions of these degrees take.
+    QAnisotropic<3>
+    gauss_points(const GridIntervals &degrees)
+    {
+      return QAnisotropic<3>(QGauss<1>(degrees[0] + 1),
+                             QGauss<1>(degrees[1] + 1),
+                             QGauss<1>(degrees[2] + 1));
+    }
+
+
+
+    /// The quantity that @p rows are of, for the displacement @p u.
+    template <typename Values>
+    void
+    set_values(const std::vector<Row> &rows, const Vector &u, Values &values)
+    {
+      for (unsigned int c = 0; c < rows.size(); ++c)
+        values[c] = rows[c](u);
+    }
+  } // namespace
+
+
+
+  FieldSample
+  Body::sample(const Location &where, const Vector &u) const
+  {
+    std::vector<FieldSample> samples;
+    for (const Location::Place &place : where.places)
+      {
+        const std::vector<Location> one{{where.position, where.ply, {place}}};
+        FieldSample                &at = samples.emplace_back();
+        set_values(rows(one, Quantity::displacement)[0], u, at.displacement);
+        set_values(rows(one, Quantity::strain)[0], u, at.strain);
+        set_values(rows(one, Quantity::stress)[0], u, at.stress);
+        set_values(rows(one, Quantity::stress, Frame::ply)[0],
+                   u,
+                   at.ply_stress);
+      }
+    return mean_of(samples);
+  }
+
+
+
+  void
+  Body::for_each_cell_by_points(const UseOfPoints &use) const
+  {
+    const CellGrid        grid(picture_degrees());
+    const QAnisotropic<3> gauss = gauss_points(picture_degrees());
+    const auto [begin, end]     = cells().own;
+    for (unsigned int cell = begin; cell < end; ++cell)
+      {
+        const std::vector<Point<3>> x = grid.positions(*this, cell);
+        std::vector<Location>       locations;
+        std::vector<double>         weights;
+        for (unsigned int q = 0; q < gauss.size(); ++q)
+          {
+            const Location::Place place{cell, gauss.point(q)};
+            locations.push_back({position(place), ply_at(place).ply, {place}});
+            weights.push_back(gauss.weight(q) *
+                              std::abs(determinant(
+                                unit_gradient(x, grid.evaluate(place.unit)))));
+          }
+        use(locations, weights);
+      }
+  }
+
+
+
+  double
+  Body::add_heat(Vector &f) const
+  {
+    if (!is_heated())
+      return 0.;
+    Vector share(n_dofs());
+    double energy = 0.;
+    for_each_cell_by_points([&](const std::vector<Location> &locations,
+                                const std::vector<double>   &weights) {
+      const auto strain   = rows(locations, Quantity::strain),
+                 held     = rows(locations, Quantity::stress),
+                 held_ply = rows(locations, Quantity::stress, Frame::ply);
+      for (unsigned int q = 0; q < locations.size(); ++q)
+        {
+          // At no strain the stress is -C epsilon_0.
+          for (unsigned int c = 0; c < strain[q].size(); ++c)
+            strain[q][c].add_to(share, -weights[q] * held[q][c].constant());
+          const double T     = temperature(locations[q].position);
+          const auto  &alpha = *plies()[locations[q].ply].properties.expansion;
+          for (unsigned int k = 0; k < 3; ++k)
+            energy -=
+              0.5 * weights[q] * held_ply[q][k].constant() * T * alpha[k];
+        }
+    });
+    sum_over_processes(share);
+    f += share;
+    return Utilities::MPI::sum(energy, communicator());
+  }
+
+
+
+  void
+  Body::add_weight(const Tensor<1, 3> &acceleration, Vector &f) const
+  {
+    const std::vector<double> rho = densities();
+    Vector                    share(n_dofs());
+    for_each_cell_by_points([&](const std::vector<Location> &locations,
+                                const std::vector<double>   &weights) {
+      const auto u = rows(locations, Quantity::displacement);
+      for (unsigned int q = 0; q < locations.size(); ++q)
+        for (unsigned int c = 0; c < 3; ++c)
+          u[q][c].add_to(share,
+                         weights[q] * rho[locations[q].ply] * acceleration[c]);
+    });
+    sum_over_processes(share);
+    f += share;
+  }
+
+
+
+  namespace
+  {
+    /// The displacements @p u at the nodes of @p grid on the element @p cell of
+    /// @p body, less those of the first: a rigid translation turns nothing, to
+    /// the last bit.
+    std::vector<Tensor<1, 3>>
+    relative_displacements(const Body        &body,
+                           const CellGrid    &grid,
+                           const unsigned int cell,
+                           const Vector      &u)
+    {
+      std::vector<Location> nodes;
+      for (const Point<3> &unit : grid.nodes())
+        {
+          const Location::Place place{cell, unit};
+          nodes.push_back(
+            {body.position(place), body.ply_at(place).ply, {place}});
+        }
+      const auto                rows = body.rows(nodes, Quantity::displacement);
+      std::vector<Tensor<1, 3>> v(nodes.size());
+      for (unsigned int k = 0; k < nodes.size(); ++k)
+        set_values(rows[k], u, v[k]);
+      for (unsigned int k = nodes.size(); k-- > 0;)
+        v[k] -= v[0];
+      return v;
+    }
+  } // namespace
+
+
+
+  Deformation
+  Body::deformation(const Vector &u) const
+  {
+    Deformation result;
+    Vector      f(n_dofs());
+    add_internal_forces(u, f);
+    result.energy = 0.5 * (u * f);
+
+    const CellGrid        grid(picture_degrees());
+    const QAnisotropic<3> gauss = gauss_points(picture_degrees());
+    const auto [begin, end]     = cells().own;
+    for (unsigned int cell = begin; cell < end; ++cell)
+      {
+        const auto x = grid.positions(*this, cell);
+        const auto v = relative_displacements(*this, grid, cell, u);
+        for (const Point<3> &point : gauss.get_points())
+          {
+            const auto         functions = grid.evaluate(point);
+            const Tensor<2, 3> gradient =
+              unit_gradient(v, functions) * invert(unit_gradient(x, functions));
+            const Point<3> curl(gradient[2][1] - gradient[1][2],
+                                gradient[0][2] - gradient[2][0],
+                                gradient[1][0] - gradient[0][1]);
+            result.max_rotation =
+              std::max(result.max_rotation, 0.5 * curl.norm());
+          }
+      }
+    result.max_rotation =
+      Utilities::MPI::max(result.max_rotation, communicator());
+    return result;
+  }
+} // namespace lamella
