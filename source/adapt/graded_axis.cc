@@ -261,8 +261,8 @@ namespace lamella
               const std::vector<ContactInterface> &touching,
               const GradingRules                  &rules)
     {
-      const Beam  &beam = dynamic_cast<const Beam &>(*bodies[number]);
-      const double H    = height_of(beam) / fineness;
+      const Beam               &beam = *beams_of(bodies)[number];
+      const double              H    = height_of(beam) / fineness;
       std::vector<ShortElement> places;
       for (const Support &support : supports)
         add_condition_places(
@@ -282,8 +282,8 @@ namespace lamella
     /// Node-to-node contact pairs nodes that face each other: two axes along
     /// the same line have the places of both.
     void
-    share_places_of_paired_nodes(const std::vector<ContactPair> &contacts,
-                                 const Bodies                   &bodies,
+    share_places_of_paired_nodes(const std::vector<ContactPair>  &contacts,
+                                 const std::vector<const Beam *> &beams,
                                  std::vector<std::vector<ShortElement>> &places)
     {
       for (const ContactPair &contact : contacts)
@@ -291,10 +291,9 @@ namespace lamella
           if (!may_pair_nodes(contact))
             continue;
           const unsigned int a = contact.first.body, b = contact.second.body;
-          const auto        &one   = dynamic_cast<const Beam &>(*bodies[a]),
-                     &other        = dynamic_cast<const Beam &>(*bodies[b]);
-          const double length      = one.axis().length();
-          const auto   y_in_one_of = [&](const double y) {
+          const Beam        &one = *beams[a], &other = *beams[b];
+          const double       length      = one.axis().length();
+          const auto         y_in_one_of = [&](const double y) {
             return one.place().to_body(
               other.place().to_scene(Point<3>(0., y, 0.)))[1];
           };
@@ -362,7 +361,7 @@ namespace lamella
                                   loads,
                                   touching,
                                   rules);
-        share_places_of_paired_nodes(contacts, plain, places);
+        share_places_of_paired_nodes(contacts, beams_of(plain), places);
         for (unsigned int b = 0; b < bodies.size(); ++b)
           if (is_automatic(bodies[b]))
             {

@@ -23,15 +23,7 @@ namespace lamella
     bool
     is_chosen(const BodyDescription &body)
     {
-      return body.theory.kind == Theory::Kind::SV || !body.pieces.empty();
-    }
-
-
-
-    const Beam &
-    beam_of(const Bodies &bodies, const unsigned int body)
-    {
-      return dynamic_cast<const Beam &>(*bodies[body]);
+      return body.theory.is_of_solutions() || !body.pieces.empty();
     }
 
 
@@ -317,15 +309,15 @@ namespace lamella
     /// What heat does to all of the bodies @p touched, and their weights: what
     /// loads sections all along.
     std::pair<std::vector<Beam::SectionHeat>, std::vector<Vector>>
-    loads_all_along(const Bodies                   &bodies,
-                    const std::vector<TouchedBody> &touched,
-                    const Tensor<1, 3>             &gravity)
+    loads_all_along(const std::vector<const Beam *> &beams,
+                    const std::vector<TouchedBody>  &touched,
+                    const Tensor<1, 3>              &gravity)
     {
       std::vector<Beam::SectionHeat> heat;
       std::vector<Vector>            weights;
       for (const TouchedBody &body : touched)
         {
-          const Beam &beam = beam_of(bodies, body.number);
+          const Beam &beam = *beams[body.number];
           for (const Beam::SectionHeat &one : spanning_heat(beam))
             heat.push_back(one);
           if (gravity.norm() > 0.)
@@ -371,16 +363,17 @@ namespace lamella
             const FieldRules                   &rules,
             std::vector<std::string>           &notes)
     {
-      const auto [heat, weights] = loads_all_along(bodies, touched, gravity);
+      const std::vector<const Beam *> beams = beams_of(bodies);
+      const auto [heat, weights] = loads_all_along(beams, touched, gravity);
       FieldsOfSection fields(
-        beam_of(bodies, touched[0].number).fields().shared_section(),
+        beams[touched[0].number]->fields().shared_section(),
         descriptions[touched[0].number].theory,
         rules,
         heat,
         weights);
       for (TouchedBody &body : touched)
         {
-          const Beam &beam = beam_of(bodies, body.number);
+          const Beam &beam = *beams[body.number];
           body.groups      = groups_of(
             beam,
             body,
@@ -392,7 +385,7 @@ namespace lamella
       std::vector<std::vector<std::vector<unsigned int>>> lists;
       for (const TouchedBody &body : touched)
         {
-          const Beam            &beam        = beam_of(bodies, body.number);
+          const Beam            &beam        = *beams[body.number];
           const BodyDescription &description = descriptions[body.number];
           lists.emplace_back();
           const std::string why =
@@ -403,7 +396,7 @@ namespace lamella
       for (unsigned int k = 0; k < touched.size(); ++k)
         if (!lists[k].empty())
           {
-            const Beam &beam = beam_of(bodies, touched[k].number);
+            const Beam &beam = *beams[touched[k].number];
             bodies[touched[k].number] =
               std::make_unique<Beam>(beam.name(),
                                      space,
@@ -439,12 +432,12 @@ namespace lamella
           places.emplace_back(place.begin, place.end);
       return places;
     };
+    const std::vector<const Beam *> beams = beams_of(bodies);
     std::map<std::pair<std::string, Theory>, std::vector<TouchedBody>> touched;
     for (unsigned int b = 0; b < descriptions.size(); ++b)
-      if (is_chosen(descriptions[b]) &&
-          descriptions[b].theory.kind == Theory::Kind::SV)
+      if (descriptions[b].theory.is_of_solutions())
         {
-          const Beam &beam = beam_of(bodies, b);
+          const Beam &beam = *beams[b];
           auto all = find_touches(beam, b, bodies, supports, loads, contacts);
           for (const Touch &end : heated_free_ends(beam, all))
             all.push_back(end);
@@ -454,15 +447,13 @@ namespace lamella
     std::vector<std::string> notes;
     for (unsigned int b = 0; b < descriptions.size(); ++b)
       if (descriptions[b].theory.hierarchical)
-        note_coarse_rows(
-          beam_of(bodies, b), b, descriptions[b].pieces, contacts, notes);
+        note_coarse_rows(*beams[b], b, descriptions[b].pieces, contacts, notes);
     for (auto &[key, of_section] : touched)
       replace(bodies, descriptions, gravity, of_section, rules, notes);
     // Not before all touches are found, which the fields of whole sections say.
     for (unsigned int b = 0; b < descriptions.size(); ++b)
-      if (is_chosen(descriptions[b]) &&
-          descriptions[b].theory.kind == Theory::Kind::LE)
-        replace_by_degrees(descriptions[b], bodies[b]);
+      if (is_chosen(descriptions[b]) && descriptions[b].theory.is_layerwise())
+        bodies[b] = by_degrees(descriptions[b], *beams[b]);
     return notes;
   }
 } // namespace lamella

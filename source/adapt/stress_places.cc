@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-// Where along beams a scene asks for stresses (node_fields.h).
+// Where along bodies a scene asks for stresses (node_fields.h).
 
 #include <lamella/adapt/node_fields.h>
-#include <lamella/body/beam.h>
 #include <lamella/recover/box_points.h>
 
 #include <algorithm>
@@ -21,12 +20,9 @@ namespace lamella
     std::vector<StressPlace> places;
     const auto               add = [&](const unsigned int           body,
                          const std::vector<Point<3>> &corners) {
-      const auto *beam = dynamic_cast<const Beam *>(bodies[body].get());
-      if (beam == nullptr)
-        return;
       std::vector<double> along;
       for (const Point<3> &corner : corners)
-        along.push_back(beam->place().to_body(corner)[1]);
+        along.push_back(bodies[body]->place().to_body(corner)[1]);
       const auto [least, greatest] =
         std::minmax_element(along.begin(), along.end());
       places.push_back({body, *least, *greatest});

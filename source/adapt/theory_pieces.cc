@@ -44,7 +44,7 @@ namespace lamella
   {
     Wanted wanted;
     for (const Theory &theory : theories)
-      if (theory.kind == Theory::Kind::LE)
+      if (theory.is_layerwise())
         wanted.degree = std::max(wanted.degree, theory.order);
       else
         wanted.any_SV = true;
@@ -128,13 +128,11 @@ namespace lamella
 
 
 
-  void
-  replace_by_degrees(const BodyDescription &description,
-                     std::unique_ptr<Body> &body)
+  std::unique_ptr<Body>
+  by_degrees(const BodyDescription &description, const Beam &beam)
   {
-    const auto &beam  = dynamic_cast<const Beam &>(*body);
-    const auto  lists = lists_by_degree(beam, description.pieces);
-    body              = std::make_unique<Beam>(beam.name(),
+    const auto lists = lists_by_degree(beam, description.pieces);
+    return std::make_unique<Beam>(beam.name(),
                                   std::make_shared<FieldSpace>(
                                     beam.fields().shared_section()),
                                   beam.shared_axis(),

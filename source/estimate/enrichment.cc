@@ -11,20 +11,10 @@ namespace lamella
 {
   namespace
   {
-    using Kind = Theory::Kind;
-
     /// Wave numbers of what stands in for theories without responses, and what
     /// SV-N gets more; the least that is worth while.
     constexpr unsigned int many_waves = 10, more_waves = 4, least_waves = 6;
     constexpr unsigned int highest_degree = 8, most_waves = 40;
-
-    bool
-    is_solid(const BodyDescription &body)
-    {
-      return body.theory.kind == Kind::solid;
-    }
-
-
 
     /// All theories along the axis of @p body.
     std::vector<Theory *>
@@ -47,15 +37,6 @@ namespace lamella
 
 
 
-    bool
-    is_poorer_than_sv(const Theory &theory)
-    {
-      return theory.kind == Kind::EBBT || theory.kind == Kind::TBT ||
-             theory.kind == Kind::TE;
-    }
-
-
-
     void
     enrich_fields(BodyDescription &body, const BodySize &size)
     {
@@ -64,22 +45,20 @@ namespace lamella
         (dofs_of_layers(size, 2) <= cheap_dofs || size.touched > long_contact);
       // Pieces of plain SV beside LE say by hand where responses are wanted.
       for (Theory *theory : theories_of(body))
-        if (is_poorer_than_sv(*theory) ||
-            (theory->kind == Kind::SV && theory->order < least_waves))
+        if (theory->is_single_layer() ||
+            (theory->is_of_solutions() && theory->order < least_waves))
           {
-            const bool         is_sv = theory->kind == Kind::SV;
-            const unsigned int order = theory->section_order;
-            *theory                  = Theory();
-            theory->kind             = layers_are_cheap ? Kind::LE : Kind::SV;
-            theory->order            = layers_are_cheap ? 2 :
-                                       is_sv            ? least_waves :
-                                                          many_waves;
+            const unsigned int order = theory->section_order,
+                               waves = theory->is_of_solutions() ? least_waves :
+                                                                   many_waves;
+            *theory                  = layers_are_cheap ? Theory::layerwise(2) :
+                                                          Theory::of_solutions(waves, order);
             theory->section_order    = order;
             // B2 and B3 with assumed shear strains are for theories that lock.
             body.axis.degree        = 3;
             body.axis.assumed_shear = false;
           }
-        else if (theory->kind == Kind::SV)
+        else if (theory->is_of_solutions())
           theory->order = std::min(theory->order + more_waves, most_waves);
     }
 
@@ -96,9 +75,7 @@ namespace lamella
     {
       if (!may_have_responses(body, size) || times * size.dofs <= most)
         return;
-      body.theory.kind          = Kind::SV;
-      body.theory.section_order = body.theory.order;
-      body.theory.order         = many_waves;
+      body.theory = body.theory.from_solutions(many_waves);
     }
 
 
@@ -108,8 +85,8 @@ namespace lamella
     has_highest_degree(const BodyDescription &body)
     {
       const Theory &theory = body.theory;
-      return (theory.kind == Kind::LE && theory.order >= highest_degree) ||
-             (theory.kind == Kind::SV &&
+      return (theory.is_layerwise() && theory.order >= highest_degree) ||
+             (theory.is_of_solutions() &&
               theory.section_order >= highest_degree);
     }
 
@@ -120,7 +97,7 @@ namespace lamella
                    const BodySize  &size,
                    const double     most)
     {
-      if (is_solid(body))
+      if (body.theory.is_solid())
         {
           if (body.theory.order == 1)
             body.theory.order = 2;
@@ -134,7 +111,7 @@ namespace lamella
       keep_small(body, size, growth * growth, most);
       for (Theory *theory : theories_of(body))
         {
-          if (theory->kind == Kind::LE)
+          if (theory->is_layerwise())
             theory->order = std::min(theory->order + 1, highest_degree);
           theory->section_order =
             std::min(theory->section_order + 1, highest_degree);
@@ -184,8 +161,10 @@ namespace lamella
   std::vector<BodySize>
   sizes_of(const BuiltScene &model)
   {
-    std::vector<BodySize> sizes;
-    for (const auto &body : model.structure().bodies())
+    const Bodies                   &bodies = model.structure().bodies();
+    const std::vector<const Beam *> beams  = beams_of(bodies);
+    std::vector<BodySize>           sizes;
+    for (const auto &body : bodies)
       {
         BodySize &size = sizes.emplace_back();
         size.dofs      = body->n_dofs();
@@ -194,7 +173,7 @@ namespace lamella
             size.held_all_along =
               size.held_all_along || (region.kind == Region::Kind::body &&
                                       region.body + 1 == sizes.size());
-        if (const auto *const beam = dynamic_cast<const Beam *>(body.get()))
+        if (const Beam *const beam = beams[sizes.size() - 1])
           {
             size.nodes   = beam->axis().n_nodes();
             size.fields  = beam->section().n_fields();
@@ -210,7 +189,7 @@ namespace lamella
   bool
   may_have_responses(const BodyDescription &body, const BodySize &size)
   {
-    return body.theory.kind == Kind::LE && body.pieces.empty() &&
+    return body.theory.is_layerwise() && body.pieces.empty() &&
            !size.held_all_along && size.touched <= long_contact &&
            size.fields > 2. * fields_of_responses;
   }
@@ -235,15 +214,15 @@ namespace lamella
     switch (source)
       {
         case Source::axis:
-          return any([](const auto &body) { return !is_solid(body); });
+          return any([](const auto &body) { return !body.theory.is_solid(); });
         case Source::fields:
           return any([](const BodyDescription &body) {
-            return is_poorer_than_sv(body.theory) ||
-                   body.theory.kind == Kind::SV;
+            return body.theory.is_single_layer() ||
+                   body.theory.is_of_solutions();
           });
         case Source::section:
           return any(
-            [](const auto &body) { return !is_poorer_than_sv(body.theory); });
+            [](const auto &body) { return !body.theory.is_single_layer(); });
         default:
           return std::any_of(scene.contacts.begin(),
                              scene.contacts.end(),
@@ -266,12 +245,12 @@ namespace lamella
     for (unsigned int b = 0; b < result.bodies.size(); ++b)
       {
         BodyDescription &body = result.bodies[b];
-        if (source == Source::axis && !is_solid(body))
+        if (source == Source::axis && !body.theory.is_solid())
           {
             keep_small(body, sizes[b], 2., most_dofs);
             halve_elements(body.axis);
           }
-        else if (source == Source::fields && !is_solid(body))
+        else if (source == Source::fields && !body.theory.is_solid())
           enrich_fields(body, sizes[b]);
         else if (source == Source::section)
           enrich_section(body, sizes[b], most_dofs);

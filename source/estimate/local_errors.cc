@@ -14,19 +14,11 @@ namespace lamella
 
   namespace
   {
-    const Beam *
-    beam(const Simulation &simulation, const unsigned int body)
+    /// The beams of a model, by the numbers of its bodies.
+    std::vector<const Beam *>
+    beams_in(const Simulation &simulation)
     {
-      return dynamic_cast<const Beam *>(
-        simulation.model().structure().bodies()[body].get());
-    }
-
-
-
-    unsigned int
-    n_bodies(const Simulation &simulation)
-    {
-      return simulation.model().structure().bodies().size();
+      return beams_of(simulation.model().structure().bodies());
     }
 
 
@@ -36,10 +28,11 @@ namespace lamella
     BlockVector
     moved(const Simulation &from, const BlockVector &u, const Simulation &to)
     {
-      BlockVector result = to.model().structure().zero();
-      for (unsigned int b = 0; b < n_bodies(from); ++b)
-        if (const Beam *const source = beam(from, b))
-          result.block(b) = transferred(*source, u.block(b), *beam(to, b));
+      BlockVector result  = to.model().structure().zero();
+      const auto  sources = beams_in(from), targets = beams_in(to);
+      for (unsigned int b = 0; b < sources.size(); ++b)
+        if (sources[b] != nullptr)
+          result.block(b) = transferred(*sources[b], u.block(b), *targets[b]);
         else
           result.block(b) = u.block(b);
       return result;
@@ -96,9 +89,10 @@ namespace lamella
   bool
   Localisation::is_possible(const Simulation &coarse, const Simulation &fine)
   {
-    for (unsigned int b = 0; b < n_bodies(coarse); ++b)
+    const auto ones = beams_in(coarse), others = beams_in(fine);
+    for (unsigned int b = 0; b < ones.size(); ++b)
       {
-        const Beam *const one = beam(coarse, b), *const other = beam(fine, b);
+        const Beam *const one = ones[b], *const other = others[b];
         if (one != nullptr && other != nullptr ?
               one->section().n_fields() != other->section().n_fields() :
               coarse.model().structure().bodies()[b]->n_dofs() !=
@@ -316,15 +310,15 @@ namespace lamella
                              const Vector      &share,
                              LocalErrors       &result) const
   {
-    const Axis  &axis  = beam(coarse, body)->axis();
-    const Beam  &finer = *beam(fine, body);
+    const Beam &rough = *beams_in(coarse)[body], &finer = *beams_in(fine)[body];
+    const Axis &axis   = rough.axis();
     const double near  = arithmetic::same_place_along * axis.length();
     const auto   first = result.elements.size();
     for (unsigned int cell = 0; cell < axis.n_cells(); ++cell)
       {
         unsigned int dofs = 0;
         for (const unsigned int node : axis.nodes_of_cell(cell))
-          dofs += beam(coarse, body)->dofs().fields(node).size();
+          dofs += rough.dofs().fields(node).size();
         result.elements.push_back(
           {body, axis.cell_begin(cell), axis.cell_end(cell), 0., dofs});
       }
@@ -347,8 +341,9 @@ namespace lamella
     BlockVector local = z;
     local -= on_fine(on_coarse(z));
     LocalErrors result;
-    for (unsigned int b = 0; b < n_bodies(fine); ++b)
-      if (beam(fine, b) != nullptr)
+    const auto  all = beams_in(fine);
+    for (unsigned int b = 0; b < all.size(); ++b)
+      if (all[b] != nullptr)
         {
           Vector share = residual.block(b);
           share.scale(local.block(b));

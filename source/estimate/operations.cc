@@ -56,6 +56,7 @@ namespace lamella
     const std::vector<BodySize> sizes  = sizes_of(run.model());
     const Bodies               &bodies = run.model().structure().bodies();
     const Scene                &scene  = run.model().scene();
+    const auto                  beams  = beams_of(bodies);
     for (unsigned int b = 0; b < sizes.size(); ++b)
       {
         if (!may_have_responses(scene.bodies[b], sizes[b]) ||
@@ -63,7 +64,7 @@ namespace lamella
           return std::numeric_limits<double>::infinity();
         sum += axes * sizes[b].nodes * of_block * m * m * m;
         // It is of LE-N: responses say so.
-        const auto  &beam    = dynamic_cast<const Beam &>(*bodies[b]);
+        const Beam  &beam    = *beams[b];
         const auto   touches = find_touches(beam,
                                           b,
                                           bodies,

@@ -11,16 +11,6 @@ namespace lamella
 {
   namespace
   {
-    void
-    make_lower(BodyDescription &body)
-    {
-      body.theory       = Theory();
-      body.theory.kind  = Theory::Kind::LE;
-      body.theory.order = 1;
-    }
-
-
-
     /// Ten equal elements, as where a scene says nothing of the axis, for
     /// bodies that are @p touched_all_along and would grade themselves: graded
     /// to a contact that is everywhere they would be fine everywhere. Bodies
@@ -56,7 +46,7 @@ namespace lamella
     is_assumed(const Scene &scene, const unsigned int body)
     {
       return scene.goals.theory_is_assumed &&
-             scene.bodies[body].theory.kind == Theory::Kind::SV &&
+             scene.bodies[body].theory.is_of_solutions() &&
              scene.bodies[body].theory.order > 0 &&
              scene.bodies[body].pieces.empty();
     }
@@ -72,11 +62,7 @@ namespace lamella
     Scene plain = scene;
     for (unsigned int b = 0; b < plain.bodies.size(); ++b)
       if (is_assumed(scene, b))
-        {
-          plain.bodies[b].theory       = Theory();
-          plain.bodies[b].theory.kind  = Theory::Kind::TE;
-          plain.bodies[b].theory.order = 1;
-        }
+        plain.bodies[b].theory = Theory::taylor(1);
     std::ostream                nowhere(nullptr);
     const Simulation            model(plain, nowhere);
     const std::vector<BodySize> sizes = sizes_of(model.model());
@@ -86,7 +72,7 @@ namespace lamella
         {
           touched_all_along[b] = sizes[b].touched > long_contact;
           if (touched_all_along[b] || dofs_of_layers(sizes[b], 2) <= cheap_dofs)
-            make_lower(scene.bodies[b]);
+            scene.bodies[b].theory = Theory::layerwise(1);
         }
     begin_with_equal_elements(scene, touched_all_along);
     return scene;
@@ -97,16 +83,17 @@ namespace lamella
   bool
   begin_lower(Scene &scene, const BuiltScene &model)
   {
+    const std::vector<const Beam *> beams =
+      beams_of(model.structure().bodies());
     bool any = false;
     for (unsigned int b = 0; b < scene.bodies.size(); ++b)
       if (is_assumed(scene, b))
         {
-          const auto &body =
-            dynamic_cast<const Beam &>(*model.structure().bodies()[b]);
+          const Beam &body = *beams[b];
           if (body.n_dofs() < body.axis().n_nodes() * body.section().n_fields())
             continue;
-          make_lower(scene.bodies[b]);
-          any = true;
+          scene.bodies[b].theory = Theory::layerwise(1);
+          any                    = true;
         }
     return any;
   }

@@ -71,7 +71,7 @@ namespace lamella
     double begin = 0., end = 0.;
   };
 
-  /// Those of @p probes, @p lines and @p cuts in the beams among @p bodies.
+  /// Those of @p probes, @p lines and @p cuts in @p bodies.
   std::vector<StressPlace>
   stress_places(const Bodies             &bodies,
                 const std::vector<Probe> &probes,

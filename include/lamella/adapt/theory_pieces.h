@@ -49,11 +49,10 @@ namespace lamella
   label_of(const BodyDescription                        &body,
            const std::vector<std::vector<unsigned int>> &lists);
 
-  /// Replaces the body @p description, whose pieces are all LE, by one with
+  /// The body @p description, whose pieces are all LE, as @p beam is but with
   /// the leading fields of each degree.
-  void
-  replace_by_degrees(const BodyDescription &description,
-                     std::unique_ptr<Body> &body);
+  std::unique_ptr<Body>
+  by_degrees(const BodyDescription &description, const Beam &beam);
 } // namespace lamella
 
 #endif
