@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef lamella_tests_unit_bare_body_h
+#define lamella_tests_unit_bare_body_h
+
+#include <lamella/body/second_order.h>
+#include <lamella/body/surface_topology.h>
+#include <lamella/shape/section_mesh.h>
+
+#include <string>
+#include <vector>
+
+namespace lamella
+{
+  /// What a new kind of body has to write and not a function more, each as
+  /// another body has it, which must outlive it: all else is what Body makes of
+  /// these.
+  class BareBody : public Body
+  {
+  public:
+    explicit BareBody(const Body &given)
+      : Body(given.name(), given.place())
+      , given(given)
+    {}
+
+    std::string
+    theory() const override
+    {
+      return given.theory();
+    }
+    DofIndex
+    n_dofs() const override
+    {
+      return given.n_dofs();
+    }
+    dealii::Point<3>
+    dof_position(const DofIndex dof) const override
+    {
+      return given.dof_position(dof);
+    }
+    std::vector<Vector>
+    rigid_motions() const override
+    {
+      return given.rigid_motions();
+    }
+    dealii::BoundingBox<3>
+    bounding_box() const override
+    {
+      return given.bounding_box();
+    }
+    void
+    add_internal_forces(const Vector &u, Vector &f) const override
+    {
+      given.add_internal_forces(u, f);
+    }
+    std::unique_ptr<SecondOrder>
+    second_order(const Vector &u) const override
+    {
+      return given.second_order(u);
+    }
+    const std::vector<Ply> &
+    plies() const override
+    {
+      return given.plies();
+    }
+    std::vector<std::vector<Location>>
+    locate(const std::vector<dealii::Point<3>> &points) const override
+    {
+      return given.locate(points);
+    }
+    std::vector<std::vector<Row>>
+    rows(const std::vector<Location> &locations,
+         const Quantity               quantity,
+         const Frame                  frame = Frame::scene) const override
+    {
+      return given.rows(locations, quantity, frame);
+    }
+    dealii::Point<3>
+    position(const Location::Place &place) const override
+    {
+      return given.position(place);
+    }
+    PlyAt
+    ply_at(const Location::Place &place) const override
+    {
+      return given.ply_at(place);
+    }
+    std::vector<std::string>
+    surfaces() const override
+    {
+      return given.surfaces();
+    }
+    SurfaceTopology
+    surface_topology(const std::string &surface) const override
+    {
+      return given.surface_topology(surface);
+    }
+    SurfacePoint
+    surface_point(const SurfaceFacet     &facet,
+                  const dealii::Point<2> &st) const override
+    {
+      return given.surface_point(facet, st);
+    }
+    Cells
+    cells() const override
+    {
+      return given.cells();
+    }
+
+  protected:
+    void
+    for_each_stiffness_block(
+      const bool                                         with_values,
+      const std::function<void(const StiffnessBlock &)> &use) const override
+    {
+      given.stiffness_terms().for_each_block(with_values, use);
+    }
+
+  private:
+    const Body &given;
+  };
+} // namespace lamella
+
+#endif
