@@ -32,7 +32,7 @@ namespace lamella
       matrix[1][1]                = place.d_t * place.d_t;
       if (map.is_affine())
         return matrix;
-      constexpr double step = 1e-5;
+      constexpr double step = arithmetic::same_in_element;
       for (unsigned int a = 0; a < 2; ++a)
         {
           Point<2> ahead = st, behind = st;
