@@ -207,27 +207,64 @@ namespace lamella
       second = rows_on(true, *interface.second_body);
     for (unsigned int k = 0; k < interface.rows.size(); ++k)
       {
-        const GapIntegrals      &of    = integrals[k];
-        GapRow                  &row   = interface.rows[k];
-        ContactInterface::Point &point = interface.points[k];
+        GapRow &row = interface.rows[k];
         row.parts.clear();
-        row.gap_rate = 0.;
-        if (of.area == 0.)
-          {
-            row.initial_gap = reach;
-            continue;
-          }
-        row.parts = {first[k]};
-        if (interface.second_body)
+        if (integrals[k].area > 0.)
+          row.parts = {first[k]};
+        if (integrals[k].area > 0. && interface.second_body)
           row.parts.push_back(second[k]);
-        else
-          row.gap_rate = of.normal * interface.obstacle->displacement;
-        point.normal = interface.points_on_second ? -of.normal : of.normal;
-        const auto   adjusted = taken_out.find(key(point));
-        const double gap =
-          of.gap + (adjusted == taken_out.end() ? 0. : adjusted->second);
-        row.initial_gap = gap - row.opening(u) - factor * row.gap_rate;
+        set_tangent_plane(k, u, factor);
       }
+  }
+
+
+
+  void
+  Contact::set_tangent_plane(const unsigned int k,
+                             const BlockVector &u,
+                             const double       factor)
+  {
+    const GapIntegrals      &of    = integrals[k];
+    GapRow                  &row   = interface.rows[k];
+    ContactInterface::Point &point = interface.points[k];
+    row.gap_rate                   = 0.;
+    if (of.area == 0.)
+      {
+        row.initial_gap = reach;
+        return;
+      }
+    if (interface.obstacle != nullptr)
+      row.gap_rate = of.normal * interface.obstacle->displacement;
+    point.normal          = interface.points_on_second ? -of.normal : of.normal;
+    const auto   adjusted = taken_out.find(key(point));
+    const double gap =
+      of.gap + (adjusted == taken_out.end() ? 0. : adjusted->second);
+    row.initial_gap = gap - row.opening(u) - factor * row.gap_rate;
+  }
+
+
+
+  std::vector<BodyRow>
+  Contact::slip_rows_on(const bool second, const unsigned int tangent) const
+  {
+    const unsigned int body =
+      second ? *interface.second_body : interface.first_body;
+    const auto  sums = second == interface.points_on_second ?
+                         &GapIntegrals::tangential_carrying :
+                         &GapIntegrals::tangential_opposing;
+    RowGeometry side;
+    for (unsigned int k = 0; k < integrals.size(); ++k)
+      {
+        const Tensor<1, 3> t = (second ? 1. : -1.) *
+                               tangents_of(interface.points[k].normal)[tangent];
+        side.weights.emplace_back();
+        for (const auto &[node, across] : integrals[k].*sums)
+          side.weights.back().emplace_back(node, across * t);
+      }
+    return body_rows(body,
+                     undeformed.bodies()[body]->n_dofs(),
+                     undeformed.trace_rows(second),
+                     side);
   }
 
 
@@ -241,32 +278,61 @@ namespace lamella
     std::vector<std::array<std::vector<BodyRow>, 2>> slip(integrals.size());
     for (const bool second : {false, true})
       for (unsigned int a = 0; a < 2; ++a)
-        {
-          if (second && !interface.second_body)
-            continue;
-          const unsigned int body =
-            second ? *interface.second_body : interface.first_body;
-          RowGeometry side;
-          for (unsigned int k = 0; k < integrals.size(); ++k)
-            {
-              const Tensor<1, 3> t = tangents_of(interface.points[k].normal)[a];
-              side.weights.emplace_back();
-              for (const auto &[node, across] :
-                   second == interface.points_on_second ?
-                     integrals[k].tangential_carrying :
-                     integrals[k].tangential_opposing)
-                side.weights.back().emplace_back(node,
-                                                 (second ? 1. : -1.) *
-                                                   (across * t));
-            }
-          const auto rows = body_rows(body,
-                                      undeformed.bodies()[body]->n_dofs(),
-                                      undeformed.trace_rows(second),
-                                      side);
-          for (unsigned int k = 0; k < rows.size(); ++k)
-            slip[k][a].push_back(rows[k]);
-        }
+        if (!second || interface.second_body)
+          {
+            const auto rows = slip_rows_on(second, a);
+            for (unsigned int k = 0; k < rows.size(); ++k)
+              slip[k][a].push_back(rows[k]);
+          }
     return slip;
+  }
+
+
+
+  std::vector<double>
+  Contact::wandering(const std::vector<GapPoint> &now) const
+  {
+    std::vector<double> off(interface.rows.size(), 0.);
+    const MeshSurface  *other = undeformed.surface(!interface.points_on_second);
+    const auto          place = [other](const GapPoint &point) {
+      const auto &[facet, st] = point.opposing;
+      return other->facets()[facet].map(st).position;
+    };
+    for (unsigned int q = 0; other != nullptr && q < points.size(); ++q)
+      {
+        const double by = place(points[q]).distance(place(now[q]));
+        for (const auto &[row, weight] : shares_of(functions(), q, points[q]))
+          off[row] = std::max(off[row], by);
+      }
+    return off;
+  }
+
+
+
+  unsigned int
+  Contact::count_unseen(const ContactSides &sides, const double touching) const
+  {
+    std::map<std::array<double, 3>, double> areas;
+    for (const ContactInterface::Point &point : interface.points)
+      areas[key(point)] = point.area;
+    unsigned int count = 0;
+    try
+      {
+        const ContactInterface fresh = interface_within(sides, reach);
+        for (unsigned int k = 0; k < fresh.rows.size(); ++k)
+          if (fresh.rows[k].initial_gap < touching)
+            {
+              const auto own = areas.find(key(fresh.points[k]));
+              count += own == areas.end() ||
+                       own->second < most_of * fresh.points[k].area;
+            }
+      }
+    catch (const InputError &)
+      {
+        // Nothing faces the other side any more: what carried force is lost,
+        // and counted as such.
+      }
+    return count;
   }
 
 
@@ -278,61 +344,29 @@ namespace lamella
   {
     find_points();
     const ContactSides    at(undeformed, u, factor);
-    const double          touching  = -arithmetic::negligible * u.linfty_norm();
-    std::vector<GapPoint> wandering = points;
-    const auto            now       = integrate(at, Feet::found, wandering);
-    const auto            carries_force = [&](const unsigned int row) {
-      return std::binary_search(active.begin(), active.end(), row);
-    };
-    // Of each row how far the place opposite of one of its points is off.
-    std::vector<double> off(now.size(), 0.);
-    if (const MeshSurface *other =
-          undeformed.surface(!interface.points_on_second))
-      for (unsigned int q = 0; q < points.size(); ++q)
-        {
-          const auto place = [other](const GapPoint &point) {
-            const auto &[facet, st] = point.opposing;
-            return other->facets()[facet].map(st).position;
-          };
-          const double by = place(points[q]).distance(place(wandering[q]));
-          for (const auto &[row, weight] : shares_of(functions(), q, points[q]))
-            off[row] = std::max(off[row], by);
-        }
-    StalePairing                                  stale;
-    std::map<std::array<double, 3>, unsigned int> ours;
+    const double          touching = -arithmetic::negligible * u.linfty_norm();
+    std::vector<GapPoint> on       = points;
+    const auto            now      = integrate(at, Feet::found, on);
+    const std::vector<double> off  = wandering(on);
+    StalePairing              stale;
     for (unsigned int k = 0; k < now.size(); ++k)
       {
         const ContactInterface::Point &point = interface.points[k];
-        ours[key(point)]                     = k;
+        const bool                     carries_force =
+          std::binary_search(active.begin(), active.end(), k);
         if (now[k].area == 0.)
           {
-            stale.lost += carries_force(k);
+            stale.lost += carries_force;
             continue;
           }
         const Tensor<1, 3> n =
           interface.points_on_second ? -now[k].normal : now[k].normal;
-        if ((carries_force(k) || now[k].gap < touching) &&
+        if ((carries_force || now[k].gap < touching) &&
             (off[k] > small_sliding * point.spacing ||
              (n - point.normal).norm() > small_turn))
           ++stale.wandered;
       }
-    try
-      {
-        const ContactInterface fresh = interface_within(at, reach);
-        for (unsigned int k = 0; k < fresh.rows.size(); ++k)
-          if (fresh.rows[k].initial_gap < touching)
-            {
-              const auto own = ours.find(key(fresh.points[k]));
-              stale.unseen +=
-                own == ours.end() || interface.points[own->second].area <
-                                       most_of * fresh.points[k].area;
-            }
-      }
-    catch (const InputError &)
-      {
-        // Nothing faces the other side any more: what carries force is lost,
-        // and counted above.
-      }
+    stale.unseen = count_unseen(at, touching);
     return stale;
   }
 

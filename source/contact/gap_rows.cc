@@ -5,6 +5,8 @@
 #include <lamella/base/text.h>
 #include <lamella/contact/contact_sides.h>
 #include <lamella/contact/gap_rows.h>
+#include <lamella/contact/node_pairs.h>
+#include <lamella/contact/pairing_checks.h>
 #include <lamella/contact/weighted_gaps.h>
 
 #include <algorithm>
@@ -85,263 +87,6 @@ namespace lamella
 
 
 
-    [[noreturn]] void
-    fail_without_pairs(const ContactPair &contact,
-                       const Bodies      &bodies,
-                       const double       reach)
-    {
-      const auto points = [&bodies](const Region &region) {
-        return bodies[region.body]->surface_points(region.surface);
-      };
-      const std::string path = "Contact " + contact.name;
-      if (contact.obstacle != nullptr)
-        throw InputError(path,
-                         "",
-                         "nothing of First faces the obstacle '" +
-                           contact.obstacle->name +
-                           "' within Search distance " + to_text(reach),
-                         "Check the surface's name and where the obstacle is.");
-      const bool to_node =
-        contact.discretisation == Discretisation::node_to_node;
-      const Pairing pairing = pair_node_to_node(points(contact.first),
-                                                points(contact.second),
-                                                contact.tolerance);
-      std::string   nearest = "The nearest two nodes are " +
-                            to_text(pairing.nearest_distance) + " apart";
-      if (to_node &&
-          pairing.smallest_offset < std::numeric_limits<double>::max())
-        nearest += ", the best sideways offset between opposed surfaces is " +
-                   to_text(pairing.smallest_offset);
-      const std::string check =
-        ". Check that First and Second name the surfaces that look at each "
-        "other";
-      if (to_node)
-        throw InputError(
-          path,
-          "",
-          "no nodes of First and Second face each other (node to node)",
-          nearest + check +
-            ", and give both the same nodes (cells across, axis elements, axis "
-            "nodes), or use surface to surface.");
-      throw InputError(
-        path,
-        "",
-        "nothing of First and Second faces each other within Search distance " +
-          to_text(reach),
-        nearest + check + ".");
-    }
-
-
-
-    bool
-    is_in(const Body &body, const BoundingBox<3> &box, const Point<3> &x)
-    {
-      return box.point_inside(x) && !body.locate({x})[0].empty();
-    }
-
-
-
-    /// The first of @p places of which one side is in the body (or the
-    /// obstacle) of the other; null if there is none.
-    const DeepPlace *
-    first_inside(const ContactPair            &contact,
-                 const Bodies                 &bodies,
-                 const bool                    on_second,
-                 const std::vector<DeepPlace> &places)
-    {
-      if (places.empty())
-        return nullptr;
-      const Body
-        &carrying = *bodies[(on_second ? contact.second : contact.first).body],
-        &other =
-          *bodies[(on_second || contact.obstacle != nullptr ? contact.first :
-                                                              contact.second)
-                    .body];
-      const BoundingBox<3> box          = carrying.bounding_box(),
-                           box_of_other = other.bounding_box();
-      for (const DeepPlace &place : places)
-        if (is_in(carrying, box, place.opposite) ||
-            (contact.obstacle != nullptr ?
-               contains(*contact.obstacle, place.position) :
-               is_in(other, box_of_other, place.position)))
-          return &place;
-      return nullptr;
-    }
-
-
-
-    /// Places far behind each other either look away from each other through
-    /// their own bodies, and then do not pair, or the bodies lie in each other.
-    void
-    check_not_passed(const ContactPair &contact,
-                     const Bodies      &bodies,
-                     const bool         on_second,
-                     const Gaps        &gaps)
-    {
-      const auto refuse = [&](const DeepPlace   &place,
-                              const std::string &how,
-                              const std::string &remedy) {
-        throw InputError(
-          "Contact " + contact.name,
-          "",
-          "the surface '" + contact.first.surface + "' of First lies " +
-            to_text(place.behind) + " behind '" +
-            (contact.obstacle != nullptr ? contact.obstacle->name :
-                                           contact.second.surface) +
-            "' of Second, at " +
-            to_text(on_second ? place.opposite : place.position) + how,
-          remedy);
-      };
-      if (const DeepPlace *place =
-            first_inside(contact, bodies, on_second, gaps.too_deep))
-        refuse(
-          *place,
-          ", which is more than the cells there are deep: the bodies lie in "
-          "each other",
-          "Move the bodies apart, or name the two surfaces that look at each "
-          "other.");
-      if (gaps.gaps.empty() && !gaps.too_deep.empty())
-        refuse(
-          gaps.too_deep.front(),
-          "",
-          "Name the two surfaces that look at each other, or move the bodies "
-          "apart.");
-    }
-
-
-
-    /// Nodes without a partner that face the other surface all the same.
-    unsigned int
-    count_facing(const std::vector<SurfacePoint> &points,
-                 const std::vector<bool>         &is_paired,
-                 const MeshSurface               &other,
-                 const double                     reach)
-    {
-      unsigned int count = 0;
-      for (unsigned int k = 0; k < points.size(); ++k)
-        if (!is_paired[k] &&
-            opposing_place(other, points[k].position, points[k].normal, reach))
-          ++count;
-      return count;
-    }
-
-
-
-    /// The nodes of both sides and which of them face each other.
-    struct NodePairs
-    {
-      std::vector<SurfacePoint> first, second;
-      Pairing                   pairing;
-      /// Of either side, those without a partner that face the other surface.
-      unsigned int beside = 0, beside_second = 0;
-    };
-
-
-
-    NodePairs
-    pair_nodes(const ContactSides &sides, const double reach)
-    {
-      NodePairs nodes;
-      nodes.first            = sides.points(false);
-      nodes.second           = sides.points(true);
-      nodes.pairing          = pair_node_to_node(nodes.first,
-                                        nodes.second,
-                                        sides.contact().tolerance,
-                                        reach);
-      const Pairing &pairing = nodes.pairing;
-      if (pairing.pairs.empty() ||
-          pairing.unpaired + pairing.unpaired_second == 0)
-        return nodes;
-      std::vector<bool> first_paired(nodes.first.size(), false),
-        second_paired(nodes.second.size(), false);
-      for (const PointPair &pair : pairing.pairs)
-        {
-          first_paired[pair.first]   = true;
-          second_paired[pair.second] = true;
-        }
-      nodes.beside =
-        count_facing(nodes.first, first_paired, *sides.surface(true), reach);
-      nodes.beside_second =
-        count_facing(nodes.second, second_paired, *sides.surface(false), reach);
-      return nodes;
-    }
-
-
-
-    /// What the discretisation is on these bodies where it is `automatic`.
-    Discretisation
-    decided(const ContactSides &sides, const double reach)
-    {
-      const ContactPair &contact = sides.contact();
-      if (contact.discretisation != Discretisation::automatic)
-        return contact.discretisation;
-      if (contact.obstacle != nullptr)
-        return Discretisation::surface_to_surface;
-      const NodePairs nodes = pair_nodes(sides, reach);
-      return !nodes.pairing.pairs.empty() &&
-                 nodes.beside + nodes.beside_second == 0 ?
-               Discretisation::node_to_node :
-               Discretisation::surface_to_surface;
-    }
-
-
-
-    /// Pairs of nodes in the form of weighted gaps.
-    Gaps
-    node_to_node(const ContactSides &sides,
-                 const double        reach,
-                 ContactInterface   &interface)
-    {
-      const NodePairs nodes         = pair_nodes(sides, reach);
-      const auto &[first, second]   = std::tie(nodes.first, nodes.second);
-      const Pairing &pairing        = nodes.pairing;
-      interface.unpaired_second     = pairing.unpaired_second;
-      interface.beside_nodes        = nodes.beside;
-      interface.beside_nodes_second = nodes.beside_second;
-      if (nodes.beside + nodes.beside_second > 0)
-        interface.notes.push_back(
-          "contact " + interface.name + ": " + std::to_string(nodes.beside) +
-          " nodes of First and " + std::to_string(nodes.beside_second) +
-          " of Second face the other surface, but none of its nodes, and can "
-          "pass through it. Use Discretisation = auto or surface to surface, "
-          "or give both surfaces the same nodes");
-
-      Gaps result;
-      result.unpaired = pairing.unpaired;
-      for (const PointPair &pair : pairing.pairs)
-        {
-          const SurfacePoint &a = first[pair.first], &b = second[pair.second];
-          if (is_too_deep(pair.initial_gap, a.depth, b.depth))
-            {
-              result.too_deep.push_back(
-                {a.position, b.position, -pair.initial_gap});
-              continue;
-            }
-          const unsigned int k    = result.gaps.size();
-          const double       area = std::min(a.area, b.area);
-          WeightedGap        gap;
-          gap.node     = a.location;
-          gap.position = a.position;
-          gap.opposite = b.position;
-          gap.normal   = pair.normal;
-          gap.area     = area;
-          gap.spacing  = std::sqrt(area);
-          gap.gap      = pair.initial_gap;
-          gap.angle =
-            2. * std::asin(std::min(1., 0.5 * (a.normal + b.normal).norm()));
-          gap.carrying         = {a.normal_modulus, area, a.depth};
-          gap.opposing         = {b.normal_modulus, area, b.depth};
-          gap.carrying_weights = {{k, pair.normal}};
-          gap.opposing_weights = {{k, pair.normal}};
-          result.carrying.push_back(a.location);
-          result.opposing.push_back(b.location);
-          result.gaps.push_back(std::move(gap));
-        }
-      return result;
-    }
-
-
-
     Gaps
     find_gaps(const ContactSides &at,
               const double        reach,
@@ -375,6 +120,38 @@ namespace lamella
 
 
 
+    /// The row of @p gap but for its parts.
+    GapRow
+    row_of(const WeightedGap &gap, const ContactPair &contact)
+    {
+      GapRow row;
+      if (contact.obstacle != nullptr)
+        row.gap_rate = gap.normal * contact.obstacle->displacement;
+      // Bodies that touch have a gap of rounding only.
+      const double rounding =
+        arithmetic::rounding * (gap.position.norm() + gap.opposite.norm());
+      row.initial_gap = std::abs(gap.gap) < rounding ? 0. : gap.gap;
+      row.enforcement = contact.enforcement;
+      row.penalty = row_penalty(contact.penalty, gap.carrying, gap.opposing);
+      return row;
+    }
+
+
+
+    ContactInterface::Point
+    point_of(const WeightedGap &gap, const bool on_second)
+    {
+      return {on_second ? gap.opposite : gap.position,
+              on_second ? gap.position : gap.opposite,
+              on_second ? -gap.normal : gap.normal,
+              gap.area,
+              gap.angle,
+              gap.spacing,
+              gap.node};
+    }
+
+
+
     void
     add_rows(const ContactPair &contact,
              const Bodies      &bodies,
@@ -404,36 +181,12 @@ namespace lamella
       for (unsigned int k = 0; k < gaps.gaps.size(); ++k)
         {
           const WeightedGap &gap = gaps.gaps[k];
-          GapRow             row;
-          row.parts = {first[k]};
+          GapRow             row = row_of(gap, contact);
+          row.parts              = {first[k]};
           if (contact.obstacle == nullptr)
             row.parts.push_back(second[k]);
-          else
-            row.gap_rate = gap.normal * contact.obstacle->displacement;
-          // Bodies that touch have a gap of rounding only.
-          const double rounding =
-            arithmetic::rounding * (gap.position.norm() + gap.opposite.norm());
-          row.initial_gap = std::abs(gap.gap) < rounding ? 0. : gap.gap;
-          row.enforcement = contact.enforcement;
-          row.penalty =
-            row_penalty(contact.penalty, gap.carrying, gap.opposing);
           interface.rows.push_back(std::move(row));
-          if (on_second)
-            interface.points.push_back({gap.opposite,
-                                        gap.position,
-                                        -gap.normal,
-                                        gap.area,
-                                        gap.angle,
-                                        gap.spacing,
-                                        gap.node});
-          else
-            interface.points.push_back({gap.position,
-                                        gap.opposite,
-                                        gap.normal,
-                                        gap.area,
-                                        gap.angle,
-                                        gap.spacing,
-                                        gap.node});
+          interface.points.push_back(point_of(gap, on_second));
         }
     }
 

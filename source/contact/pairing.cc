@@ -174,6 +174,45 @@ namespace lamella
 
 
 
+  namespace
+  {
+    /// The gap of the carrying node @p point; its place has the next number in
+    /// @p result, and that of the place opposite, if that is on a mesh.
+    WeightedGap
+    gap_at(const SurfacePoint &point,
+           const Opposition   &facing,
+           const MeshSurface  *opposing,
+           Gaps               &result)
+    {
+      const SurfaceHit &hit = facing.hit;
+      WeightedGap       gap;
+      gap.node             = point.location;
+      gap.position         = point.position;
+      gap.opposite         = hit.position;
+      gap.normal           = facing.normal;
+      gap.area             = point.area;
+      gap.spacing          = std::sqrt(point.area);
+      gap.gap              = hit.distance;
+      gap.angle            = facing.angle;
+      gap.carrying         = {point.normal_modulus, point.area, point.depth};
+      gap.opposing         = gap.carrying;
+      gap.carrying_weights = {
+        {static_cast<unsigned int>(result.carrying.size()), facing.normal}};
+      result.carrying.push_back(point.location);
+      if (opposing == nullptr)
+        return gap;
+      const MeshSurface::Facet &facet = opposing->facets()[hit.facet];
+      gap.opposing         = {facet.normal_modulus, point.area, facet.depth};
+      gap.opposing_weights = {
+        {static_cast<unsigned int>(result.opposing.size()), facing.normal}};
+      result.opposing.push_back(
+        opposing->body().surface_point(facet.side, hit.st).location);
+      return gap;
+    }
+  } // namespace
+
+
+
   Gaps
   pair_node_to_surface(const Sides                     &sides,
                        const std::vector<SurfacePoint> &points)
@@ -197,32 +236,8 @@ namespace lamella
               {point.position, hit.position, -hit.distance});
             continue;
           }
-        WeightedGap gap;
-        gap.node             = point.location;
-        gap.position         = point.position;
-        gap.opposite         = hit.position;
-        gap.normal           = facing->normal;
-        gap.area             = point.area;
-        gap.spacing          = std::sqrt(point.area);
-        gap.gap              = hit.distance;
-        gap.angle            = facing->angle;
-        gap.carrying         = {point.normal_modulus, point.area, point.depth};
-        gap.opposing         = gap.carrying;
-        gap.carrying_weights = {
-          {static_cast<unsigned int>(result.carrying.size()), facing->normal}};
-        result.carrying.push_back(point.location);
-        if (sides.opposing_mesh != nullptr)
-          {
-            const auto &facet = sides.opposing_mesh->facets()[hit.facet];
-            gap.opposing      = {facet.normal_modulus, point.area, facet.depth};
-            gap.opposing_weights = {
-              {static_cast<unsigned int>(result.opposing.size()),
-               facing->normal}};
-            result.opposing.push_back(sides.opposing_mesh->body()
-                                        .surface_point(facet.side, hit.st)
-                                        .location);
-          }
-        result.gaps.push_back(std::move(gap));
+        result.gaps.push_back(
+          gap_at(point, *facing, sides.opposing_mesh, result));
       }
     return result;
   }

@@ -156,6 +156,22 @@ namespace lamella
     /// Writes rows and points of the integrals at a state.
     void
     write(const ContactSides &sides, const BlockVector &u, const double factor);
+    /// Of row @p k the constant and the rate, and the normal of its point.
+    void
+    set_tangent_plane(const unsigned int k,
+                      const BlockVector &u,
+                      const double       factor);
+    /// The rows on one body of all slips along the tangent number @p tangent.
+    std::vector<BodyRow>
+    slip_rows_on(const bool second, const unsigned int tangent) const;
+    /// For each row how far the place opposite of one of its points is in @p
+    /// now from where `points` has it, undeformed [length].
+    std::vector<double>
+    wandering(const std::vector<GapPoint> &now) const;
+    /// Rows that a search on @p sides finds to have gaps below @p touching and
+    /// that are not here, or with a part of their area.
+    unsigned int
+    count_unseen(const ContactSides &sides, const double touching) const;
     /// The weights of a side, by the numbers of its trace nodes.
     RowGeometry
     geometry(const bool second) const;

@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <lamella/contact/node_pairs.h>
+#include <lamella/contact/pairing.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace lamella
+{
+  using namespace dealii;
+
+  namespace
+  {
+    /// Nodes without a partner that face the other surface all the same.
+    unsigned int
+    count_facing(const std::vector<SurfacePoint> &points,
+                 const std::vector<bool>         &is_paired,
+                 const MeshSurface               &other,
+                 const double                     reach)
+    {
+      unsigned int count = 0;
+      for (unsigned int k = 0; k < points.size(); ++k)
+        if (!is_paired[k] &&
+            opposing_place(other, points[k].position, points[k].normal, reach))
+          ++count;
+      return count;
+    }
+
+
+
+    /// The nodes of both sides and which of them face each other.
+    struct NodePairs
+    {
+      std::vector<SurfacePoint> first, second;
+      Pairing                   pairing;
+      /// Of either side, those without a partner that face the other surface.
+      unsigned int beside = 0, beside_second = 0;
+    };
+
+
+
+    NodePairs
+    pair_nodes(const ContactSides &sides, const double reach)
+    {
+      NodePairs nodes;
+      nodes.first            = sides.points(false);
+      nodes.second           = sides.points(true);
+      nodes.pairing          = pair_node_to_node(nodes.first,
+                                        nodes.second,
+                                        sides.contact().tolerance,
+                                        reach);
+      const Pairing &pairing = nodes.pairing;
+      if (pairing.pairs.empty() ||
+          pairing.unpaired + pairing.unpaired_second == 0)
+        return nodes;
+      std::vector<bool> first_paired(nodes.first.size(), false),
+        second_paired(nodes.second.size(), false);
+      for (const PointPair &pair : pairing.pairs)
+        {
+          first_paired[pair.first]   = true;
+          second_paired[pair.second] = true;
+        }
+      nodes.beside =
+        count_facing(nodes.first, first_paired, *sides.surface(true), reach);
+      nodes.beside_second =
+        count_facing(nodes.second, second_paired, *sides.surface(false), reach);
+      return nodes;
+    }
+
+
+
+    /// The gap of @p pair of the nodes @p a and @p b, whose places have the
+    /// number @p k on either side.
+    WeightedGap
+    gap_between(const SurfacePoint &a,
+                const SurfacePoint &b,
+                const PointPair    &pair,
+                const unsigned int  k)
+    {
+      const double area = std::min(a.area, b.area);
+      WeightedGap  gap;
+      gap.node     = a.location;
+      gap.position = a.position;
+      gap.opposite = b.position;
+      gap.normal   = pair.normal;
+      gap.area     = area;
+      gap.spacing  = std::sqrt(area);
+      gap.gap      = pair.initial_gap;
+      gap.angle =
+        2. * std::asin(std::min(1., 0.5 * (a.normal + b.normal).norm()));
+      gap.carrying         = {a.normal_modulus, area, a.depth};
+      gap.opposing         = {b.normal_modulus, area, b.depth};
+      gap.carrying_weights = {{k, pair.normal}};
+      gap.opposing_weights = {{k, pair.normal}};
+      return gap;
+    }
+
+
+
+    /// Counts the nodes without a partner, with a note of those that face the
+    /// other surface all the same.
+    void
+    tell_of_nodes_beside(const NodePairs &nodes, ContactInterface &interface)
+    {
+      interface.unpaired_second     = nodes.pairing.unpaired_second;
+      interface.beside_nodes        = nodes.beside;
+      interface.beside_nodes_second = nodes.beside_second;
+      if (nodes.beside + nodes.beside_second > 0)
+        interface.notes.push_back(
+          "contact " + interface.name + ": " + std::to_string(nodes.beside) +
+          " nodes of First and " + std::to_string(nodes.beside_second) +
+          " of Second face the other surface, but none of its nodes, and can "
+          "pass through it. Use Discretisation = auto or surface to surface, "
+          "or give both surfaces the same nodes");
+    }
+  } // namespace
+
+
+
+  Discretisation
+  decided(const ContactSides &sides, const double reach)
+  {
+    const ContactPair &contact = sides.contact();
+    if (contact.discretisation != Discretisation::automatic)
+      return contact.discretisation;
+    if (contact.obstacle != nullptr)
+      return Discretisation::surface_to_surface;
+    const NodePairs nodes = pair_nodes(sides, reach);
+    return !nodes.pairing.pairs.empty() &&
+               nodes.beside + nodes.beside_second == 0 ?
+             Discretisation::node_to_node :
+             Discretisation::surface_to_surface;
+  }
+
+
+
+  Gaps
+  node_to_node(const ContactSides &sides,
+               const double        reach,
+               ContactInterface   &interface)
+  {
+    const NodePairs nodes = pair_nodes(sides, reach);
+    tell_of_nodes_beside(nodes, interface);
+    const Pairing &pairing = nodes.pairing;
+    Gaps           result;
+    result.unpaired = pairing.unpaired;
+    for (const PointPair &pair : pairing.pairs)
+      {
+        const SurfacePoint &a = nodes.first[pair.first],
+                           &b = nodes.second[pair.second];
+        if (is_too_deep(pair.initial_gap, a.depth, b.depth))
+          {
+            result.too_deep.push_back(
+              {a.position, b.position, -pair.initial_gap});
+            continue;
+          }
+        result.gaps.push_back(gap_between(a, b, pair, result.gaps.size()));
+        result.carrying.push_back(a.location);
+        result.opposing.push_back(b.location);
+      }
+    return result;
+  }
+} // namespace lamella

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <lamella/base/exceptions.h>
+#include <lamella/base/text.h>
+#include <lamella/contact/pairing_checks.h>
+
+#include <limits>
+
+namespace lamella
+{
+  using namespace dealii;
+
+  namespace
+  {
+    bool
+    is_in(const Body &body, const BoundingBox<3> &box, const Point<3> &x)
+    {
+      return box.point_inside(x) && !body.locate({x})[0].empty();
+    }
+
+
+
+    /// The first of @p places of which one side is in the body (or the
+    /// obstacle) of the other; null if there is none.
+    const DeepPlace *
+    first_inside(const ContactPair            &contact,
+                 const Bodies                 &bodies,
+                 const bool                    on_second,
+                 const std::vector<DeepPlace> &places)
+    {
+      if (places.empty())
+        return nullptr;
+      const Body
+        &carrying = *bodies[(on_second ? contact.second : contact.first).body],
+        &other =
+          *bodies[(on_second || contact.obstacle != nullptr ? contact.first :
+                                                              contact.second)
+                    .body];
+      const BoundingBox<3> box          = carrying.bounding_box(),
+                           box_of_other = other.bounding_box();
+      for (const DeepPlace &place : places)
+        if (is_in(carrying, box, place.opposite) ||
+            (contact.obstacle != nullptr ?
+               contains(*contact.obstacle, place.position) :
+               is_in(other, box_of_other, place.position)))
+          return &place;
+      return nullptr;
+    }
+  } // namespace
+
+
+
+  void
+  fail_without_pairs(const ContactPair &contact,
+                     const Bodies      &bodies,
+                     const double       reach)
+  {
+    const auto points = [&bodies](const Region &region) {
+      return bodies[region.body]->surface_points(region.surface);
+    };
+    const std::string path = "Contact " + contact.name;
+    if (contact.obstacle != nullptr)
+      throw InputError(path,
+                       "",
+                       "nothing of First faces the obstacle '" +
+                         contact.obstacle->name + "' within Search distance " +
+                         to_text(reach),
+                       "Check the surface's name and where the obstacle is.");
+    const bool to_node = contact.discretisation == Discretisation::node_to_node;
+    const Pairing pairing = pair_node_to_node(points(contact.first),
+                                              points(contact.second),
+                                              contact.tolerance);
+    std::string   nearest = "The nearest two nodes are " +
+                          to_text(pairing.nearest_distance) + " apart";
+    if (to_node && pairing.smallest_offset < std::numeric_limits<double>::max())
+      nearest += ", the best sideways offset between opposed surfaces is " +
+                 to_text(pairing.smallest_offset);
+    const std::string check =
+      ". Check that First and Second name the surfaces that look at each "
+      "other";
+    if (to_node)
+      throw InputError(
+        path,
+        "",
+        "no nodes of First and Second face each other (node to node)",
+        nearest + check +
+          ", and give both the same nodes (cells across, axis elements, axis "
+          "nodes), or use surface to surface.");
+    throw InputError(
+      path,
+      "",
+      "nothing of First and Second faces each other within Search distance " +
+        to_text(reach),
+      nearest + check + ".");
+  }
+
+
+
+  void
+  check_not_passed(const ContactPair &contact,
+                   const Bodies      &bodies,
+                   const bool         on_second,
+                   const Gaps        &gaps)
+  {
+    const auto refuse = [&](const DeepPlace   &place,
+                            const std::string &how,
+                            const std::string &remedy) {
+      throw InputError(
+        "Contact " + contact.name,
+        "",
+        "the surface '" + contact.first.surface + "' of First lies " +
+          to_text(place.behind) + " behind '" +
+          (contact.obstacle != nullptr ? contact.obstacle->name :
+                                         contact.second.surface) +
+          "' of Second, at " +
+          to_text(on_second ? place.opposite : place.position) + how,
+        remedy);
+    };
+    if (const DeepPlace *place =
+          first_inside(contact, bodies, on_second, gaps.too_deep))
+      refuse(
+        *place,
+        ", which is more than the cells there are deep: the bodies lie in "
+        "each other",
+        "Move the bodies apart, or name the two surfaces that look at each "
+        "other.");
+    if (gaps.gaps.empty() && !gaps.too_deep.empty())
+      refuse(
+        gaps.too_deep.front(),
+        "",
+        "Name the two surfaces that look at each other, or move the bodies "
+        "apart.");
+  }
+} // namespace lamella
