@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <lamella/base/arithmetic.h>
+#include <lamella/base/gauss_lobatto_grid.h>
 #include <lamella/body/facet_map.h>
 
 #include <algorithm>
@@ -17,10 +18,8 @@ namespace lamella
                             &t = GaussLobattoBasis::of_degree(
                               facet.trace_degree_t);
     std::vector<Point<3>> x;
-    for (unsigned int j = 0; j < t.size(); ++j)
-      for (unsigned int i = 0; i < s.size(); ++i)
-        x.push_back(
-          body.surface_point(facet, Point<2>(s.point(i), t.point(j))).position);
+    for (const Point<2> &st : grid_points(s, t))
+      x.push_back(body.surface_point(facet, st).position);
     keep(s, t, x);
     const Point<2> middle(0.5, 0.5);
     if (outward((*this)(middle)) * body.surface_point(facet, middle).normal <
@@ -83,10 +82,8 @@ namespace lamella
                             &t = GaussLobattoBasis::of_degree(degree_t);
     AssertDimension(u.size(), s.size() * t.size());
     std::vector<Point<3>> x;
-    for (unsigned int j = 0; j < t.size(); ++j)
-      for (unsigned int i = 0; i < s.size(); ++i)
-        x.push_back((*this)(Point<2>(s.point(i), t.point(j))).position +
-                    u[x.size()]);
+    for (const Point<2> &st : grid_points(s, t))
+      x.push_back((*this)(st).position + u[x.size()]);
     FacetMap result = *this;
     result.keep(s, t, x);
     return result;

@@ -8,6 +8,7 @@
 #include <lamella/body/line_crossings.h>
 #include <lamella/body/solid.h>
 #include <lamella/body/surface_names.h>
+#include <lamella/body/surface_node.h>
 #include <lamella/body/surface_topology.h>
 
 #include <deal.II/base/geometry_info.h>
@@ -307,21 +308,6 @@ namespace lamella
 
 
 
-  namespace
-  {
-    /// A node of a surface: what its faces add up to.
-    struct SurfaceNode
-    {
-      double       area = 0.;
-      Tensor<1, 3> normal;
-      bool         corner   = false;
-      bool         is_there = false;
-      SurfacePoint point;
-    };
-  } // namespace
-
-
-
   std::vector<SurfacePoint>
   Solid::surface_points(const std::string &surface) const
   {
@@ -329,7 +315,6 @@ namespace lamella
     std::map<unsigned int, const HexahedralMesh::HangingNode *> hangs;
     for (const HexahedralMesh::HangingNode &node : mesh.hanging_nodes())
       hangs[node.node] = &node;
-    const double cos_corner = std::cos(20. * numbers::PI / 180.);
 
     std::map<unsigned int, SurfaceNode> nodes;
     const QGauss<2>                     gauss(degree() + 2);
@@ -344,13 +329,7 @@ namespace lamella
             if (std::abs(unit[face / 2] - face % 2) > arithmetic::same_unit ||
                 hangs.count(numbers[i]) > 0)
               continue;
-            const SurfacePoint point = face_point(cell, face, unit);
-            SurfaceNode       &node  = nodes[numbers[i]];
-            if (node.is_there && point.normal * node.point.normal < cos_corner)
-              node.corner = true;
-            if (!node.is_there)
-              node.point = point;
-            node.is_there = true;
+            nodes[numbers[i]].meet(face_point(cell, face, unit));
           }
         // FEFaceValues would take 130 (degree 1) and 320 us (2) a face, this 12
         // and 45: they had to be made anew for each, as those that are kept
@@ -363,9 +342,7 @@ namespace lamella
             const SurfacePoint    at    = face_point(cell, face, unit);
             const HexahedronPoint shape = element.evaluate(corners, unit);
             const auto add = [&](const unsigned int node, const double N) {
-              const double share = N * gauss.weight(q) * at.area;
-              nodes[node].area += share;
-              nodes[node].normal += share * at.normal;
+              nodes[node].add(N * gauss.weight(q) * at.area, at.normal);
             };
             for (unsigned int i = 0; i < numbers.size(); ++i)
               if (const auto found = hangs.find(numbers[i]);
@@ -378,14 +355,9 @@ namespace lamella
       }
 
     std::vector<SurfacePoint> points;
-    for (auto &[number, node] : nodes)
-      if (node.is_there)
-        {
-          node.point.area   = node.area;
-          node.point.normal = node.normal / node.normal.norm();
-          node.point.corner = node.corner;
-          points.push_back(node.point);
-        }
+    for (const auto &[number, node] : nodes)
+      if (node.is_there())
+        points.push_back(node.finished());
     return points;
   }
 

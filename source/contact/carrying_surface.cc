@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <lamella/base/gauss_lobatto_grid.h>
 #include <lamella/base/inverse_map.h>
 #include <lamella/body/surface_topology.h>
 #include <lamella/contact/carrying_surface.h>
@@ -153,23 +154,19 @@ namespace lamella
   {
     const GaussLobattoBasis &s = GaussLobattoBasis::of_degree(facet.degree_s),
                             &t = GaussLobattoBasis::of_degree(facet.degree_t);
-    values.assign(s.size() * t.size(), 0.);
-    if (kind == Functions::hats)
+    if (kind == Functions::trace)
       {
-        const auto [i, of_i]     = hat_at(s, st[0]);
-        const auto [j, of_j]     = hat_at(t, st[1]);
-        const unsigned int k     = j * s.size() + i;
-        values[k]                = of_i * of_j;
-        values[k + 1]            = (1. - of_i) * of_j;
-        values[k + s.size()]     = of_i * (1. - of_j);
-        values[k + s.size() + 1] = (1. - of_i) * (1. - of_j);
+        evaluate_on_grid(s, t, st, values);
         return;
       }
-    std::array<double, GaussLobattoBasis::max_size> of_s, of_t;
-    s.evaluate(st[0], of_s.data(), nullptr);
-    t.evaluate(st[1], of_t.data(), nullptr);
-    for (unsigned int k = 0; k < values.size(); ++k)
-      values[k] = of_s[k % s.size()] * of_t[k / s.size()];
+    values.assign(s.size() * t.size(), 0.);
+    const auto [i, of_i]     = hat_at(s, st[0]);
+    const auto [j, of_j]     = hat_at(t, st[1]);
+    const unsigned int k     = j * s.size() + i;
+    values[k]                = of_i * of_j;
+    values[k + 1]            = (1. - of_i) * of_j;
+    values[k + s.size()]     = of_i * (1. - of_j);
+    values[k + s.size() + 1] = (1. - of_i) * (1. - of_j);
   }
 
 

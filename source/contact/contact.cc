@@ -21,12 +21,10 @@ namespace lamella
 
 
 
-    /// By which rows of two pairings are the same: where the node is that
-    /// carries the row, undeformed.
     std::array<double, 3>
     key(const ContactInterface::Point &point)
     {
-      const Point<3> &x = point.node.position;
+      const Point<3> &x = place_of(point);
       return {{x[0], x[1], x[2]}};
     }
   } // namespace
@@ -49,14 +47,12 @@ namespace lamella
   Contact::Contact(const ContactPair &contact,
                    const Bodies      &bodies,
                    ContactInterface  &interface)
-    : contact(contact)
-    , undeformed(contact, bodies)
+    : undeformed(contact, bodies)
     , interface(interface)
     , reach(search_reach(contact, bodies))
-    , search(this->contact, bodies)
+    , search(undeformed.contact(), bodies)
   {
-    interface                    = interface_within(undeformed, reach);
-    this->contact.discretisation = interface.discretisation;
+    interface = interface_within(undeformed, reach);
     undeformed.decide(interface.discretisation,
                       interface.points_on_second ? PointsOn::second :
                                                    PointsOn::first);
@@ -88,13 +84,13 @@ namespace lamella
         const Tensor<1, 3>             n  = on_second ? -at.normal : at.normal;
         GapPoint                       point;
         const auto                     here = carrying.place_of(at.node, n);
-        Assert(here, ExcInternalError());
+        AssertThrow(here, ExcInternalError());
         point.carrying       = *here;
         point.opposing.facet = numbers::invalid_unsigned_int;
         if (opposing != nullptr)
           {
             const auto there = opposing->place_of(beyond.places[k], -n);
-            Assert(there, ExcInternalError());
+            AssertThrow(there, ExcInternalError());
             point.opposing = *there;
           }
         points.push_back(point);
@@ -170,17 +166,15 @@ namespace lamella
   RowGeometry
   Contact::geometry(const bool second) const
   {
-    RowGeometry        side;
-    const MeshSurface &on = *undeformed.surface(second);
-    for (unsigned int k = 0; k < on.n_trace_nodes(); ++k)
-      side.places.push_back(on.trace_location(k));
+    RowGeometry side;
+    side.places          = undeformed.trace_places(second);
     const bool   carries = second == interface.points_on_second;
     const double sign    = carries ? -1. : 1.;
     for (const GapIntegrals &row : integrals)
       {
         side.weights.emplace_back();
-        for (const auto &[node, weight] : carries ? row.carrying : row.opposing)
-          side.weights.back().emplace_back(node, sign * weight);
+        for (const auto &[number, node] : carries ? row.carrying : row.opposing)
+          side.weights.back().emplace_back(number, sign * node.normal);
       }
     return side;
   }
@@ -249,17 +243,16 @@ namespace lamella
   {
     const unsigned int body =
       second ? *interface.second_body : interface.first_body;
-    const auto  sums = second == interface.points_on_second ?
-                         &GapIntegrals::tangential_carrying :
-                         &GapIntegrals::tangential_opposing;
+    const bool  carries = second == interface.points_on_second;
     RowGeometry side;
     for (unsigned int k = 0; k < integrals.size(); ++k)
       {
         const Tensor<1, 3> t = (second ? 1. : -1.) *
                                tangents_of(interface.points[k].normal)[tangent];
         side.weights.emplace_back();
-        for (const auto &[node, across] : integrals[k].*sums)
-          side.weights.back().emplace_back(node, across * t);
+        for (const auto &[number, node] :
+             carries ? integrals[k].carrying : integrals[k].opposing)
+          side.weights.back().emplace_back(number, node.tangential * t);
       }
     return body_rows(body,
                      undeformed.bodies()[body]->n_dofs(),
@@ -312,20 +305,12 @@ namespace lamella
   unsigned int
   Contact::count_unseen(const ContactSides &sides, const double touching) const
   {
-    std::map<std::array<double, 3>, double> areas;
-    for (const ContactInterface::Point &point : interface.points)
-      areas[key(point)] = point.area;
     unsigned int count = 0;
     try
       {
         const ContactInterface fresh = interface_within(sides, reach);
-        for (unsigned int k = 0; k < fresh.rows.size(); ++k)
-          if (fresh.rows[k].initial_gap < touching)
-            {
-              const auto own = areas.find(key(fresh.points[k]));
-              count += own == areas.end() ||
-                       own->second < most_of * fresh.points[k].area;
-            }
+        for (const RowBeside &row : rows_beside(interface, fresh, most_of))
+          count += fresh.rows[row.found].initial_gap < touching;
       }
     catch (const InputError &)
       {

@@ -79,19 +79,27 @@ namespace lamella
 
 
 
+  const std::vector<Location> &
+  ContactSides::trace_places(const bool second) const
+  {
+    if (undeformed != nullptr)
+      return undeformed->trace_places(second);
+    const MeshSurface &on = *surface(second);
+    while (places[second].size() < on.n_trace_nodes())
+      places[second].push_back(on.trace_location(places[second].size()));
+    return places[second];
+  }
+
+
+
   const std::vector<std::vector<Row>> &
   ContactSides::trace_rows(const bool second) const
   {
     if (undeformed != nullptr)
       return undeformed->trace_rows(second);
     if (rows[second].empty())
-      {
-        const MeshSurface    &on = *surface(second);
-        std::vector<Location> places;
-        for (unsigned int k = 0; k < on.n_trace_nodes(); ++k)
-          places.push_back(on.trace_location(k));
-        rows[second] = on.body().rows(places, Quantity::displacement);
-      }
+      rows[second] = surface(second)->body().rows(trace_places(second),
+                                                  Quantity::displacement);
     return rows[second];
   }
 } // namespace lamella

@@ -14,8 +14,6 @@ namespace lamella
   {
     // Of a facet's length: how far a foot goes beyond a side with a neighbour.
     constexpr double beyond = 0.05;
-    // cos 60, as of opposing_place().
-    constexpr double faces_from = 0.5;
 
 
 
@@ -55,8 +53,9 @@ namespace lamella
           const double              slack)
     {
       const auto room = [&](const unsigned int side) {
-        return facet.goes_on[side] ? std::max(slack, arithmetic::parallel) :
-                                     arithmetic::parallel;
+        return facet.goes_on[side] ?
+                 std::max(slack, arithmetic::same_in_element) :
+                 arithmetic::same_in_element;
       };
       return st[0] >= -room(0) && st[0] <= 1. + room(1) && st[1] >= -room(2) &&
              st[1] <= 1. + room(3);
@@ -83,7 +82,7 @@ namespace lamella
       hit.distance = hit.normal * (x - hit.position);
       hit.facet    = number;
       hit.st       = *st;
-      if (n1 * hit.normal > -faces_from)
+      if (n1 * hit.normal > -faces_from_60)
         return {};
       return hit;
     }
@@ -167,7 +166,7 @@ namespace lamella
         hit.distance = r.norm() - obstacle.radius;
       }
     hit.position = x - hit.distance * hit.normal;
-    if (std::abs(hit.distance) > reach || n1 * hit.normal > -faces_from)
+    if (std::abs(hit.distance) > reach || n1 * hit.normal > -faces_from_60)
       return {};
     return hit;
   }

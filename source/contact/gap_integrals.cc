@@ -60,13 +60,13 @@ namespace lamella
       const auto add_side = [&](const std::vector<unsigned int> &nodes,
                                 const std::vector<double>       &values,
                                 const double                     weight,
-                                auto                            &normals,
-                                auto                            &tangents) {
+                                auto                            &sums) {
         for (unsigned int k = 0; k < nodes.size(); ++k)
           if (values[k] != 0.)
             {
-              normals[nodes[k]] += (weight * values[k]) * n;
-              tangents[nodes[k]] += (weight * values[k]) * tangential;
+              GapIntegrals::OfNode &node = sums[nodes[k]];
+              node.normal += (weight * values[k]) * n;
+              node.tangential += (weight * values[k]) * tangential;
             }
       };
       for (const auto &[row, weight] : shares_of(functions, number, point))
@@ -75,17 +75,9 @@ namespace lamella
           sum.area += weight;
           sum.gap += weight * at.hit.distance;
           sum.normal += weight * n;
-          add_side(facet.trace_nodes,
-                   trace,
-                   weight,
-                   sum.carrying,
-                   sum.tangential_carrying);
+          add_side(facet.trace_nodes, trace, weight, sum.carrying);
           if (beyond != nullptr)
-            add_side(*beyond,
-                     trace_opposite,
-                     weight,
-                     sum.opposing,
-                     sum.tangential_opposing);
+            add_side(*beyond, trace_opposite, weight, sum.opposing);
         }
     }
 
@@ -100,13 +92,12 @@ namespace lamella
             const double scale = 1. / row.area;
             row.gap *= scale;
             row.normal *= scale;
-            for (auto *weights : {&row.carrying, &row.opposing})
-              for (auto &node : *weights)
-                node.second *= scale;
-            for (auto *weights :
-                 {&row.tangential_carrying, &row.tangential_opposing})
-              for (auto &node : *weights)
-                node.second *= scale;
+            for (auto *side : {&row.carrying, &row.opposing})
+              for (auto &[number, node] : *side)
+                {
+                  node.normal *= scale;
+                  node.tangential *= scale;
+                }
           }
       return std::move(rows);
     }

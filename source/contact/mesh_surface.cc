@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <lamella/base/arithmetic.h>
+#include <lamella/base/gauss_lobatto_grid.h>
 #include <lamella/contact/carrying_surface.h>
 #include <lamella/contact/mesh_surface.h>
 
@@ -333,13 +334,7 @@ namespace lamella
                               const Point<2>      &st,
                               std::vector<double> &values) const
   {
-    std::array<double, max_size> s, t;
-    facet.trace_s->evaluate(st[0], s.data(), nullptr);
-    facet.trace_t->evaluate(st[1], t.data(), nullptr);
-    values.clear();
-    for (unsigned int j = 0; j < facet.trace_t->size(); ++j)
-      for (unsigned int i = 0; i < facet.trace_s->size(); ++i)
-        values.push_back(s[i] * t[j]);
+    evaluate_on_grid(*facet.trace_s, *facet.trace_t, st, values);
   }
 
 

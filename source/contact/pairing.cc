@@ -16,7 +16,7 @@ namespace lamella
     // Cosines between a normal and what it is to oppose. Where points touch
     // nothing but the normals tells whether they face each other; points that
     // are apart and lie along the averaged normal do, up to a steep angle.
-    constexpr double opposed = 0.5, steep = 0.1;
+    constexpr double opposed = faces_from_60, steep = 0.1;
 
     // As many nodes of an edge may stand at one place.
     constexpr unsigned int twins = 3;

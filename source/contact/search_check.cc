@@ -26,6 +26,32 @@ namespace lamella
 
 
 
+  std::vector<RowBeside>
+  rows_beside(const ContactInterface &own,
+              const ContactInterface &found,
+              const double            share)
+  {
+    const auto key = [](const ContactInterface::Point &point) {
+      const Point<3> &x = place_of(point);
+      return std::array<double, 3>{{x[0], x[1], x[2]}};
+    };
+    std::map<std::array<double, 3>, unsigned int> rows;
+    for (unsigned int k = 0; k < own.points.size(); ++k)
+      rows[key(own.points[k])] = k;
+    std::vector<RowBeside> beside;
+    for (unsigned int k = 0; k < found.points.size(); ++k)
+      {
+        const auto same = rows.find(key(found.points[k]));
+        if (same == rows.end())
+          beside.push_back({k, {}});
+        else if (own.points[same->second].area < share * found.points[k].area)
+          beside.push_back({k, same->second});
+      }
+    return beside;
+  }
+
+
+
   SearchCheck::SearchCheck(const ContactPair &contact, const Bodies &bodies)
     : contact(contact)
     , bodies(bodies)
@@ -52,24 +78,9 @@ namespace lamella
         // there is a Search distance.
         return;
       }
-    const auto own = [&interface](const ContactInterface::Point &point) {
-      const Point<3> &x =
-        interface.points_on_second ? point.second : point.first;
-      return std::array<double, 3>{{x[0], x[1], x[2]}};
-    };
-    std::map<std::array<double, 3>, unsigned int> seen;
-    for (unsigned int k = 0; k < interface.points.size(); ++k)
-      seen[own(interface.points[k])] = k;
     unseen.clear();
-    for (unsigned int k = 0; k < all.points.size(); ++k)
-      {
-        const auto found = seen.find(own(all.points[k]));
-        if (found == seen.end())
-          unseen.push_back({all.rows[k], all.points[k].first, std::nullopt});
-        else if (interface.points[found->second].area <
-                 (1. - same_area) * all.points[k].area)
-          unseen.push_back({all.rows[k], all.points[k].first, found->second});
-      }
+    for (const auto &[k, own] : rows_beside(interface, all, 1. - same_area))
+      unseen.push_back({all.rows[k], all.points[k].first, own});
   }
 
 

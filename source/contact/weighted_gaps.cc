@@ -21,10 +21,10 @@ namespace lamella
     // side does so by rounding.
     constexpr double smallest_share = arithmetic::rounding_of_results;
 
-    // cos 60: normals further from opposed do not face each other; cos 80: nor
-    // do those of a point in the middle of others that do.
-    constexpr double faces = 0.5, nearly_faces = 0.17;
-    constexpr double anywhere = std::numeric_limits<double>::max();
+    // cos 80: how far from opposed the normals of a point may be in the middle
+    // of others that face the other side.
+    constexpr double nearly_faces = 0.17;
+    constexpr double anywhere     = std::numeric_limits<double>::max();
 
     // Of the Gauss rule, for what is not polynomial on curved facets.
     constexpr unsigned int degrees_for_curves = 2;
@@ -367,7 +367,7 @@ namespace lamella
       if (!opposition(point_above(cell, plane, centroid(corners)),
                       search,
                       sides.reach,
-                      faces))
+                      faces_from_60))
         return;
       add_part(cell, plane, corners);
       for (unsigned int k = 1; k + 1 < corners.size(); ++k)

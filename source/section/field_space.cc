@@ -134,6 +134,22 @@ namespace lamella
 
 
 
+  namespace
+  {
+    /// Adds @p factor times the @p n numbers of a mode to @p sum.
+    void
+    add_scaled(const double      *mode,
+               const unsigned int n,
+               const double       factor,
+               double            *sum)
+    {
+      for (unsigned int alpha = 0; alpha < n; ++alpha)
+        sum[alpha] += factor * mode[alpha];
+    }
+  } // namespace
+
+
+
   void
   FieldSpace::expand(std::vector<double> &coefficients) const
   {
@@ -141,11 +157,7 @@ namespace lamella
     const unsigned int n = base->n_fields();
     for (unsigned int j = 0; j < n_modes(); ++j)
       if (const double factor = coefficients[n + j]; factor != 0.)
-        {
-          const double *const mode = this->mode(j);
-          for (unsigned int a = 0; a < n; ++a)
-            coefficients[a] += factor * mode[a];
-        }
+        add_scaled(this->mode(j), n, factor, coefficients.data());
     coefficients.resize(n);
   }
 
@@ -188,12 +200,7 @@ namespace lamella
         if (const double factor = q(a, k); list[a] < n)
           result(list[a], k) += factor;
         else if (factor != 0.)
-          {
-            const double *const mode = this->mode(list[a] - n);
-            double *const       sum  = &result(0, k);
-            for (unsigned int alpha = 0; alpha < n; ++alpha)
-              sum[alpha] += factor * mode[alpha];
-          }
+          add_scaled(this->mode(list[a] - n), n, factor, &result(0, k));
     return result;
   }
 

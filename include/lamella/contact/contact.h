@@ -176,7 +176,6 @@ namespace lamella
     RowGeometry
     geometry(const bool second) const;
 
-    ContactPair       contact;
     ContactSides      undeformed;
     ContactInterface &interface;
     const double      reach;
@@ -187,7 +186,8 @@ namespace lamella
     /// Of the state that the rows are of. Empty until somebody moves, or asks
     /// for slip.
     std::vector<GapIntegrals> integrals;
-    /// What `adjust` has taken out of the gaps of the undeformed, by the node.
+    /// What `adjust` has taken out of the gaps of the undeformed, by the place
+    /// of the node.
     std::map<std::array<double, 3>, double> taken_out;
   };
 

@@ -78,8 +78,10 @@ namespace lamella
     std::vector<SurfacePoint>
     points(const bool second) const;
 
-    /// Of each trace node of surface() the three rows of its displacement, made
-    /// once, of the undeformed.
+    /// Where each trace node of surface() is in its body, and the three rows of
+    /// its displacement: made once, of the undeformed.
+    const std::vector<Location> &
+    trace_places(const bool second) const;
     const std::vector<std::vector<Row>> &
     trace_rows(const bool second) const;
 
@@ -97,6 +99,7 @@ namespace lamella
     std::shared_ptr<const Obstacle> standing;
 
     mutable std::array<std::unique_ptr<const MeshSurface>, 2> surfaces;
+    mutable std::array<std::vector<Location>, 2>              places;
     mutable std::array<std::vector<std::vector<Row>>, 2>      rows;
   };
 } // namespace lamella

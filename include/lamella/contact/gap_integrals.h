@@ -28,12 +28,15 @@ namespace lamella
     /// The averages of g [length] and of n.
     double               gap = 0.;
     dealii::Tensor<1, 3> normal;
-    /// Those of psi_k n on either side, and of psi_k (I - n n): the latter
-    /// applied to any tangent t are the weights of the slip along t, so no
-    /// frame is kept and none is preferred.
-    std::map<unsigned int, dealii::Tensor<1, 3>>          carrying, opposing;
-    std::map<unsigned int, dealii::SymmetricTensor<2, 3>> tangential_carrying,
-      tangential_opposing;
+    /// Those of a node's function, psi_k n and psi_k (I - n n): the latter
+    /// applied to any tangent t is the weight of the slip along t, so no frame
+    /// is kept and none is preferred.
+    struct OfNode
+    {
+      dealii::Tensor<1, 3>          normal;
+      dealii::SymmetricTensor<2, 3> tangential;
+    };
+    std::map<unsigned int, OfNode> carrying, opposing;
   };
 
   /// What decides on the place opposite of a material point.

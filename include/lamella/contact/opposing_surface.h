@@ -63,6 +63,9 @@ namespace lamella
     double angle = 0.;
   };
 
+  /// cos 60: normals further from opposed do not face each other.
+  constexpr double faces_from_60 = 0.5;
+
   /**
    * The place X_2 of @p other that the point @p x of a surface with the outward
    * normal @p n1 faces: where the line from X_1 along
@@ -83,7 +86,7 @@ namespace lamella
                  const dealii::Point<3>     &x,
                  const dealii::Tensor<1, 3> &n1,
                  const double                reach,
-                 const double                opposed = 0.5);
+                 const double                opposed = faces_from_60);
 
   /// The surface of a rigid obstacle in closed form (see meet() of an
   /// Obstacle), where it stands before it moves. Shares the obstacle.

@@ -10,6 +10,22 @@
 
 namespace lamella
 {
+  /// A row that another search for the same contact finds.
+  struct RowBeside
+  {
+    /// Its number there.
+    unsigned int found = 0;
+    /// The row of the same node, which has less area; none if there is none.
+    std::optional<unsigned int> own;
+  };
+
+  /// The rows of @p found whose nodes (place_of()) have no row in @p own, or
+  /// one with less than @p share of their area. The same side carries both.
+  std::vector<RowBeside>
+  rows_beside(const ContactInterface &own,
+              const ContactInterface &found,
+              const double            share);
+
   /**
    * Looks at what a Search distance leaves out. Places further apart have no
    * row, and would go through the other body without a word; rows at the end of
