@@ -4,6 +4,7 @@
 #include <lamella/contact/assumptions.h>
 #include <lamella/recover/named_quantity.h>
 #include <lamella/run/step_results.h>
+#include <lamella/solve/soundness.h>
 
 #include <algorithm>
 

@@ -3,6 +3,7 @@
 #include <lamella/solve/beyond_linear.h>
 #include <lamella/solve/load_path.h>
 #include <lamella/solve/phase.h>
+#include <lamella/solve/soundness.h>
 
 #include <algorithm>
 #include <cmath>

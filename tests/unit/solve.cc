@@ -8,6 +8,7 @@
 #include <lamella/contact/gap_rows.h>
 #include <lamella/solve/checks.h>
 #include <lamella/solve/parameters.h>
+#include <lamella/solve/soundness.h>
 
 #include <boost/test/unit_test.hpp>
 

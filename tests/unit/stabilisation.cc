@@ -7,6 +7,7 @@
 #include <lamella/base/exceptions.h>
 #include <lamella/conditions/stabilisation.h>
 #include <lamella/solve/checks.h>
+#include <lamella/solve/soundness.h>
 
 #include <boost/test/unit_test.hpp>
 

@@ -18,6 +18,7 @@
 #include <lamella/shape/laminate.h>
 #include <lamella/solve/checks.h>
 #include <lamella/solve/contact_solver.h>
+#include <lamella/solve/soundness.h>
 
 #include <deal.II/base/table_handler.h>
 

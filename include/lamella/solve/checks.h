@@ -5,76 +5,12 @@
 
 #include <lamella/solve/beyond_linear.h>
 #include <lamella/solve/contact_solver.h>
+#include <lamella/solve/kuhn_tucker.h>
 
-#include <deal.II/base/tensor.h>
-
-#include <optional>
 #include <vector>
 
 namespace lamella
 {
-  /// A force and its moment about the scene's origin, scene components.
-  struct Wrench
-  {
-    dealii::Tensor<1, 3> force, moment;
-  };
-
-  /**
-   * The Kuhn-Tucker state (Eq. 18) of one contact at the end of a load step,
-   *   g >= 0,  lambda >= 0,  g lambda = 0   (for penalty with g + lambda / eps
-   *                                          in the place of g),
-   * row by row, and what it transmits. lambda is the force of a row, positive
-   * in compression, where p_N of Eq. 18 is negative. Forces and lengths are in
-   * the scene's units and axes.
-   */
-  struct KuhnTucker
-  {
-    /// Rows with a force.
-    unsigned int active = 0;
-    /// The resultant on the second body or obstacle, scene components, and the
-    /// moment about the scene's origin: the work of the rows on rigid motions
-    /// of a body, so exact for every kind of rows.
-    dealii::Tensor<1, 3> force, moment;
-    /// What each row has of these: they sum to them but for rounding.
-    std::vector<Wrench> of_rows;
-    /// Where the force acts: of its line of action the point nearest to the
-    /// mean of the active points, weighted with their forces. The origin where
-    /// there is no force.
-    dealii::Point<3> centre_of_pressure;
-    /// |sum of the forces on both bodies| over the sum of the rows' forces:
-    /// zero but for rounding. Not looked at against an obstacle.
-    double imbalance = 0.;
-    /// The largest -g, zero without penetration; by design F / eps for penalty.
-    double max_penetration = 0.;
-    /// The smallest force of an active row: not negative. Zero if none is
-    /// active.
-    double min_force = 0.;
-    /// The largest lambda max(0, g), an energy: zero.
-    double complementarity = 0.;
-    /// The largest |g + a lambda| of an active row and -g of any other, with
-    /// a = 1/eps for penalty and zero without: how far gaps and forces are from
-    /// the law, a length.
-    double law_error = 0.;
-    /// How much wider the initial gaps of active rows, means over elements
-    /// perhaps, are than those between their points: what the mesh does not
-    /// resolve of how the surfaces curve.
-    double averaged_away = 0.;
-    /// The largest of law error over displacement, tension over force and
-    /// complementarity over both: a number. Zero if no row is active.
-    double violation = 0.;
-  };
-
-  /// A wrench: a force and its moment about a point, scene components.
-  struct Resultant
-  {
-    dealii::Tensor<1, 3> force, moment;
-    /// The point, in the scene; not where the force acts.
-    dealii::Point<3> about;
-    /// Where it acts: of its line of action the point nearest to `about`. None
-    /// without a force, or with one that is rounding beside the moment.
-    std::optional<dealii::Point<3>> centre_of_pressure = {};
-  };
-
   /**
    * What every load step is checked for: equilibrium, energy, the contact law
    * and the range of linear kinematics. All of them are evaluated at the state
@@ -143,33 +79,6 @@ namespace lamella
               const State                         &state,
               const double                         factor);
 
-  /**
-   * Throws NumericsError if the state is not to be trusted, looked at in this
-   * order: stabilising springs that hold more than a tenth of the energy, last
-   * corrections above 1e-6 of the displacements, balance of forces or moments,
-   * residual or balance of energy above 1e-3, a contact force below zero or
-   * gaps off the contact law by more than 1e-6 of the displacements, numbers
-   * that are none, or a rotation above @p rotation_limit (rad). A check that is
-   * not a number counts as failed.
-   */
-  void
-  require_sound(const State  &state,
-                const Checks &checks,
-                const double  rotation_limit);
-
-  /**
-   * What the user should know of a state that is sound, a sentence each without
-   * a full stop: penetrations above 1e-3 of the displacements, gaps whose
-   * averages miss more than 1e-2 of them, bodies that overlap from the start;
-   * rotations beyond 0.1 rad, stabilising springs with more than 1e-3 of the
-   * energy, balances that hold to worse than 1e-7, and digits that the
-   * assembled matrix lost (a first correction above 1e-7). @p contacts are
-   * those of check_state().
-   */
-  std::vector<std::string>
-  warnings_of(const State                         &state,
-              const Checks                        &checks,
-              const std::vector<ContactInterface> &contacts);
 } // namespace lamella
 
 #endif

@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <lamella/solve/complementarity.h>
+#include <lamella/solve/kuhn_tucker.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+namespace lamella
+{
+  using namespace dealii;
+
+  namespace
+  {
+    /// The point nearest to @p mean of the line on which the force of @p wrench
+    /// has its moment about the origin (up to a couple along it).
+    Point<3>
+    line_of_action(const Wrench &wrench, const Point<3> &mean)
+    {
+      const Tensor<1, 3> &force = wrench.force;
+      const Tensor<1, 3>  arm =
+        cross_product_3d(force, wrench.moment) / force.norm_square();
+      return Point<3>(arm + (mean * force / force.norm_square()) * force);
+    }
+
+
+
+    /// Between the points of a pair, none if they overlap.
+    double
+    gap_of(const ContactInterface::Point &pair)
+    {
+      return std::max(0.,
+                      (pair.second - pair.first) *
+                        (pair.normal / pair.normal.norm()));
+    }
+
+
+
+    /// What the rows say of gaps and forces, each for itself.
+    void
+    check_rows(const ContactInterface        &contact,
+               const ArrayView<const double> &force,
+               const BlockVector             &u,
+               const double                   factor,
+               const double                   displacement,
+               KuhnTucker                    &kkt)
+    {
+      double smallest = std::numeric_limits<double>::max(), largest = 0.;
+      for (unsigned int k = 0; k < contact.rows.size(); ++k)
+        {
+          const GapRow &row    = contact.rows[k];
+          const double  lambda = force[k];
+          const double  g      = row.gap(u, factor);
+          kkt.max_penetration  = std::max(kkt.max_penetration, -g);
+          kkt.law_error =
+            std::max(kkt.law_error,
+                     lambda == 0. ? -g :
+                                    std::abs(g + law_softness(row) * lambda));
+          kkt.complementarity =
+            std::max(kkt.complementarity, std::max(g, 0.) * std::abs(lambda));
+          largest = std::max(largest, std::abs(lambda));
+          if (lambda != 0.)
+            {
+              ++kkt.active;
+              kkt.averaged_away = std::max(kkt.averaged_away,
+                                           contact.rows[k].initial_gap -
+                                             gap_of(contact.points[k]));
+              smallest          = std::min(smallest, lambda);
+            }
+        }
+      if (kkt.active == 0)
+        return;
+      kkt.min_force = smallest;
+      kkt.violation =
+        std::max({kkt.law_error / displacement,
+                  -smallest / largest,
+                  kkt.complementarity / (displacement * largest)});
+    }
+
+
+
+    /// What the @p forces of the rows do to the body on their @p side, each,
+    /// about its centre.
+    std::vector<Wrench>
+    wrenches_of_rows(const ContactInterface        &contact,
+                     const ArrayView<const double> &forces,
+                     const unsigned int             side,
+                     const BodyForces              &on_body)
+    {
+      std::vector<Wrench> of_rows(contact.rows.size());
+      for (unsigned int k = 0; k < of_rows.size(); ++k)
+        if (forces[k] != 0.)
+          of_rows[k] = on_body.felt([&](const Vector &motion) {
+            return forces[k] * contact.rows[k].parts[side].row(motion);
+          });
+      return of_rows;
+    }
+
+
+
+    Wrench
+    sum(const std::vector<Wrench> &wrenches)
+    {
+      Wrench whole;
+      for (const Wrench &wrench : wrenches)
+        {
+          whole.force += wrench.force;
+          whole.moment += wrench.moment;
+        }
+      return whole;
+    }
+
+
+
+    /// The mean of the points that are pressed, weighted with their forces.
+    Point<3>
+    mean_point(const ContactInterface        &contact,
+               const ArrayView<const double> &forces)
+    {
+      Tensor<1, 3> mean;
+      double       weight = 0.;
+      for (unsigned int k = 0; k < contact.rows.size(); ++k)
+        if (forces[k] != 0.)
+          {
+            mean += forces[k] * contact.points[k].first;
+            weight += forces[k];
+          }
+      return Point<3>(mean / weight);
+    }
+
+
+
+    /// Whether what a contact transmits is read from its second body: one that
+    /// deforms, and whose theory misses no more motions than that of the first
+    /// (a theory without a turn about its axis sees no torque about it).
+    bool
+    is_read_from_second(const ContactInterface        &contact,
+                        const std::vector<BodyForces> &on_body)
+    {
+      const auto missing = [&](const unsigned int b) {
+        return on_body[b].body.missing_motions().size();
+      };
+      return contact.second_body.has_value() &&
+             missing(*contact.second_body) <= missing(contact.first_body);
+    }
+
+
+
+    /// Force, moment and centre of pressure; adds the forces to the bodies'.
+    void
+    add_contact_forces(const ContactInterface        &contact,
+                       const ArrayView<const double> &forces,
+                       KuhnTucker                    &kkt,
+                       std::vector<BodyForces>       &on_body)
+    {
+      std::vector<Wrench> on_first =
+        wrenches_of_rows(contact, forces, 0, on_body[contact.first_body]);
+      std::vector<Wrench> on_second;
+      const Wrench        of_first = sum(on_first);
+      on_body[contact.first_body].add(of_first);
+      const double all = std::accumulate(forces.begin(), forces.end(), 0.);
+      if (contact.second_body.has_value())
+        {
+          BodyForces &second     = on_body[*contact.second_body];
+          on_second              = wrenches_of_rows(contact, forces, 1, second);
+          const Wrench of_second = sum(on_second);
+          second.add(of_second);
+          if (all != 0.)
+            kkt.imbalance = (of_first.force + of_second.force).norm() / all;
+        }
+
+      const bool        from_second = is_read_from_second(contact, on_body);
+      const BodyForces &seen_by =
+        on_body[from_second ? *contact.second_body : contact.first_body];
+      kkt.of_rows = std::move(from_second ? on_second : on_first);
+      for (Wrench &wrench : kkt.of_rows)
+        {
+          wrench = seen_by.at_origin(wrench);
+          if (!from_second)
+            wrench = {-wrench.force, -wrench.moment};
+        }
+      const Wrench whole = sum(kkt.of_rows);
+      kkt.force          = whole.force;
+      kkt.moment         = whole.moment;
+      if (kkt.force.norm() != 0.)
+        kkt.centre_of_pressure =
+          line_of_action(whole, mean_point(contact, forces));
+    }
+  } // namespace
+
+
+
+  KuhnTucker
+  check_contact(const ContactInterface        &contact,
+                const ArrayView<const double> &forces,
+                const BlockVector             &u,
+                const double                   factor,
+                const double                   displacement,
+                std::vector<BodyForces>       &on_body)
+  {
+    KuhnTucker kkt;
+    check_rows(contact, forces, u, factor, displacement, kkt);
+    add_contact_forces(contact, forces, kkt, on_body);
+    return kkt;
+  }
+} // namespace lamella

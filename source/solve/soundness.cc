@@ -1,0 +1,214 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <lamella/base/exceptions.h>
+#include <lamella/base/text.h>
+#include <lamella/solve/lost_digits.h>
+#include <lamella/solve/soundness.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace lamella
+{
+  namespace
+  {
+    // Beyond these the linear strain misses about rotation^2 / 2, 0.5 %.
+    constexpr double linear_rotation = 0.1;
+    // A first correction above this says that the assembled matrix has lost
+    // more than half of its digits.
+    constexpr double lost_digits = 1e-7;
+    // Of the displacements; a penalty this soft changes the answer.
+    constexpr double large_penetration = 1e-3;
+    // Of all energy in stabilising springs.
+    constexpr double worth_failing = 0.1, worth_saying = 1e-3;
+    // Of the displacements; rows that average this much of the gap away.
+    constexpr double large_averaging = 1e-2;
+    // What displacements and gaps of a trusted result may be off by.
+    constexpr double sound = 1e-6;
+    // Forces come out of displacements that are held in doubles, which leaves
+    // about eps (L/h)^2 of them: tolerable, but to be told.
+    constexpr double tolerable = 1e-3, worth_telling = 1e-7;
+
+
+
+    void
+    require_no_springs(const Checks &checks)
+    {
+      if (checks.stabilisation_share > worth_failing)
+        throw NumericsError(
+          "Stabilising springs hold " +
+          to_text(100. * checks.stabilisation_share, 3) +
+          " % of the energy: a body with Stabilisation is not held by its "
+          "contacts. Add a support, close its gaps by a prescribed displacement, "
+          "or load it towards the body that is to hold it.");
+    }
+
+
+
+    void
+    require_settled(const State &state)
+    {
+      const auto last = [](const std::vector<double> &corrections) {
+        return corrections.empty() ? 0. : corrections.back();
+      };
+      const double left =
+        std::max(last(state.free_corrections), last(state.contact_corrections));
+      if (!(left < sound))
+        throw LostDigits(
+          "The linear solution does not settle: the last correction is " +
+          to_text(left, 3) +
+          " of the displacements. The scene is beyond what double precision "
+          "holds: less slender bodies or less different stiffnesses are needed.");
+    }
+
+
+
+    /// Forces, moments, residual and energy.
+    void
+    require_balance(const Checks &checks)
+    {
+      for (const auto &[what, error] :
+           {std::make_pair("forces on a body do not balance",
+                           checks.force_balance),
+            std::make_pair("moments on a body do not balance",
+                           checks.moment_balance),
+            std::make_pair("unbalanced forces do not vanish", checks.residual),
+            std::make_pair("strain energy is not the work done",
+                           checks.energy_balance)})
+        if (!(error < tolerable))
+          throw LostDigits("The " + std::string(what) +
+                           ": the relative error "
+                           "is " +
+                           to_text(error, 3) +
+                           ". The scene is beyond what double precision "
+                           "holds: make bodies less slender, or stiffnesses "
+                           "and penalties less different.");
+    }
+
+
+
+    void
+    require_contact_law(const KuhnTucker &contact, const double displacement)
+    {
+      if (!(contact.imbalance < tolerable))
+        throw NumericsError(
+          "The forces of a contact on its two bodies differ by " +
+          to_text(contact.imbalance, 3) +
+          " of their sum: its rows do not follow rigid motions, a fault of "
+          "this program. Please report the scene.");
+      else if (contact.min_force < 0. ||
+               !(contact.law_error <= sound * displacement))
+        throw NumericsError(
+          "The contact conditions do not hold: the smallest force is " +
+          to_text(contact.min_force) +
+          ", and gaps miss the contact law by up to " +
+          to_text(contact.law_error, 3) + " (relative violation " +
+          to_text(contact.violation, 3) +
+          "). Try a softer penalty, or Contact strategy = condensed if it is "
+          "full.");
+    }
+  } // namespace
+
+
+
+  void
+  require_sound(const State  &state,
+                const Checks &checks,
+                const double  rotation_limit)
+  {
+    require_no_springs(checks);
+    require_settled(state);
+    require_balance(checks);
+    for (const KuhnTucker &contact : checks.contacts)
+      require_contact_law(contact, checks.max_displacement);
+    if (!std::isfinite(checks.max_rotation) || !std::isfinite(checks.energy))
+      throw NumericsError("The solution is not a finite number. Check the "
+                          "loads and the materials.");
+    if (checks.max_rotation > rotation_limit)
+      throw NumericsError(
+        "Rotations reach " + to_text(checks.max_rotation, 3) +
+        " rad, beyond Rotation limit = " + to_text(rotation_limit) +
+        ": linear kinematics does not describe this scene. Reduce the loads, "
+        "or raise the limit if you want the linear result all the same.");
+  }
+
+
+
+  namespace
+  {
+    void
+    add_contact_warnings(const ContactInterface   &contact,
+                         const KuhnTucker         &kkt,
+                         const double              displacement,
+                         std::vector<std::string> &warnings)
+    {
+      const std::string what = "contact " + contact.name + ": ";
+      if (kkt.max_penetration > large_penetration * displacement)
+        warnings.push_back(
+          what + "bodies penetrate by " + to_text(kkt.max_penetration, 3) +
+          ", " + to_text(100. * kkt.max_penetration / displacement, 2) +
+          " % of the displacements: a result of the penalty as "
+          "much as of the bodies; raise it, or take Enforcement = exact");
+      if (kkt.averaged_away > large_averaging * displacement)
+        warnings.push_back(
+          what + "gaps averaged over elements are up to " +
+          to_text(kkt.averaged_away, 3) +
+          " wider than those at their points, " +
+          to_text(100. * kkt.averaged_away / displacement, 2) +
+          " % of the displacements: the mesh is too coarse there for how the "
+          "surfaces curve. Refine it where they touch, or take Discretisation "
+          "= node to surface");
+      double smallest = 0.;
+      for (const GapRow &row : contact.rows)
+        smallest = std::min(smallest, row.initial_gap);
+      if (smallest < 0.)
+        warnings.push_back(what +
+                           "the bodies overlap from the start by up to " +
+                           to_text(-smallest, 3) + " and are pushed apart");
+    }
+  } // namespace
+
+
+
+  std::vector<std::string>
+  warnings_of(const State                         &state,
+              const Checks                        &checks,
+              const std::vector<ContactInterface> &contacts)
+  {
+    std::vector<std::string> warnings;
+    for (unsigned int k = 0; k < contacts.size(); ++k)
+      add_contact_warnings(contacts[k],
+                           checks.contacts[k],
+                           checks.max_displacement,
+                           warnings);
+    if (checks.max_rotation > linear_rotation)
+      warnings.push_back(
+        "rotations reach " + to_text(checks.max_rotation, 3) +
+        " rad, where linear kinematics makes the shape longer by rotation^2 / 2 "
+        "= " +
+        to_text(50. * checks.max_rotation * checks.max_rotation, 2) +
+        " %; read the results as those of a linear model");
+    if (checks.stabilisation_share > worth_saying)
+      warnings.push_back(
+        "stabilising springs hold " +
+        to_text(100. * checks.stabilisation_share, 2) +
+        " % of the energy; a smaller Stabilisation falsifies less");
+    const double first =
+      state.free_corrections.empty() ? 0. : state.free_corrections.front();
+    const double forces = std::max({checks.force_balance,
+                                    checks.moment_balance,
+                                    checks.residual,
+                                    checks.energy_balance});
+    if (forces > worth_telling)
+      warnings.push_back("reactions and contact forces hold to " +
+                         to_text(forces, 2) +
+                         " only (their balance, relative): bodies are very "
+                         "slender or stiffnesses very different");
+    if (first > lost_digits)
+      warnings.push_back(
+        "the assembled matrix has lost digits (first refinement correction " +
+        to_text(first, 2) + "); the refinement restored them, down to " +
+        to_text(state.free_corrections.back(), 2));
+    return warnings;
+  }
+} // namespace lamella
