@@ -16,7 +16,8 @@ to it; --list prints these. The same seed gives the same cases. What is due:
 and what came of it:
 
     crash     a signal, an internal error, an exit status other than 0, 1, 2
-    time-out  more than --limit seconds
+    time-out  more than --limit processor seconds, or ten times as many by the clock:
+              others on the machine are no fault of a scene
     silent    it ran where it had to refuse; or ran, and left NaN, infinity, or
               results of another scene; or refused, and left files behind
     unclear   a message that is empty, long, of the machinery, that does not say
@@ -31,12 +32,14 @@ import argparse
 import collections
 import concurrent.futures
 import json
+import math
 import os
 import random
 import re
 import resource
 import shlex
 import shutil
+import signal
 import subprocess
 import sys
 import time
@@ -1251,11 +1254,12 @@ def write_files(case, folder):
             shutil.copy(path, folder)
 
 
-def limits():
+def limits(seconds):
     # So that a blow-up is seen in the one case, not on the whole machine.
     resource.setrlimit(resource.RLIMIT_AS, (MEMORY, MEMORY))
     resource.setrlimit(resource.RLIMIT_FSIZE, (LARGEST_FILE, LARGEST_FILE))
     resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
+    resource.setrlimit(resource.RLIMIT_CPU, (math.ceil(seconds), math.ceil(seconds) + 1))
 
 
 class Outcome:
@@ -1272,12 +1276,15 @@ def run(program, arguments, folder, limit):
                    "OMPI_MCA_orte_tmpdir_base": str(own)}
     start = time.monotonic()
     try:
-        done = subprocess.run([program, *arguments], cwd=folder, env=environment, timeout=limit,
-                              capture_output=True, preexec_fn=limits, stdin=subprocess.DEVNULL)
+        done = subprocess.run([program, *arguments], cwd=folder, env=environment, timeout=10. * limit,
+                              capture_output=True, preexec_fn=lambda: limits(limit),
+                              stdin=subprocess.DEVNULL)
     except subprocess.TimeoutExpired as expired:
         return Outcome(None, "", (expired.stderr or b"").decode("utf-8", "replace"), limit)
     finally:
         shutil.rmtree(own, ignore_errors=True)
+    if done.returncode == -signal.SIGXCPU:
+        return Outcome(None, "", done.stderr.decode("utf-8", "replace"), limit)
     return Outcome(done.returncode, done.stdout.decode("utf-8", "replace"),
                    done.stderr.decode("utf-8", "replace"), time.monotonic() - start)
 
