@@ -2,6 +2,7 @@
 
 #include <lamella/base/arithmetic.h>
 #include <lamella/base/inverse_map.h>
+#include <lamella/contact/hat_functions.h>
 #include <lamella/contact/segments.h>
 #include <lamella/contact/weighted_gaps.h>
 
@@ -17,10 +18,6 @@ namespace lamella
 
   namespace
   {
-    // Relative to the hat function's own integral: what faces less of the other
-    // side does so by rounding.
-    constexpr double smallest_share = arithmetic::rounding_of_results;
-
     // cos 80: how far from opposed the normals of a point may be in the middle
     // of others that face the other side.
     constexpr double nearly_faces = 0.17;
@@ -33,44 +30,22 @@ namespace lamella
 
 
 
-    /// Sums the weights of each number, in ascending order.
-    void
-    merge(RowGeometry::Weights &weights)
+    /// Exact for a hat function times trace functions of both facets, where
+    /// these are flat.
+    const Quadrature<2> &
+    rule_of_segment(const MeshSurface::Facet &carrying,
+                    const MeshSurface::Facet &opposing)
     {
-      std::sort(weights.begin(),
-                weights.end(),
-                [](const auto &a, const auto &b) { return a.first < b.first; });
-      unsigned int n = 0;
-      for (unsigned int k = 1; k < weights.size(); ++k)
-        if (weights[k].first == weights[n].first)
-          weights[n].second += weights[k].second;
-        else
-          weights[++n] = weights[k];
-      weights.resize(std::min<std::size_t>(n + 1, weights.size()));
-    }
-
-
-
-    /// Numbers the locations that the weights of all rows refer to from 0 on.
-    std::vector<Location>
-    renumber(std::vector<WeightedGap> &gaps,
-             RowGeometry::Weights WeightedGap::*weights,
-             const MeshSurface                 &surface)
-    {
-      const unsigned int        none = numbers::invalid_unsigned_int;
-      std::vector<unsigned int> place(surface.n_trace_nodes(), none);
-      std::vector<Location>     locations;
-      for (WeightedGap &gap : gaps)
-        for (auto &weight : gap.*weights)
-          {
-            if (place[weight.first] == none)
-              {
-                place[weight.first] = locations.size();
-                locations.push_back(surface.trace_location(weight.first));
-              }
-            weight.first = place[weight.first];
-          }
-      return locations;
+      const SurfaceFacet &a = carrying.side, &b = opposing.side;
+      // A hat function is of degree 2 on triangles.
+      const unsigned int degree =
+        2 +
+        std::max(a.trace_degree_s + a.trace_degree_t,
+                 b.trace_degree_s + b.trace_degree_t) +
+        (carrying.map.is_affine() && opposing.map.is_affine() ?
+           0 :
+           degrees_for_curves);
+      return triangle_rule(degree);
     }
 
 
@@ -84,27 +59,7 @@ namespace lamella
       run();
 
     private:
-      /// A cell of the grid of nodes: part of a facet.
-      struct Cell
-      {
-        unsigned int                number;
-        const MeshSurface::Facet   *facet;
-        Point<2>                    low, high;
-        std::array<unsigned int, 4> nodes;
-      };
-
-      /// What a hat function gathers.
-      struct Node
-      {
-        WeightedGap sums;
-        /// The largest value of the hat function where the other side was met:
-        /// that place stands for what the node faces.
-        double nearest = 0.;
-        /// The integral over all of its cells, whatever they face.
-        double full_area = 0.;
-        /// The rows that the function belongs to, and its share in them.
-        std::vector<std::pair<unsigned int, double>> rows;
-      };
+      using Cell = HatFunctions::Cell;
 
       /// A point of the carrying side.
       struct CarryingPoint
@@ -117,14 +72,8 @@ namespace lamella
         double density;
       };
 
-      void
-      make_cells();
       CarryingPoint
       evaluate(const Cell &cell, const Point<2> &st) const;
-      std::array<double, 4>
-      hats(const Cell &cell, const Point<2> &st) const;
-      void
-      add_full_areas(const Cell &cell);
       void
       add_cell(const Cell &cell);
       void
@@ -160,68 +109,21 @@ namespace lamella
                 const CarryingPoint &point,
                 const double         weight,
                 const Opposition    &opposite);
-      void
-      flush_opposing(const Cell &cell);
-      void
-      flush_carrying(const Cell &cell);
-      void
-      share_out(const MeshSurface::HangingNode &hanging);
-      void
-      finish(const unsigned int number);
-      std::shared_ptr<const CarryingSurface>
-      carrying_surface();
 
-      const Sides       &sides;
-      const MeshSurface &carrying;
-      std::vector<Cell>  cells;
-      std::vector<Node>  nodes;
-      Gaps               result;
+      const Sides &sides;
+      HatFunctions hats;
+      Gaps         result;
       /// Of each facet what faces the other side, in its unit square.
       std::vector<std::vector<Polygon>> parts;
-
-      /// Of the current cell: integrals of hat times trace function times n,
-      /// those of the opposing side for one facet at a time.
-      std::vector<Vector3> carrying_sums, opposing_sums;
-      unsigned int         opposing_facet = numbers::invalid_unsigned_int;
-      std::vector<double>  trace;
     };
 
 
 
     Integrator::Integrator(const Sides &sides)
       : sides(sides)
-      , carrying(*sides.carrying)
-    {
-      make_cells();
-    }
-
-
-
-    void
-    Integrator::make_cells()
-    {
-      nodes.resize(carrying.grid_nodes().size());
-      parts.resize(carrying.facets().size());
-      for (unsigned int f = 0; f < carrying.facets().size(); ++f)
-        {
-          const MeshSurface::Facet &facet = carrying.facets()[f];
-          const GaussLobattoBasis  &s = *facet.grid_s, &t = *facet.grid_t;
-          const auto               &numbers = facet.grid_nodes;
-          for (unsigned int j = 0; j + 1 < t.size(); ++j)
-            for (unsigned int i = 0; i + 1 < s.size(); ++i)
-              {
-                const unsigned int k = j * s.size() + i;
-                cells.push_back({f,
-                                 &facet,
-                                 Point<2>(s.point(i), t.point(j)),
-                                 Point<2>(s.point(i + 1), t.point(j + 1)),
-                                 {{numbers[k],
-                                   numbers[k + 1],
-                                   numbers[k + s.size()],
-                                   numbers[k + s.size() + 1]}}});
-              }
-        }
-    }
+      , hats(sides)
+      , parts(sides.carrying->facets().size())
+    {}
 
 
 
@@ -233,38 +135,9 @@ namespace lamella
       const double  density = normal.norm();
       return {st,
               place.position,
-              carrying.smooth_normal(*cell.facet, st),
+              sides.carrying->smooth_normal(*cell.facet, st),
               normal / density,
               density};
-    }
-
-
-
-    std::array<double, 4>
-    Integrator::hats(const Cell &cell, const Point<2> &st) const
-    {
-      const double s = (st[0] - cell.low[0]) / (cell.high[0] - cell.low[0]),
-                   t = (st[1] - cell.low[1]) / (cell.high[1] - cell.low[1]);
-      return {{(1. - s) * (1. - t), s * (1. - t), (1. - s) * t, s * t}};
-    }
-
-
-
-    void
-    Integrator::add_full_areas(const Cell &cell)
-    {
-      const QGauss<2>    rule(3);
-      const Tensor<1, 2> size = cell.high - cell.low;
-      for (unsigned int q = 0; q < rule.size(); ++q)
-        {
-          const Point<2> st(cell.low[0] + rule.point(q)[0] * size[0],
-                            cell.low[1] + rule.point(q)[1] * size[1]);
-          const double   dA =
-            rule.weight(q) * size[0] * size[1] * evaluate(cell, st).density;
-          const auto phi = hats(cell, st);
-          for (unsigned int i = 0; i < 4; ++i)
-            nodes[cell.nodes[i]].full_area += phi[i] * dA;
-        }
     }
 
 
@@ -316,11 +189,8 @@ namespace lamella
       bool               faces = false;
       for (unsigned int q = 0; q < rule.size(); ++q)
         {
-          const CarryingPoint point =
-            evaluate(cell,
-                     Point<2>(cell.low[0] + rule.point(q)[0] * size[0],
-                              cell.low[1] + rule.point(q)[1] * size[1]));
-          const auto opposite = opposing_place(*sides.opposing,
+          const CarryingPoint point    = evaluate(cell, cell.at(rule.point(q)));
+          const auto          opposite = opposing_place(*sides.opposing,
                                                point.position,
                                                point.normal,
                                                sides.reach);
@@ -347,19 +217,10 @@ namespace lamella
                             const std::vector<unsigned int> &candidates,
                             const bool                       layered)
     {
-      const MeshSurface::Facet &other =
-        sides.opposing_mesh->facets()[segment.facet];
-      const SurfaceFacet &a = cell.facet->side, &b = other.side;
-      // A hat function is of degree 2 on triangles.
-      const unsigned int degree =
-        2 +
-        std::max(a.trace_degree_s + a.trace_degree_t,
-                 b.trace_degree_s + b.trace_degree_t) +
-        (cell.facet->map.is_affine() && other.map.is_affine() ?
-           0 :
-           degrees_for_curves);
-      const Quadrature<2> &rule    = triangle_rule(degree);
-      const Polygon       &corners = segment.polygon;
+      const Quadrature<2> &rule =
+        rule_of_segment(*cell.facet,
+                        sides.opposing_mesh->facets()[segment.facet]);
+      const Polygon &corners = segment.polygon;
       // A segment faces the other side as a whole or not at all, as its middle
       // does: were its points to decide one by one, the area of a row at the
       // end of the reach would be a matter of where the rule has its points.
@@ -499,191 +360,7 @@ namespace lamella
       result.points.push_back({{cell.number, point.st},
                                {opposite.hit.facet, opposite.hit.st},
                                weight});
-      const auto phi = hats(cell, point.st);
-      for (unsigned int i = 0; i < 4; ++i)
-        {
-          Node        &node  = nodes[cell.nodes[i]];
-          WeightedGap &sums  = node.sums;
-          const double share = phi[i] * weight;
-          if (phi[i] > node.nearest)
-            {
-              node.nearest  = phi[i];
-              sums.opposite = opposite.hit.position;
-              sums.angle    = opposite.angle;
-            }
-          sums.area += share;
-          sums.gap += share * opposite.hit.distance;
-          sums.normal += share * opposite.normal;
-          sums.carrying.normal_modulus += share * cell.facet->normal_modulus;
-          sums.carrying.depth += share * cell.facet->depth;
-          if (sides.opposing_mesh != nullptr)
-            {
-              const MeshSurface::Facet &other =
-                sides.opposing_mesh->facets()[opposite.hit.facet];
-              sums.opposing.normal_modulus += share * other.normal_modulus;
-              sums.opposing.depth += share * other.depth;
-            }
-        }
-
-      const auto add = [&](std::vector<Vector3> &sums) {
-        const unsigned int n = trace.size();
-        sums.resize(4 * n);
-        for (unsigned int i = 0; i < 4; ++i)
-          for (unsigned int j = 0; j < n; ++j)
-            sums[i * n + j] += (phi[i] * weight * trace[j]) * opposite.normal;
-      };
-      carrying.evaluate_trace(*cell.facet, point.st, trace);
-      add(carrying_sums);
-      if (sides.opposing_mesh == nullptr)
-        return;
-      if (opposite.hit.facet != opposing_facet)
-        flush_opposing(cell);
-      opposing_facet = opposite.hit.facet;
-      sides.opposing_mesh->evaluate_trace(
-        sides.opposing_mesh->facets()[opposing_facet], opposite.hit.st, trace);
-      add(opposing_sums);
-    }
-
-
-
-    void
-    Integrator::flush_opposing(const Cell &cell)
-    {
-      if (opposing_sums.empty())
-        return;
-      const auto &numbers =
-        sides.opposing_mesh->facets()[opposing_facet].trace_nodes;
-      for (unsigned int i = 0; i < 4; ++i)
-        for (unsigned int j = 0; j < numbers.size(); ++j)
-          nodes[cell.nodes[i]].sums.opposing_weights.emplace_back(
-            numbers[j], opposing_sums[i * numbers.size() + j]);
-      opposing_sums.clear();
-    }
-
-
-
-    void
-    Integrator::flush_carrying(const Cell &cell)
-    {
-      if (carrying_sums.empty())
-        return;
-      const auto &numbers = cell.facet->trace_nodes;
-      for (unsigned int i = 0; i < 4; ++i)
-        for (unsigned int j = 0; j < numbers.size(); ++j)
-          nodes[cell.nodes[i]].sums.carrying_weights.emplace_back(
-            numbers[j], carrying_sums[i * numbers.size() + j]);
-      carrying_sums.clear();
-    }
-
-
-
-    /// The hats of a continuous space: that of a hanging node belongs in halves
-    /// to those of the nodes that it hangs between.
-    void
-    Integrator::share_out(const MeshSurface::HangingNode &hanging)
-    {
-      const Node &from = nodes[hanging.node];
-      for (const unsigned int end : hanging.ends)
-        {
-          Node        &to   = nodes[end];
-          WeightedGap &sums = to.sums;
-          to.full_area += 0.5 * from.full_area;
-          sums.area += 0.5 * from.sums.area;
-          sums.gap += 0.5 * from.sums.gap;
-          sums.normal += 0.5 * from.sums.normal;
-          for (const auto side :
-               {&WeightedGap::carrying, &WeightedGap::opposing})
-            {
-              (sums.*side).normal_modulus +=
-                0.5 * (from.sums.*side).normal_modulus;
-              (sums.*side).depth += 0.5 * (from.sums.*side).depth;
-            }
-          for (const auto weights :
-               {&WeightedGap::carrying_weights, &WeightedGap::opposing_weights})
-            for (const auto &[number, weight] : from.sums.*weights)
-              (sums.*weights).emplace_back(number, 0.5 * weight);
-        }
-      nodes[hanging.node] = Node();
-    }
-
-
-
-    void
-    Integrator::finish(const unsigned int number)
-    {
-      Node        &node = nodes[number];
-      WeightedGap &gap  = node.sums;
-      if (gap.area <= smallest_share * node.full_area)
-        {
-          ++result.unpaired;
-          return;
-        }
-      gap.node     = carrying.grid_location(number);
-      gap.position = carrying.grid_nodes()[number].position;
-      gap.spacing  = std::sqrt(node.full_area);
-      gap.gap /= gap.area;
-      gap.normal /= gap.area;
-      for (LocalStiffness *side : {&gap.carrying, &gap.opposing})
-        {
-          side->area = gap.area;
-          side->normal_modulus /= gap.area;
-          side->depth /= gap.area;
-        }
-      if (sides.opposing_mesh == nullptr)
-        gap.opposing = gap.carrying;
-      for (auto *weights : {&gap.carrying_weights, &gap.opposing_weights})
-        {
-          merge(*weights);
-          for (auto &[number, weight] : *weights)
-            weight /= gap.area;
-        }
-      const auto facing = opposing_place(*sides.opposing,
-                                         gap.position,
-                                         carrying.grid_nodes()[number].normal,
-                                         sides.reach);
-      if (facing)
-        {
-          gap.opposite = facing->hit.position;
-          gap.angle    = facing->angle;
-        }
-      node.rows = {{result.gaps.size(), 1.}};
-      result.gaps.push_back(std::move(gap));
-    }
-
-
-
-    std::shared_ptr<const CarryingSurface>
-    Integrator::carrying_surface()
-    {
-      // Those that others hang on come later, and are known before.
-      const auto &hanging = carrying.hanging_nodes();
-      for (auto node = hanging.rbegin(); node != hanging.rend(); ++node)
-        for (const unsigned int end : node->ends)
-          for (const auto &[row, share] : nodes[end].rows)
-            nodes[node->node].rows.emplace_back(row, 0.5 * share);
-      std::vector<CarryingSurface::Facet> facets;
-      std::vector<unsigned int>           numbers(parts.size());
-      for (unsigned int f = 0; f < parts.size(); ++f)
-        {
-          if (parts[f].empty())
-            continue;
-          numbers[f]                      = facets.size();
-          const MeshSurface::Facet &facet = carrying.facets()[f];
-          facets.push_back({facet.map,
-                            facet.side.degree_s,
-                            facet.side.degree_t,
-                            facet.nodes_of_body,
-                            {},
-                            parts[f]});
-          for (const unsigned int node : facet.grid_nodes)
-            facets.back().rows.push_back(nodes[node].rows);
-        }
-      for (GapPoint &point : result.points)
-        point.part = numbers[point.carrying.facet];
-      return std::make_shared<const CarryingSurface>(
-        CarryingSurface::Functions::hats,
-        result.gaps.size(),
-        std::move(facets));
+      hats.add(cell, point.st, weight, opposite);
     }
 
 
@@ -691,35 +368,16 @@ namespace lamella
     Gaps
     Integrator::run()
     {
-      for (const Cell &cell : cells)
+      for (const Cell &cell : hats.cells())
         {
-          add_full_areas(cell);
+          hats.add_full_areas(cell);
           if (sides.opposing_mesh != nullptr)
             add_cell(cell);
           else
             add_cell_against_obstacle(cell);
-          flush_carrying(cell);
-          flush_opposing(cell);
+          hats.close(cell);
         }
-      std::vector<bool> hangs(nodes.size(), false);
-      for (const MeshSurface::HangingNode &hanging : carrying.hanging_nodes())
-        {
-          // Those that others hang on come later.
-          Assert(!hangs[hanging.ends[0]] && !hangs[hanging.ends[1]],
-                 ExcInternalError());
-          share_out(hanging);
-          hangs[hanging.node] = true;
-        }
-      for (unsigned int k = 0; k < nodes.size(); ++k)
-        if (!hangs[k])
-          finish(k);
-      result.surface = carrying_surface();
-      result.carrying =
-        renumber(result.gaps, &WeightedGap::carrying_weights, carrying);
-      if (sides.opposing_mesh != nullptr)
-        result.opposing = renumber(result.gaps,
-                                   &WeightedGap::opposing_weights,
-                                   *sides.opposing_mesh);
+      hats.finish(std::move(parts), result);
       return std::move(result);
     }
   } // namespace
