@@ -11,12 +11,16 @@
 
 #include <deal.II/numerics/rtree.h>
 
+#include <map>
 #include <memory>
 #include <string>
 #include <vector>
 
 namespace lamella
 {
+  struct FromStrain;
+  class SurfaceNode;
+
   /**
    * A body of hexahedra, the three-dimensional finite-element model that beam
    * theories are judged by: the same section mesh and axis as a beam's
@@ -209,6 +213,22 @@ namespace lamella
     FieldSample
     sample_place(const Location::Place &place, const Vector &u) const;
 
+    /// Adds @p share of what @p place has of the rows of a point.
+    void
+    add_to_rows(const Location::Place &place,
+                const Quantity         quantity,
+                const FromStrain      &to_frame,
+                const double           share,
+                std::vector<Row>      &rows) const;
+
+    /// The cells whose boxes come within @p tolerance of @p around (body axes).
+    std::vector<std::pair<dealii::BoundingBox<3>, unsigned int>>
+    cells_near(dealii::BoundingBox<3> around, const double tolerance) const;
+
+    /// One point of the scene, a location in each ply that it is of.
+    std::vector<Location>
+    locate(const dealii::Point<3> &point, const double tolerance) const;
+
     /// The place of the point of @p cell nearest to @p x (body axes) and its
     /// distance.
     std::pair<dealii::Point<3>, double>
@@ -220,6 +240,18 @@ namespace lamella
     face_point(const unsigned int      cell,
                const unsigned int      face,
                const dealii::Point<3> &unit) const;
+
+    /// By their numbers.
+    using HangingNodes =
+      std::map<unsigned int, const HexahedralMesh::HangingNode *>;
+
+    /// Adds what face @p face of @p cell has of the nodes of a surface. Nodes
+    /// that hang give their areas to those that they hang on.
+    void
+    add_face(const unsigned int                   cell,
+             const unsigned int                   face,
+             const HangingNodes                  &hangs,
+             std::map<unsigned int, SurfaceNode> &nodes) const;
 
     /// Adds where the line a + t d of the section's plane passes the edge of
     /// @p cell from its corner @p v to its corner @p w, which may be curved.
