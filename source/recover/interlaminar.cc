@@ -85,6 +85,18 @@ namespace lamella
     const unsigned int degree =
       body.line_degree(box.frame.to_scene(Point<3>()),
                        box.frame.to_scene({0., 0., box.size[2]}));
+    make_nodes(degree);
+    make_plies();
+    for (const unsigned int side : {0, 1})
+      is_free[side] = tractions.is_free(body, side_of(number, box, side));
+    decay = torsional_decay();
+  }
+
+
+
+  void
+  EquilibriumStress::make_nodes(const unsigned int degree)
+  {
     const QGauss<1> through(degree + 1);
     samples        = points_of(through);
     sample_weights = through.get_weights();
@@ -106,6 +118,13 @@ namespace lamella
             integrate(i, j) += nodes[i] * gauss.weight(q) *
                                lagrange(nodes, j, nodes[i] * gauss.point(q)[0]);
       }
+  }
+
+
+
+  void
+  EquilibriumStress::make_plies()
+  {
     for (const Ply &ply : body.plies())
       {
         const ElasticTensor C = ply.stiffness();
@@ -122,8 +141,13 @@ namespace lamella
         plane_stiffness.push_back(Q);
         ply_frames.push_back(ply.axes(Point<2>()));
       }
-    for (const unsigned int side : {0, 1})
-      is_free[side] = tractions.is_free(body, side_of(number, box, side));
+  }
+
+
+
+  double
+  EquilibriumStress::torsional_decay() const
+  {
     double in_plane = 0., out_of_plane = 0.;
     for (const Layer &layer : layers_at(0.5 * box.size[0], 0.))
       {
@@ -131,7 +155,7 @@ namespace lamella
         in_plane += share * plane_stiffness[layer.ply][0][0];
         out_of_plane += share * shear_compliance[layer.ply][1][1];
       }
-    decay = box.size[2] / numbers::PI * std::sqrt(in_plane * out_of_plane);
+    return box.size[2] / numbers::PI * std::sqrt(in_plane * out_of_plane);
   }
 
 
@@ -144,32 +168,7 @@ namespace lamella
     const Column  &column = column_at(x[0], x[1]);
     closure.add(column.closure);
 
-    // The layer of the ply that holds the point, or is nearest to it.
-    unsigned int best    = 0;
-    double       nearest = std::numeric_limits<double>::max();
-    for (unsigned int k = 0; k < column.layers.size(); ++k)
-      {
-        const Layer &layer = column.layers[k];
-        const double off =
-          std::max({0., layer.bottom - x[2], x[2] - layer.top});
-        if (layer.ply == location.ply && off < nearest)
-          {
-            best    = k;
-            nearest = off;
-          }
-      }
-    const Layer &layer = column.layers[best];
-    const double t =
-      std::clamp((x[2] - layer.bottom) / (layer.top - layer.bottom), 0., 1.);
-    const unsigned int n = nodes.size(), size = n * column.layers.size();
-    Tensor<1, 3>       found;
-    for (unsigned int i = 0; i < n; ++i)
-      {
-        const double weight = lagrange(nodes, i, t);
-        found[0] += weight * column.shear[best * n + i];
-        found[1] += weight * column.shear[size + best * n + i];
-        found[2] += weight * column.normal[best * n + i];
-      }
+    const Tensor<1, 3> found = transverse_stress(column, location.ply, x[2]);
 
     // Stresses turn with T^-T, T^-1 being the strains' way back.
     Voigt stress  = transpose(to_scene) * sample.stress;
@@ -180,6 +179,41 @@ namespace lamella
     sample.ply_stress =
       transpose(strain_rotation(transpose(ply_frames[location.ply]))) * stress;
     return sample;
+  }
+
+
+
+  Tensor<1, 3>
+  EquilibriumStress::transverse_stress(const Column      &column,
+                                       const unsigned int ply,
+                                       const double       z) const
+  {
+    // The layer of the ply that holds the point, or is nearest to it.
+    unsigned int best    = 0;
+    double       nearest = std::numeric_limits<double>::max();
+    for (unsigned int k = 0; k < column.layers.size(); ++k)
+      {
+        const Layer &layer = column.layers[k];
+        const double off   = std::max({0., layer.bottom - z, z - layer.top});
+        if (layer.ply == ply && off < nearest)
+          {
+            best    = k;
+            nearest = off;
+          }
+      }
+    const Layer &layer = column.layers[best];
+    const double t =
+      std::clamp((z - layer.bottom) / (layer.top - layer.bottom), 0., 1.);
+    const unsigned int n = nodes.size(), size = n * column.layers.size();
+    Tensor<1, 3>       found;
+    for (unsigned int i = 0; i < n; ++i)
+      {
+        const double weight = lagrange(nodes, i, t);
+        found[0] += weight * column.shear[best * n + i];
+        found[1] += weight * column.shear[size + best * n + i];
+        found[2] += weight * column.normal[best * n + i];
+      }
+    return found;
   }
 
 
@@ -270,11 +304,25 @@ namespace lamella
                                          column.shear[2 * size - 1],
                                          column.normal[size - 1]) -
                                 above;
-    for (unsigned int k = 0; k < layers.size(); ++k)
+    distribute(missed, column);
+    column.closure.error    = missed.norm();
+    column.closure.largest  = std::max(column.closure.largest, missed.norm());
+    column.closure.in_plane = source.in_plane;
+    return column;
+  }
+
+
+
+  void
+  EquilibriumStress::distribute(const Tensor<1, 3> &missed,
+                                Column             &column) const
+  {
+    const unsigned int size = column.normal.size();
+    for (unsigned int k = 0; k < column.layers.size(); ++k)
       for (unsigned int i = 0; i < nodes.size(); ++i)
         {
           const unsigned int of    = k * nodes.size() + i;
-          const double       share = height(layers[k], i) / box.size[2];
+          const double       share = height(column.layers[k], i) / box.size[2];
           column.shear[of] -= share * missed[0];
           column.shear[size + of] -= share * missed[1];
           column.normal[of] -= share * missed[2];
@@ -283,9 +331,5 @@ namespace lamella
                                                        column.shear[size + of],
                                                        column.normal[of]));
         }
-    column.closure.error    = missed.norm();
-    column.closure.largest  = std::max(column.closure.largest, missed.norm());
-    column.closure.in_plane = source.in_plane;
-    return column;
   }
 } // namespace lamella

@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace lamella
 {
@@ -73,6 +74,29 @@ namespace lamella
                 values[i][k] * normal(k, l) * here[l][m] / std::pow(length, m);
       return weights;
     }
+
+
+
+    /// The first and the last of the elements between @p breaks that hold the
+    /// place @p at: two, if they meet there.
+    std::pair<unsigned int, unsigned int>
+    elements_at(const std::vector<double> &breaks, const double at)
+    {
+      // Of the ratio to an element's length.
+      constexpr double   same  = arithmetic::same_in_element;
+      const unsigned int n     = breaks.size() - 1;
+      unsigned int       first = n, last = 0;
+      for (unsigned int k = 0; k < n; ++k)
+        {
+          const double near = same * (breaks[k + 1] - breaks[k]);
+          if (at >= breaks[k] - near && at <= breaks[k + 1] + near)
+            {
+              first = std::min(first, k);
+              last  = std::max(last, k);
+            }
+        }
+      return {first, last};
+    }
   } // namespace
 
 
@@ -81,8 +105,6 @@ namespace lamella
   EquilibriumStress::stencil(const unsigned int d,
                              const Point<3>    &through) const
   {
-    // Of the ratio to an element's length.
-    constexpr double       same  = arithmetic::same_in_element;
     constexpr unsigned int least = 3, most_derivatives = 4;
 
     Point<3> begin = through, end = through;
@@ -92,19 +114,10 @@ namespace lamella
     const std::vector<double> breaks = body.line_breaks(a, b);
     const unsigned int        n      = breaks.size() - 1;
     const double              at     = through[d] / box.size[d];
-    unsigned int              first = n, last = 0;
-    for (unsigned int k = 0; k < n; ++k)
-      {
-        const double near = same * (breaks[k + 1] - breaks[k]);
-        if (at >= breaks[k] - near && at <= breaks[k + 1] + near)
-          {
-            first = std::min(first, k);
-            last  = std::max(last, k);
-          }
-      }
-    const unsigned int p         = body.recovery_degrees()[d];
-    const bool         is_smooth = p == 0;
-    unsigned int       degree    = body.line_degree(a, b);
+    auto [first, last]               = elements_at(breaks, at);
+    const unsigned int p             = body.recovery_degrees()[d];
+    const bool         is_smooth     = p == 0;
+    unsigned int       degree        = body.line_degree(a, b);
     if (!is_smooth)
       {
         // Neighbours, and at ends as many elements as elsewhere.
@@ -262,6 +275,40 @@ namespace lamella
 
 
 
+  namespace
+  {
+    // Of Sampled.
+    constexpr unsigned int s_xx = 0, s_yy = 1, s_xy = 2, g_xz = 3, g_yz = 4;
+  } // namespace
+
+
+
+  EquilibriumStress::Derivatives
+  EquilibriumStress::derivatives_at(const double       z,
+                                    const unsigned int ply,
+                                    const Stencil     &along_x,
+                                    const Stencil     &along_y,
+                                    double            &in_plane)
+  {
+    Derivatives d;
+    for (unsigned int i = 0; i < along_x.points.size(); ++i)
+      for (unsigned int j = 0; j < along_y.points.size(); ++j)
+        {
+          const Sampled &values =
+            sampled_at({along_x.points[i], along_y.points[j], z}, ply);
+          for (const unsigned int c : {s_xx, s_yy, s_xy})
+            in_plane = std::max(in_plane, std::abs(values[c]));
+          for (unsigned int a = 0; a < 3; ++a)
+            for (unsigned int b = 0; b < 5; ++b)
+              for (unsigned int c = 0; c < 5; ++c)
+                d[a][b][c] +=
+                  along_x.weights[a][i] * along_y.weights[b][j] * values[c];
+        }
+    return d;
+  }
+
+
+
   void
   EquilibriumStress::add_sources(const unsigned int            k,
                                  const Layer                  &layer,
@@ -270,28 +317,13 @@ namespace lamella
                                  const Stencil                &along_y,
                                  Sources                      &all)
   {
-    // Of Sampled.
-    constexpr unsigned int s_xx = 0, s_yy = 1, s_xy = 2, g_xz = 3, g_yz = 4;
-    const unsigned int     n = nodes.size(), size = all.normal.size();
+    const unsigned int n = nodes.size(), size = all.normal.size();
     for (unsigned int q = 0; q < samples.size(); ++q)
       {
         const double z = layer.bottom + samples[q] * (layer.top - layer.bottom);
         // d[a][b] is the derivative a times along x and b times along y.
-        Tensor<1, 5> d[3][5];
-        for (unsigned int i = 0; i < along_x.points.size(); ++i)
-          for (unsigned int j = 0; j < along_y.points.size(); ++j)
-            {
-              const Sampled &values =
-                sampled_at({along_x.points[i], along_y.points[j], z},
-                           layer.ply);
-              for (const unsigned int c : {s_xx, s_yy, s_xy})
-                all.in_plane = std::max(all.in_plane, std::abs(values[c]));
-              for (unsigned int a = 0; a < 3; ++a)
-                for (unsigned int b = 0; b < 5; ++b)
-                  for (unsigned int c = 0; c < 5; ++c)
-                    d[a][b][c] +=
-                      along_x.weights[a][i] * along_y.weights[b][j] * values[c];
-            }
+        Derivatives d =
+          derivatives_at(z, layer.ply, along_x, along_y, all.in_plane);
         const EdgeShare &edge = edges_here[k * samples.size() + q];
         for (unsigned int b = 0; b < 5; ++b)
           {

@@ -9,6 +9,8 @@
 #include <deal.II/lac/solver_gmres.h>
 
 #include <cmath>
+#include <functional>
+#include <optional>
 
 namespace lamella
 {
@@ -78,23 +80,10 @@ namespace lamella
 
 
   EquilibriumStress::Profile
-  EquilibriumStress::warped(const std::vector<Layer> &layers,
-                            const Profile            &shear,
-                            const Profile            &strain) const
+  EquilibriumStress::without_resultants(const std::vector<Layer> &layers,
+                                        Profile                   stress) const
   {
-    const unsigned int n = nodes.size(), size = n * layers.size();
-    Profile            rate(2 * size);
-    for (unsigned int k = 0; k < layers.size(); ++k)
-      for (unsigned int i = k * n; i < (k + 1) * n; ++i)
-        for (unsigned int c = 0; c < 2; ++c)
-          {
-            const Tensor<1, 2> S = shear_compliance[layers[k].ply][c];
-            rate[c * size + i] =
-              S[0] * shear[i] + S[1] * shear[size + i] - strain[c * size + i];
-          }
-    Profile stress = plane_stress(layers, integral(layers, rate, {0., 0.}));
-
-    // What is linear in z takes the resultants away.
+    const unsigned int     n = nodes.size(), size = n * layers.size();
     std::vector<Profile>   linear;
     FullMatrix<double>     system(4, 4);
     dealii::Vector<double> wanted(4), amounts(4);
@@ -116,6 +105,28 @@ namespace lamella
     system.vmult(amounts, wanted);
     for (unsigned int m = 0; m < 4; ++m)
       stress.add(amounts[m], linear[m]);
+    return stress;
+  }
+
+
+
+  EquilibriumStress::Profile
+  EquilibriumStress::warped(const std::vector<Layer> &layers,
+                            const Profile            &shear,
+                            const Profile            &strain) const
+  {
+    const unsigned int n = nodes.size(), size = n * layers.size();
+    Profile            rate(2 * size);
+    for (unsigned int k = 0; k < layers.size(); ++k)
+      for (unsigned int i = k * n; i < (k + 1) * n; ++i)
+        for (unsigned int c = 0; c < 2; ++c)
+          {
+            const Tensor<1, 2> S = shear_compliance[layers[k].ply][c];
+            rate[c * size + i] =
+              S[0] * shear[i] + S[1] * shear[size + i] - strain[c * size + i];
+          }
+    Profile stress = without_resultants(
+      layers, plane_stress(layers, integral(layers, rate, {0., 0.})));
     stress *= -1.;
     return integral(layers, stress, {0., 0.});
   }
@@ -136,6 +147,28 @@ namespace lamella
         to = of(from);
         to.sadd(-ratio, 1., from);
       }
+
+      /// The delta of which it makes @p right; none where that takes more than
+      /// some tens of steps.
+      std::optional<Vector>
+      inverse(const Vector &right) const
+      {
+        constexpr double       tolerance  = 1e-8;
+        constexpr unsigned int most_steps = 60;
+        SolverControl          control(most_steps, tolerance * right.l2_norm());
+        SolverGMRES<Vector>    solver(control);
+        Vector                 delta = right;
+        try
+          {
+            if (right.l2_norm() > 0.)
+              solver.solve(*this, delta, right, PreconditionIdentity());
+          }
+        catch (const SolverControl::NoConvergence &)
+          {
+            return std::nullopt;
+          }
+        return delta;
+      }
     };
   } // namespace
 
@@ -146,8 +179,7 @@ namespace lamella
                                 const std::array<Profile, 4> &shear,
                                 const std::array<Profile, 2> &strain) const
   {
-    constexpr double       largest_share = 0.5, tolerance = 1e-8;
-    constexpr unsigned int most_steps = 60;
+    constexpr double largest_share = 0.5;
 
     const Profile          none(shear[0].size());
     std::array<Profile, 2> result{{none, none}};
@@ -165,19 +197,11 @@ namespace lamella
     double             share = 0.;
     for (unsigned int m = 0; m < 2; ++m)
       {
-        const Profile       right = warped(layers, shear[m + 2], strain[m]);
-        SolverControl       control(most_steps, tolerance * right.l2_norm());
-        SolverGMRES<Vector> solver(control);
-        result[m] = right;
-        try
-          {
-            if (right.l2_norm() > 0.)
-              solver.solve(operation, result[m], right, PreconditionIdentity());
-          }
-        catch (const SolverControl::NoConvergence &)
-          {
-            return {{none, none}};
-          }
+        const std::optional<Vector> delta =
+          operation.inverse(warped(layers, shear[m + 2], strain[m]));
+        if (!delta)
+          return {{none, none}};
+        result[m] = *delta;
         share += std::pow(H, 2. * m) * (result[m] * result[m]) / scale;
       }
     if (!(share <= largest_share * largest_share))

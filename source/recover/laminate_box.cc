@@ -32,6 +32,25 @@ namespace lamella
 
 
 
+    /// Refuses solids, plies that do not lie level, and heat.
+    void
+    refuse_kind(const Body &body, const std::string &path)
+    {
+      if (body.is_nodal())
+        refuse(body, path, "is a solid");
+      for (const Ply &ply : body.plies())
+        if (ply.plane.normal_at || ply.plane.normal != Point<2>(0., 1.))
+          refuse(body, path, "has plies that do not lie level");
+      if (body.is_heated())
+        throw InputError(path,
+                         name_of(StressValues::equilibrium),
+                         "does not know of heat, and body '" + body.name() +
+                           "' has a Temperature",
+                         "Take recovered, nodal or element.");
+    }
+
+
+
     /// The one outward normal of @p surface.
     Tensor<1, 3>
     plane_normal(const Body        &body,
@@ -56,6 +75,59 @@ namespace lamella
 
 
 
+    /// A facet of the section at the start, as @p frame has it: x and z.
+    struct FacetInFrame
+    {
+      const Body         &body;
+      const Placement    &frame;
+      const SurfaceFacet &facet;
+
+      std::vector<Point<2>>
+      corners() const
+      {
+        std::vector<Point<2>> all;
+        for (const Point<3> &corner : facet.corners)
+          {
+            const Point<3> x = frame.to_body(corner);
+            all.emplace_back(x[0], x[2]);
+          }
+        return all;
+      }
+
+      Point<2>
+      place(const double s, const double t) const
+      {
+        const Point<3> x =
+          frame.to_body(body.surface_point(facet, Point<2>(s, t)).position);
+        return Point<2>(x[0], x[2]);
+      }
+
+      /// Whether it fills the box @p cell of its corners, with straight sides.
+      bool
+      is_rectangle(const BoundingBox<2> &cell) const
+      {
+        const auto [low, high] = cell.get_boundary_points();
+        const double near      = rounding * low.distance(high);
+        const auto   corners   = this->corners();
+        bool         is_one    = true;
+        for (const Point<2> &corner : corners)
+          for (unsigned int d = 0; d < 2; ++d)
+            is_one &= std::min(corner[d] - low[d], high[d] - corner[d]) < near;
+        for (const double s : {0., 0.5, 1.})
+          for (const double t : {0., 0.5, 1.})
+            {
+              Point<2> straight;
+              for (unsigned int k = 0; k < 4; ++k)
+                straight += (k % 2 == 0 ? 1. - s : s) *
+                            (k / 2 == 0 ? 1. - t : t) * corners[k];
+              is_one &= straight.distance(place(s, t)) < near;
+            }
+        return is_one;
+      }
+    };
+
+
+
     /// The cells of the section at the start, as ranges of x and z in
     /// @p frame; refuses what is no rectangle along its axes.
     std::vector<BoundingBox<2>>
@@ -66,35 +138,9 @@ namespace lamella
       std::vector<BoundingBox<2>> cells;
       for (const SurfaceFacet &facet : body.surface_facets("start"))
         {
-          std::vector<Point<2>> corners;
-          for (const Point<3> &corner : facet.corners)
-            {
-              const Point<3> x = frame.to_body(corner);
-              corners.emplace_back(x[0], x[2]);
-            }
-          const BoundingBox<2> cell(corners);
-          const auto           place = [&](const double s, const double t) {
-            const Point<3> x =
-              frame.to_body(body.surface_point(facet, Point<2>(s, t)).position);
-            return Point<2>(x[0], x[2]);
-          };
-          const auto [low, high] = cell.get_boundary_points();
-          const double near      = rounding * low.distance(high);
-          bool         is_one    = true;
-          for (const Point<2> &corner : corners)
-            for (unsigned int d = 0; d < 2; ++d)
-              is_one &=
-                std::min(corner[d] - low[d], high[d] - corner[d]) < near;
-          for (const double s : {0., 0.5, 1.})
-            for (const double t : {0., 0.5, 1.})
-              {
-                Point<2> straight;
-                for (unsigned int k = 0; k < 4; ++k)
-                  straight += (k % 2 == 0 ? 1. - s : s) *
-                              (k / 2 == 0 ? 1. - t : t) * corners[k];
-                is_one &= straight.distance(place(s, t)) < near;
-              }
-          if (!is_one)
+          const FacetInFrame   in_frame{body, frame, facet};
+          const BoundingBox<2> cell(in_frame.corners());
+          if (!in_frame.is_rectangle(cell))
             refuse(body, path, "has cells in its section that are none");
           cells.push_back(cell);
         }
@@ -136,17 +182,7 @@ namespace lamella
   LaminateBox
   laminate_box(const Body &body, const std::string &path)
   {
-    if (body.is_nodal())
-      refuse(body, path, "is a solid");
-    for (const Ply &ply : body.plies())
-      if (ply.plane.normal_at || ply.plane.normal != Point<2>(0., 1.))
-        refuse(body, path, "has plies that do not lie level");
-    if (body.is_heated())
-      throw InputError(path,
-                       name_of(StressValues::equilibrium),
-                       "does not know of heat, and body '" + body.name() +
-                         "' has a Temperature",
-                       "Take recovered, nodal or element.");
+    refuse_kind(body, path);
     const Tensor<1, 3> up    = plane_normal(body, "top", path),
                        along = plane_normal(body, "end", path);
     if ((plane_normal(body, "bottom", path) + up).norm() > rounding)

@@ -178,10 +178,29 @@ namespace lamella
       double in_plane = 0.;
     };
 
+    /// The places through a layer, for line polynomials of @p degree there.
+    void
+    make_nodes(const unsigned int degree);
+    /// The compliances, stiffnesses and axes of the plies.
+    void
+    make_plies();
+    /// The length on which torsion decays from a free side.
+    double
+    torsional_decay() const;
     const Column &
     column_at(const double x, const double y);
     Column
     make_column(const double x, const double y);
+    /// Takes @p missed off @p column in proportion to the height, which closes
+    /// it on the upper face.
+    void
+    distribute(const dealii::Tensor<1, 3> &missed, Column &column) const;
+    /// {sigma_xz, sigma_yz, sigma_zz} of @p column at the height @p z, in the
+    /// layer of @p ply that holds it or is nearest to it.
+    dealii::Tensor<1, 3>
+    transverse_stress(const Column      &column,
+                      const unsigned int ply,
+                      const double       z) const;
     /// The cells over (x, y), bottom to top.
     std::vector<Layer>
     layers_at(const double x, const double y) const;
@@ -225,6 +244,16 @@ namespace lamella
                 Sources                      &all);
     /// sigma_xx, yy, xy and gamma_xz, yz of the element.
     using Sampled = std::array<double, 5>;
+    /// By the number of derivatives along x and along y: those of Sampled.
+    using Derivatives = std::array<std::array<dealii::Tensor<1, 5>, 5>, 3>;
+    /// At the height @p z of @p ply. @p in_plane becomes the largest of the
+    /// stresses that they are made of, if it was less.
+    Derivatives
+    derivatives_at(const double       z,
+                   const unsigned int ply,
+                   const Stencil     &along_x,
+                   const Stencil     &along_y,
+                   double            &in_plane);
     /// At @p x of the body, inside of an element of @p ply; each point is
     /// sampled once.
     const Sampled &
@@ -243,6 +272,10 @@ namespace lamella
     /// int sigma dz of {xy, yy}, then int sigma z / H dz.
     std::array<double, 4>
     resultants(const std::vector<Layer> &layers, const Profile &stress) const;
+    /// @p stress with that of a displacement linear in z, a + b z, which takes
+    /// its resultants away.
+    Profile
+    without_resultants(const std::vector<Layer> &layers, Profile stress) const;
     /// The correction delta of shear stresses and its derivative along y; zero
     /// where it is none. @p shear: tau_0 with its derivatives.
     std::array<Profile, 2>
