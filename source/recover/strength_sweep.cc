@@ -128,67 +128,107 @@ namespace lamella
 
 
 
-  std::vector<std::vector<Point<3>>>
-  StrengthSweep::near_failure(const Swept         &swept,
-                              const Displacements &at,
-                              Along               &along) const
+  /// The points that a task has looked at, those near to the largest 1/R.
+  class StrengthSweep::Candidates
   {
+  public:
+    void
+    add(const Point<3> &x, const double nearness)
+    {
+      if (nearness < near * largest)
+        return;
+      largest = std::max(largest, nearness);
+      points.push_back({x, nearness});
+    }
+
+    /// Those near to the largest of all processes, @p largest; @p same is a
+    /// length.
+    std::vector<Point<3>>
+    nearest(const double largest, const double same) const
+    {
+      std::vector<Point<3>> result;
+      for (const Candidate &point : points)
+        if (point.nearness >= near * largest)
+          result.push_back(point.x);
+      // Unstressed, all points are alike.
+      if (largest == 0. && result.size() > 1)
+        result.resize(1);
+      return without_repetitions(std::move(result), same);
+    }
+
+    double largest = 0.;
+
+  private:
     struct Candidate
     {
       Point<3> x;
       double   nearness;
     };
-    const Body         &body  = *bodies[swept.body];
-    const auto          cells = body.output_cells(intervals, at.u);
-    const auto          cured = at.cured == nullptr ?
-                                  std::vector<OutputCell>() :
-                                  body.output_cells(intervals, *at.cured);
-    const auto         &tasks = swept.tasks;
-    std::vector<double> largest(tasks.size(), 0.);
-    std::vector<std::vector<Candidate>> points(tasks.size());
+    std::vector<Candidate> points;
+  };
+
+
+
+  void
+  StrengthSweep::look_at(const SweptCell &cell,
+                         const Task      &task,
+                         Along           &along,
+                         Candidates      &candidates) const
+  {
+    for (unsigned int k = 0; k < cell.loaded.samples.size(); ++k)
+      {
+        const Point<3> &x = cell.loaded.positions[k];
+        if (!looks_at(task, cell.touched, k))
+          continue;
+        if (is_left_out(x))
+          {
+            along.leave_out(task.ply, x);
+            continue;
+          }
+        const Voigt &stress = cell.loaded.samples[k].ply_stress;
+        const Voigt  stays =
+          cell.cured == nullptr ? Voigt() : cell.cured->samples[k].ply_stress;
+        const double value =
+          nearness(task.surface.assess(stress - stays, stays));
+        along.add(task.ply, x, value);
+        candidates.add(x, value);
+      }
+  }
+
+
+
+  std::vector<std::vector<Point<3>>>
+  StrengthSweep::near_failure(const Swept         &swept,
+                              const Displacements &at,
+                              Along               &along) const
+  {
+    const Body             &body  = *bodies[swept.body];
+    const auto              cells = body.output_cells(intervals, at.u);
+    const auto              cured = at.cured == nullptr ?
+                                      std::vector<OutputCell>() :
+                                      body.output_cells(intervals, *at.cured);
+    const auto             &tasks = swept.tasks;
+    std::vector<Candidates> candidates(tasks.size());
     for (unsigned int c = 0; c < cells.size(); ++c)
       for (unsigned int t = 0; t < tasks.size(); ++t)
-        {
-          if (tasks[t].ply != cells[c].ply)
-            continue;
-          const std::array<bool, 4> touched =
-            swept.touched.empty() ? std::array<bool, 4>{} : swept.touched[c];
-          for (unsigned int k = 0; k < cells[c].samples.size(); ++k)
-            {
-              const Point<3> &x = cells[c].positions[k];
-              if (!looks_at(tasks[t], touched, k))
-                continue;
-              if (is_left_out(x))
-                {
-                  along.leave_out(tasks[t].ply, x);
-                  continue;
-                }
-              const Voigt &stress = cells[c].samples[k].ply_stress;
-              const Voigt  stays =
-                cured.empty() ? Voigt() : cured[c].samples[k].ply_stress;
-              const double value =
-                nearness(tasks[t].surface.assess(stress - stays, stays));
-              along.add(tasks[t].ply, x, value);
-              if (value < near * largest[t])
-                continue;
-              largest[t] = std::max(largest[t], value);
-              points[t].push_back({x, value});
-            }
-        }
+        if (tasks[t].ply == cells[c].ply)
+          look_at({cells[c],
+                   cured.empty() ? nullptr : &cured[c],
+                   swept.touched.empty() ? std::array<bool, 4>{} :
+                                           swept.touched[c]},
+                  tasks[t],
+                  along,
+                  candidates[t]);
+    std::vector<double> largest;
+    for (const Candidates &of_task : candidates)
+      largest.push_back(of_task.largest);
     Utilities::MPI::max(largest, communicator(), largest);
 
-    std::vector<std::vector<Point<3>>> result(tasks.size());
+    std::vector<std::vector<Point<3>>> result;
     for (unsigned int t = 0; t < tasks.size(); ++t)
-      {
-        for (const Candidate &point : points[t])
-          if (point.nearness >= near * largest[t])
-            result[t].push_back(point.x);
-        // Unstressed, all points are alike.
-        if (largest[t] == 0. && result[t].size() > 1)
-          result[t].resize(1);
-        result[t] = without_repetitions(std::move(result[t]),
-                                        arithmetic::same_place * body.size());
-      }
+      result.push_back(
+        candidates[t].nearest(largest[t],
+                              arithmetic::same_place * body.size()));
     return result;
   }
 
@@ -198,9 +238,7 @@ namespace lamella
   StrengthSweep::worst_row(const Swept                 &swept,
                            const Task                  &task,
                            const std::vector<Point<3>> &points,
-                           const Vector                &u,
-                           const Fields                &recovered,
-                           StressRecovery              *cure) const
+                           const Stresses              &stresses) const
   {
     const Body               &body = *bodies[swept.body];
     std::optional<PlyReserve> worst;
@@ -209,11 +247,12 @@ namespace lamella
         {
           if (location.ply != task.ply)
             continue;
-          const Voigt stress  = recovered(location).ply_stress;
-          const Voigt element = body.sample(location, u).ply_stress;
-          const Voigt stays =
-            cure == nullptr ? Voigt() : cure->sample(location).ply_stress;
-          const auto       found = task.surface.assess(stress - stays, stays);
+          const Voigt stress  = stresses.recovered(location).ply_stress;
+          const Voigt element = body.sample(location, stresses.u).ply_stress;
+          const Voigt stays   = stresses.cure == nullptr ?
+                                  Voigt() :
+                                  stresses.cure->sample(location).ply_stress;
+          const auto  found   = task.surface.assess(stress - stays, stays);
           const PlyReserve row{swept.body,
                                task.ply,
                                name_of(task.criterion),
@@ -239,59 +278,105 @@ namespace lamella
 
 
 
+    /// What a process says of a row in numbers: whether there is one, and all
+    /// of it but its mode and its task.
+    constexpr unsigned int n_numbers = 8;
+    using RowNumbers                 = std::array<double, n_numbers>;
+
+    RowNumbers
+    numbers_of_row(const std::optional<PlyReserve> &row)
+    {
+      const PlyReserve r = row.value_or(PlyReserve());
+      return {{row ? 1. : 0.,
+               r.reserve.value_or(none),
+               r.index,
+               r.position[0],
+               r.position[1],
+               r.position[2],
+               r.angle.value_or(none),
+               r.doubt}};
+    }
+
+
+
+    /// The row of these numbers, @p v.
+    std::optional<PlyReserve>
+    row_of_numbers(const double *v, const std::string &mode)
+    {
+      if (v[0] == 0.)
+        return std::nullopt;
+      const auto optional = [](const double value) {
+        return std::isnan(value) ? std::nullopt : std::make_optional(value);
+      };
+      PlyReserve row;
+      row.mode     = mode;
+      row.reserve  = optional(v[1]);
+      row.index    = v[2];
+      row.position = Point<3>(v[3], v[4], v[5]);
+      row.angle    = optional(v[6]);
+      row.doubt    = v[7];
+      return row;
+    }
+
+
+
     /// The worst of each of @p rows over all processes.
     std::vector<std::optional<PlyReserve>>
     worst_of_processes(const std::vector<std::optional<PlyReserve>> &rows)
     {
       if (n_processes() == 1)
         return rows;
-      constexpr unsigned int n = 7;
-      std::vector<double>    numbers;
-      std::string            modes;
+      std::vector<double> numbers;
+      std::string         modes;
       for (const auto &row : rows)
         {
-          const PlyReserve r = row.value_or(PlyReserve());
-          for (const double value : {row ? 1. : 0.,
-                                     r.reserve.value_or(none),
-                                     r.index,
-                                     r.position[0],
-                                     r.position[1],
-                                     r.position[2],
-                                     r.angle.value_or(none)})
-            numbers.push_back(value);
-          numbers.push_back(r.doubt);
-          modes += r.mode + "|";
+          const RowNumbers of_row = numbers_of_row(row);
+          numbers.insert(numbers.end(), of_row.begin(), of_row.end());
+          modes += row.value_or(PlyReserve()).mode + "|";
         }
       const auto all_numbers =
         Utilities::MPI::all_gather(communicator(), numbers);
       const auto all_modes = Utilities::MPI::all_gather(communicator(), modes);
 
-      const auto optional = [](const double value) {
-        return std::isnan(value) ? std::nullopt : std::make_optional(value);
-      };
       std::vector<std::optional<PlyReserve>> result(rows.size());
       for (unsigned int process = 0; process < all_numbers.size(); ++process)
         {
           const auto names = split(all_modes[process] + "-", '|');
           for (unsigned int t = 0; t < rows.size(); ++t)
             {
-              const double *v = &all_numbers[process][(n + 1) * t];
-              if (v[0] == 0.)
-                continue;
-              PlyReserve row;
-              row.mode     = names[t];
-              row.reserve  = optional(v[1]);
-              row.index    = v[2];
-              row.position = Point<3>(v[3], v[4], v[5]);
-              row.angle    = optional(v[6]);
-              row.doubt    = v[7];
-              if (!result[t] || is_worse(row, *result[t]))
+              const auto row =
+                row_of_numbers(&all_numbers[process][n_numbers * t], names[t]);
+              if (row && (!result[t] || is_worse(*row, *result[t])))
                 result[t] = row;
             }
         }
       return result;
     }
   } // namespace
+
+
+
+  void
+  StrengthSweep::add_worst_rows(
+    const Swept                              &swept,
+    const std::vector<std::vector<Point<3>>> &points,
+    const Stresses                           &stresses,
+    std::vector<PlyReserve>                  &plies) const
+  {
+    std::vector<std::optional<PlyReserve>> own;
+    for (unsigned int t = 0; t < swept.tasks.size(); ++t)
+      own.push_back(worst_row(swept, swept.tasks[t], points[t], stresses));
+    const auto worst = worst_of_processes(own);
+    for (unsigned int t = 0; t < swept.tasks.size(); ++t)
+      if (worst[t])
+        {
+          plies.push_back(*worst[t]);
+          PlyReserve &row = plies.back();
+          row.body        = swept.body;
+          row.ply         = swept.tasks[t].ply;
+          row.criterion   = name_of(swept.tasks[t].criterion);
+        }
+  }
 
 
 
@@ -324,24 +409,10 @@ namespace lamella
         const auto points = near_failure(swept, {displacement, of_heat}, along);
         for (const ReserveAlong &row : along.rows(swept.body))
           found.along.push_back(row);
-        std::vector<std::optional<PlyReserve>> own;
-        for (unsigned int t = 0; t < swept.tasks.size(); ++t)
-          own.push_back(worst_row(swept,
-                                  swept.tasks[t],
-                                  points[t],
-                                  displacement,
-                                  recovered,
-                                  cure.get()));
-        const auto worst = worst_of_processes(own);
-        for (unsigned int t = 0; t < swept.tasks.size(); ++t)
-          if (worst[t])
-            {
-              found.plies.push_back(*worst[t]);
-              PlyReserve &row = found.plies.back();
-              row.body        = swept.body;
-              row.ply         = swept.tasks[t].ply;
-              row.criterion   = name_of(swept.tasks[t].criterion);
-            }
+        add_worst_rows(swept,
+                       points,
+                       {displacement, recovered, cure.get()},
+                       found.plies);
       }
     return found;
   }

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <tuple>
 
 namespace lamella
 {
@@ -70,48 +71,32 @@ namespace lamella
 
 
 
-    double
-    square(const double x)
-    {
-      return x * x;
-    }
-
-
-
-    double
-    inverse_square(const double x)
-    {
-      return 1. / (x * x);
-    }
-
-
-
-    Voigt
-    voigt(const double (&values)[6])
-    {
-      Voigt result;
-      for (unsigned int i = 0; i < 6; ++i)
-        result[i] = values[i];
-      return result;
-    }
-
-
-
-    Voigt
-    unit(const unsigned int i, const double value)
-    {
-      Voigt result;
-      result[i] = value;
-      return result;
-    }
-
-
-
     /// The linear functions whose signs choose a piece.
     std::array<double, 4>
     switches(const Voigt &s)
     {
       return {{s[0], s[1], s[2], s[1] + s[2]}};
+    }
+
+
+
+    /// The R from 0 on at which a piece of R @p mechanical + @p residual ends,
+    /// ascending; the last ones are out of reach.
+    std::array<double, 6>
+    sign_changes(const Voigt &mechanical, const Voigt &residual)
+    {
+      std::array<double, 6> ends{{0.,
+                                  out_of_reach,
+                                  out_of_reach,
+                                  out_of_reach,
+                                  out_of_reach,
+                                  out_of_reach}};
+      const auto            m = switches(mechanical), r = switches(residual);
+      for (unsigned int i = 0; i < 4; ++i)
+        if (const double end = -r[i] / m[i]; end > 0. && end < out_of_reach)
+          ends[i + 1] = end;
+      std::sort(ends.begin(), ends.end());
+      return ends;
     }
 
 
@@ -185,201 +170,6 @@ namespace lamella
 
 
 
-  // ---- the forms of each criterion
-
-  namespace
-  {
-    constexpr std::array<const char *, 3> tension = {
-      {"tension 1", "tension 2", "tension 3"}};
-    constexpr std::array<const char *, 3> compression = {
-      {"compression 1", "compression 2", "compression 3"}};
-    constexpr std::array<const char *, 3> shear = {
-      {"shear 12", "shear 13", "shear 23"}};
-
-
-
-    /// epsilon_i = rows_i . sigma.
-    std::array<Voigt, 6>
-    compliance_rows(const EngineeringConstants &m)
-    {
-      const double n12 = -m.nu12 / m.E1, n13 = -m.nu13 / m.E1,
-                   n23 = -m.nu23 / m.E2;
-      return {{voigt({1. / m.E1, n12, n13, 0., 0., 0.}),
-               voigt({n12, 1. / m.E2, n23, 0., 0., 0.}),
-               voigt({n13, n23, 1. / m.E3, 0., 0., 0.}),
-               unit(3, 1. / m.G12),
-               unit(4, 1. / m.G13),
-               unit(5, 1. / m.G23)}};
-    }
-
-
-
-    /// The largest of c_i . sigma / limit over the nine limits @p s, where
-    /// @p row gives the c_i.
-    template <typename F, typename Row>
-    std::vector<F>
-    maximum_forms(const Strengths &s, const Row &row)
-    {
-      const std::array<double, 3> t = {{s.Xt, s.Yt, s.Zt}},
-                                  c = {{s.Xc, s.Yc, s.Zc}},
-                                  q = {{s.S12, s.S13, s.S23}};
-      std::vector<F> forms;
-      for (unsigned int i = 0; i < 3; ++i)
-        {
-          forms.push_back({tension[i], {}, row(i) / t[i]});
-          forms.push_back({compression[i], {}, -row(i) / c[i]});
-          forms.push_back({shear[i], {}, row(3 + i) / q[i]});
-          forms.push_back({shear[i], {}, -row(3 + i) / q[i]});
-        }
-      return forms;
-    }
-
-
-
-    template <typename F>
-    F
-    tsai_hill_form(const Strengths &s, const unsigned int signs)
-    {
-      const double x = inverse_square(signs & 1 ? s.Xc : s.Xt),
-                   y = inverse_square(signs & 2 ? s.Yc : s.Yt),
-                   z = inverse_square(signs & 4 ? s.Zc : s.Zt);
-      return {"quadratic",
-              voigt({x,
-                     y,
-                     z,
-                     inverse_square(s.S12),
-                     inverse_square(s.S13),
-                     inverse_square(s.S23)}),
-              {},
-              {{-(x + y - z), -(x + z - y), -(y + z - x)}}};
-    }
-
-
-
-    /// Tsai-Wu and Hoffman, which differ in the products.
-    template <typename F>
-    F
-    tensor_form(const Strengths &s, const bool is_hoffman)
-    {
-      const double x = 1. / (s.Xt * s.Xc), y = 1. / (s.Yt * s.Yc),
-                   z = 1. / (s.Zt * s.Zc);
-      F form{"quadratic",
-             voigt({x,
-                    y,
-                    z,
-                    inverse_square(s.S12),
-                    inverse_square(s.S13),
-                    inverse_square(s.S23)}),
-             voigt({1. / s.Xt - 1. / s.Xc,
-                    1. / s.Yt - 1. / s.Yc,
-                    1. / s.Zt - 1. / s.Zc,
-                    0.,
-                    0.,
-                    0.})};
-      if (is_hoffman)
-        form.products = {{-(x + y - z), -(x + z - y), -(y + z - x)}};
-      else
-        form.products = {
-          {-std::sqrt(x * y), -std::sqrt(x * z), -std::sqrt(y * z)}};
-      return form;
-    }
-
-
-
-    template <typename F>
-    std::vector<F>
-    hashin_forms(const Strengths &s, const unsigned int signs)
-    {
-      const double   l = inverse_square(s.S12), t = inverse_square(s.S23);
-      std::vector<F> forms;
-      if (signs & 1)
-        forms.push_back({"fibre compression", {}, unit(0, -1. / s.Xc)});
-      else
-        forms.push_back(
-          {"fibre tension", voigt({inverse_square(s.Xt), 0., 0., l, l, 0.})});
-      const bool   closed = signs & 8;
-      const double n =
-        closed ? inverse_square(2. * s.S23) : inverse_square(s.Yt);
-      const double first =
-        closed ? (square(s.Yc / (2. * s.S23)) - 1.) / s.Yc : 0.;
-      forms.push_back({closed ? "matrix compression" : "matrix tension",
-                       voigt({0., n, n, l, l, t}),
-                       voigt({0., first, first, 0., 0., 0.}),
-                       {{0., 0., 2. * n - t}}});
-      return forms;
-    }
-  } // namespace
-
-
-
-  std::vector<FailureSurface::Form>
-  FailureSurface::forms_of(const Criterion          criterion,
-                           const Material          &material,
-                           const WrinklingStresses &wrinkling,
-                           const Signs              signs) const
-  {
-    const Strengths s = material.strengths.value_or(Strengths());
-    switch (criterion)
-      {
-        case Criterion::maximum_stress:
-          return maximum_forms<Form>(s, [](const unsigned int i) {
-            return unit(i, 1.);
-          });
-        case Criterion::maximum_strain:
-          {
-            const auto compliance = compliance_rows(material.elastic);
-            return maximum_forms<Form>(*material.ultimate_strains,
-                                       [&](const unsigned int i) {
-                                         return compliance[i];
-                                       });
-          }
-        case Criterion::tsai_hill:
-          return {tsai_hill_form<Form>(s, signs)};
-        case Criterion::tsai_wu:
-        case Criterion::hoffman:
-          return {tensor_form<Form>(s, criterion == Criterion::hoffman)};
-        case Criterion::hashin:
-          return hashin_forms<Form>(s, signs);
-        case Criterion::puck:
-          return {{"fibre tension", {}, unit(0, 1. / s.Xt)},
-                  {"fibre compression", {}, unit(0, -1. / s.Xc)}};
-        case Criterion::von_mises:
-          {
-            const double y = inverse_square(*material.yield);
-            return {{"yield",
-                     y * voigt({1., 1., 1., 3., 3., 3.}),
-                     {},
-                     {{-y, -y, -y}}}};
-          }
-        case Criterion::interlaminar:
-          return {{"delamination",
-                   voigt({0.,
-                          0.,
-                          signs & 4 ? 0. : inverse_square(s.Zt),
-                          0.,
-                          inverse_square(s.S13),
-                          inverse_square(s.S23)})}};
-        case Criterion::core_shear:
-          return {{"core shear 13", {}, unit(4, 1. / material.core->shear_13)},
-                  {"core shear 13", {}, unit(4, -1. / material.core->shear_13)},
-                  {"core shear 23", {}, unit(5, 1. / material.core->shear_23)},
-                  {"core shear 23",
-                   {},
-                   unit(5, -1. / material.core->shear_23)}};
-        case Criterion::core_crushing:
-          return {
-            {"core crushing", {}, unit(2, -1. / material.core->crushing)}};
-        case Criterion::face_wrinkling:
-          return {{"wrinkling 1", {}, unit(0, -1. / wrinkling.along_1)},
-                  {"wrinkling 2", {}, unit(1, -1. / wrinkling.along_2)}};
-        default:
-          Assert(false, ExcInternalError());
-          return {};
-      }
-  }
-
-
-
   // ---- assessment
 
   std::optional<std::pair<double, const FailureSurface::Form *>>
@@ -406,32 +196,32 @@ namespace lamella
 
 
 
+  std::pair<double, std::string_view>
+  FailureSurface::largest_form(const Voigt &stress) const
+  {
+    double           largest = -std::numeric_limits<double>::infinity();
+    std::string_view mode;
+    for (const Form &form : forms[signs_of(stress)])
+      if (const double f = form(stress); f > largest)
+        {
+          largest = f;
+          mode    = form.mode;
+        }
+    return {largest, mode};
+  }
+
+
+
   Assessment
   FailureSurface::assess_forms(const Voigt &mechanical,
                                const Voigt &residual) const
   {
     Assessment  result;
-    const Voigt stress = mechanical + residual;
-    result.index       = -std::numeric_limits<double>::infinity();
-    for (const Form &form : forms[signs_of(stress)])
-      if (const double f = form(stress); f > result.index)
-        {
-          result.index = f;
-          result.mode  = form.mode;
-        }
+    const Voigt stress                  = mechanical + residual;
+    std::tie(result.index, result.mode) = largest_form(stress);
 
     // From one change of sign to the next.
-    std::array<double, 6> ends{{0.,
-                                out_of_reach,
-                                out_of_reach,
-                                out_of_reach,
-                                out_of_reach,
-                                out_of_reach}};
-    const auto            m = switches(mechanical), r = switches(residual);
-    for (unsigned int i = 0; i < 4; ++i)
-      if (const double end = -r[i] / m[i]; end > 0. && end < out_of_reach)
-        ends[i + 1] = end;
-    std::sort(ends.begin(), ends.end());
+    const std::array<double, 6> ends = sign_changes(mechanical, residual);
     for (unsigned int i = 0; i < 5 && ends[i] < out_of_reach; ++i)
       {
         const double inside = ends[i + 1] < out_of_reach ?
@@ -476,9 +266,7 @@ namespace lamella
   double
   FailureSurface::index(const Voigt &stress) const
   {
-    double largest = -std::numeric_limits<double>::infinity();
-    for (const Form &form : forms[signs_of(stress)])
-      largest = std::max(largest, form(stress));
+    const double largest = largest_form(stress).first;
     return has_planes ? std::max(largest, action_plane(stress).first) : largest;
   }
 } // namespace lamella

@@ -154,21 +154,49 @@ namespace lamella
       const Vector &u;
       const Vector *cured;
     };
+    /// An element's stresses, and those of heat alone or null; its faces as in
+    /// Swept.
+    struct SweptCell
+    {
+      const OutputCell   &loaded;
+      const OutputCell   *cured;
+      std::array<bool, 4> touched;
+    };
+    /// The points of a task that may be near to failure.
+    class Candidates;
+    /// Adds the points of @p cell, of the ply of @p task, to @p along and to
+    /// @p candidates.
+    void
+    look_at(const SweptCell &cell,
+            const Task      &task,
+            Along           &along,
+            Candidates      &candidates) const;
     /// Of each task the points of this process that are near to failure.
     std::vector<std::vector<dealii::Point<3>>>
     near_failure(const Swept         &swept,
                  const Displacements &at,
                  Along               &along) const;
-    using Fields = std::function<FieldSample(const Location &)>;
-    /// The worst row of @p task at @p points, by @p recovered fields; @p cure
-    /// recovers the stresses of heat alone, if any.
+    /// What makes the stresses of a body with the displacements @p u:
+    /// recovered fields, and what recovers those of heat alone, or null.
+    struct Stresses
+    {
+      const Vector                                &u;
+      std::function<FieldSample(const Location &)> recovered;
+      StressRecovery                              *cure;
+    };
+    /// The worst row of @p task at @p points.
     std::optional<PlyReserve>
     worst_row(const Swept                         &swept,
               const Task                          &task,
               const std::vector<dealii::Point<3>> &points,
-              const Vector                        &u,
-              const Fields                        &recovered,
-              StressRecovery                      *cure) const;
+              const Stresses                      &stresses) const;
+    /// The worst row of each task at its @p points of all processes, if it has
+    /// one, to @p plies. Collective.
+    void
+    add_worst_rows(const Swept                                      &swept,
+                   const std::vector<std::vector<dealii::Point<3>>> &points,
+                   const Stresses                                   &stresses,
+                   std::vector<PlyReserve> &plies) const;
 
     const Bodies                                &bodies;
     std::vector<Criterion>                       criteria;

@@ -183,6 +183,9 @@ namespace lamella
                const Voigt &residual,
                const double from,
                const double to) const;
+    /// The largest f(@p stress) of the modes of its piece, and that mode.
+    std::pair<double, std::string_view>
+    largest_form(const Voigt &stress) const;
     /// assess() without Puck's inter-fibre fracture.
     Assessment
     assess_forms(const Voigt &mechanical, const Voigt &residual) const;
