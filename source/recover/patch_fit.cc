@@ -41,6 +41,21 @@ namespace lamella
         sum += a[i] * b[i];
       return sum;
     }
+
+
+
+    /// Takes the part along the unit vector @p vector off the values @p rest at
+    /// the points, and returns it.
+    FieldValues
+    take_off(const std::vector<double> &vector, std::vector<FieldValues> &rest)
+    {
+      FieldValues amount;
+      for (unsigned int i = 0; i < rest.size(); ++i)
+        amount += vector[i] * rest[i];
+      for (unsigned int i = 0; i < rest.size(); ++i)
+        rest[i] -= vector[i] * amount;
+      return amount;
+    }
   } // namespace
 
 
@@ -61,6 +76,24 @@ namespace lamella
         polynomials.push_back(in_frame(points, frame, degrees));
         n_terms = std::min(n_terms, polynomials.back().fit(points));
       }
+  }
+
+
+
+  std::vector<PatchFit::Term>
+  PatchFit::terms_of(const std::array<unsigned int, 3> &degrees)
+  {
+    std::vector<Term> terms;
+    for (unsigned int a = 0; a <= degrees[0]; ++a)
+      for (unsigned int b = 0; b <= degrees[1]; ++b)
+        for (unsigned int c = 0; c <= degrees[2]; ++c)
+          terms.push_back({{a, b, c}});
+    std::stable_sort(terms.begin(),
+                     terms.end(),
+                     [](const Term &s, const Term &t) {
+                       return s[0] + s[1] + s[2] < t[0] + t[1] + t[2];
+                     });
+    return terms;
   }
 
 
@@ -97,15 +130,7 @@ namespace lamella
       }
     result.centre = Point<3>(frame * middle);
 
-    for (unsigned int a = 0; a <= degrees[0]; ++a)
-      for (unsigned int b = 0; b <= degrees[1]; ++b)
-        for (unsigned int c = 0; c <= degrees[2]; ++c)
-          result.terms.push_back({{a, b, c}});
-    std::stable_sort(result.terms.begin(),
-                     result.terms.end(),
-                     [](const Term &s, const Term &t) {
-                       return s[0] + s[1] + s[2] < t[0] + t[1] + t[2];
-                     });
+    result.terms = terms_of(degrees);
     result.coefficients.resize(result.terms.size());
     return result;
   }
@@ -160,11 +185,7 @@ namespace lamella
         for (double &value : expansion)
           value /= left;
 
-        FieldValues amount;
-        for (unsigned int i = 0; i < points.size(); ++i)
-          amount += vector[i] * rest[i];
-        for (unsigned int i = 0; i < points.size(); ++i)
-          rest[i] -= vector[i] * amount;
+        const FieldValues amount = take_off(vector, rest);
         for (unsigned int j = 0; j <= k; ++j)
           coefficients[j] += expansion[j] * amount;
         vectors.push_back(std::move(vector));

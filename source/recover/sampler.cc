@@ -160,60 +160,6 @@ namespace lamella
 
 
 
-  std::vector<Sampler::LinePlace>
-  Sampler::places_of(const Line &line) const
-  {
-    const Body       &body  = *bodies[line.body];
-    const std::string path  = "Line " + line.name;
-    const auto        point = [&line](const double t) {
-      return line.from + t * (line.to - line.from);
-    };
-    locate_all(body, {line.from, line.to}, path);
-
-    // Pieces of one ply each: elements of the same ply are merged. A line in an
-    // interface has two sides, the lower ply first, then all of the upper one.
-    struct Piece
-    {
-      double       begin, end;
-      unsigned int ply;
-    };
-    std::array<std::vector<Piece>, 2> sides;
-    const std::vector<double> breaks = body.line_breaks(line.from, line.to);
-    std::vector<Point<3>>     middles;
-    for (unsigned int k = 0; k + 1 < breaks.size(); ++k)
-      middles.push_back(point(0.5 * (breaks[k] + breaks[k + 1])));
-    const auto found = locate_sides(body, middles, path);
-    for (unsigned int k = 0; k < middles.size(); ++k)
-      for (unsigned int side = 0;
-           side < std::min<std::size_t>(2, found[k].size());
-           ++side)
-        {
-          const unsigned int  ply    = found[k][side].ply;
-          std::vector<Piece> &pieces = sides[side];
-          if (!pieces.empty() && pieces.back().ply == ply &&
-              pieces.back().end == breaks[k])
-            pieces.back().end = breaks[k + 1];
-          else
-            pieces.push_back({breaks[k], breaks[k + 1], ply});
-        }
-
-    std::vector<LinePlace> places;
-    for (const std::vector<Piece> &pieces : sides)
-      for (const Piece &piece : pieces)
-        for (unsigned int i = 0; i < line.samples; ++i)
-          {
-            const double t =
-              piece.begin + (piece.end - piece.begin) * i / (line.samples - 1);
-            const auto both = body.locate({point(t)});
-            for (const Location &location : both.front())
-              if (location.ply == piece.ply)
-                places.push_back({t * line.from.distance(line.to), location});
-          }
-    return places;
-  }
-
-
-
   class Sampler::Recoveries
   {
   public:

@@ -94,6 +94,10 @@ namespace lamella
       fit(const std::vector<PatchPoint> &points);
     };
 
+    /// By total degree.
+    static std::vector<Term>
+    terms_of(const std::array<unsigned int, 3> &degrees);
+
     /// The terms and the box of @p points in the coordinates of @p frame, not
     /// yet fitted. Along coordinates of degree 0 the box need not have any
     /// extension.
