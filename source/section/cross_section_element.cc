@@ -71,16 +71,50 @@ namespace lamella
 
   void
   CrossSectionElement::add_side(EdgePoint          &point,
-                                const Tensor<1, 2> &scaled_normal,
-                                const double        weight,
+                                const SideShare    &share,
                                 const Tensor<1, 2> &own_normal)
   {
     constexpr double cosine = 0.94;
     if (point.weight > 0. && own_normal * point.normal <
                                cosine * own_normal.norm() * point.normal.norm())
       point.corner = true;
-    point.normal += scaled_normal;
-    point.weight += weight;
+    point.normal += share.scaled_normal;
+    point.weight += share.weight;
+  }
+
+
+
+  CrossSectionElement::SideShare
+  CrossSectionElement::side_share(
+    const unsigned int                         cell,
+    const unsigned int                         face,
+    const Quadrature<1>                       &quadrature,
+    const std::function<double(const double)> &shape) const
+  {
+    SideShare result;
+    for (unsigned int q = 0; q < quadrature.size(); ++q)
+      {
+        const double       t = quadrature.point(q)[0];
+        const Tensor<1, 2> n =
+          scaled_face_normal(face, map(cell, face_point(face, t)).jacobian);
+        const double share = shape(t) * quadrature.weight(q);
+        result.scaled_normal += share * n;
+        result.weight += share * n.norm();
+      }
+    return result;
+  }
+
+
+
+  EdgePoint
+  CrossSectionElement::point_at(const unsigned int cell,
+                                const Point<2>    &unit) const
+  {
+    EdgePoint point;
+    point.cell     = cell;
+    point.unit     = unit;
+    point.position = map(cell, unit).position;
+    return point;
   }
 
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <lamella/base/arithmetic.h>
+#include <lamella/base/linear_algebra.h>
 #include <lamella/section/lagrange_element.h>
 
 #include <deal.II/base/quadrature_lib.h>
@@ -140,6 +141,39 @@ namespace lamella
 
 
 
+  LagrangeElement::ColumnNumbers
+  LagrangeElement::number_columns(const Grid &grid)
+  {
+    // 1, x, z stand for both functions of the first column and one of the last.
+    ColumnNumbers numbers;
+    numbers.constant.assign(grid.n_columns, 0);
+    numbers.slope.assign(grid.n_columns, 0);
+    numbers.of_node.assign(grid.column.size(), 0);
+    levels.assign(3, 0);
+    for (unsigned int i = 0; i < grid.n_columns; ++i)
+      {
+        if (i > 0 && i + 1 < grid.n_columns)
+          {
+            numbers.constant[i] = levels.size();
+            levels.push_back(1);
+          }
+        if (i > 0)
+          {
+            numbers.slope[i] = levels.size();
+            levels.push_back(1);
+          }
+      }
+    for (unsigned int node = 0; node < numbers.of_node.size(); ++node)
+      if (grid.place[node] > 0 && grid.place[node] + 1 < grid.n_places)
+        {
+          numbers.of_node[node] = levels.size();
+          levels.push_back(2);
+        }
+    return numbers;
+  }
+
+
+
   void
   LagrangeElement::number_column_functions(const Grid &grid)
   {
@@ -149,31 +183,7 @@ namespace lamella
     column_length =
       0.5 * (box.second[1 - long_side] - box.first[1 - long_side]);
 
-    // 1, x, z stand for both functions of the first column and one of the last.
-    std::vector<unsigned int> constant(grid.n_columns, 0),
-      slope(grid.n_columns, 0);
-    levels.assign(3, 0);
-    for (unsigned int i = 0; i < grid.n_columns; ++i)
-      {
-        if (i > 0 && i + 1 < grid.n_columns)
-          {
-            constant[i] = levels.size();
-            levels.push_back(1);
-          }
-        if (i > 0)
-          {
-            slope[i] = levels.size();
-            levels.push_back(1);
-          }
-      }
-    std::vector<unsigned int> of_node(grid.column.size(), 0);
-    for (unsigned int node = 0; node < of_node.size(); ++node)
-      if (grid.place[node] > 0 && grid.place[node] + 1 < grid.n_places)
-        {
-          of_node[node] = levels.size();
-          levels.push_back(2);
-        }
-
+    const ColumnNumbers numbers = number_columns(grid);
     for (unsigned int c = 0; c < cells.size(); ++c)
       {
         const auto &nodes = geometry.nodes_of_cell(c);
@@ -181,132 +191,21 @@ namespace lamella
         for (unsigned int i = 0; i < nodes.size(); ++i)
           {
             columns[grid.column[nodes[i]]].push_back(i);
-            if (of_node[nodes[i]] > 0)
+            if (numbers.of_node[nodes[i]] > 0)
               cells[c].functions.push_back(
-                {of_node[nodes[i]], LocalFunction::Kind::nodal, {i}});
+                {numbers.of_node[nodes[i]], LocalFunction::Kind::nodal, {i}});
           }
         for (const auto &[column, members] : columns)
           {
-            if (constant[column] > 0)
-              cells[c].functions.push_back(
-                {constant[column], LocalFunction::Kind::column, members});
-            if (slope[column] > 0)
-              cells[c].functions.push_back(
-                {slope[column], LocalFunction::Kind::column_slope, members});
+            if (numbers.constant[column] > 0)
+              cells[c].functions.push_back({numbers.constant[column],
+                                            LocalFunction::Kind::column,
+                                            members});
+            if (numbers.slope[column] > 0)
+              cells[c].functions.push_back({numbers.slope[column],
+                                            LocalFunction::Kind::column_slope,
+                                            members});
           }
-      }
-  }
-
-
-
-  namespace
-  {
-    /// A hierarchical function of a section: its degree, the kind of what it is
-    /// on (vertex, edge, cell) with the number of that, and its indices there.
-    using HierarchicalKey = std::array<unsigned int, 5>;
-
-    HierarchicalKey
-    key_of_vertex(const unsigned int vertex)
-    {
-      return {{1, 0, vertex, 0, 0}};
-    }
-
-
-
-    /// The product l_i l_j on @p cell, with its sign there: odd functions of an
-    /// edge point from its vertex of the smaller number to the other.
-    std::pair<HierarchicalKey, double>
-    key_of_product(const Triangulation<2>::active_cell_iterator &cell,
-                   const unsigned int                            i,
-                   const unsigned int                            j)
-    {
-      const unsigned int degree = std::max({i, j, 1u});
-      if (i < 2 && j < 2)
-        return {key_of_vertex(cell->vertex_index(i + 2 * j)), 1.};
-      if (i > 1 && j > 1)
-        return {{{degree, 2, cell->active_cell_index(), i, j}}, 1.};
-      // deal.II's lines: x = 0, x = 1 upwards, z = 0, z = 1 to the right.
-      const bool         upwards = i < 2;
-      const unsigned int line    = upwards ? i : 2 + j;
-      const unsigned int begin   = upwards ? i : 2 * j,
-                         end     = upwards ? i + 2 : 2 * j + 1;
-      const bool backwards =
-        cell->vertex_index(end) < cell->vertex_index(begin);
-      return {{{degree, 1, cell->line_index(line), degree, 0}},
-              backwards && degree % 2 == 1 ? -1. : 1.};
-    }
-
-
-
-    /// l_0 ... l_p at @p t with their derivatives. The Legendre polynomials are
-    /// 1 at s = 1 and +-1 at s = -1 to the last bit, so the l_k vanish there.
-    void
-    integrated_legendre(const unsigned int   p,
-                        const double         t,
-                        std::vector<double> &values,
-                        std::vector<double> &derivatives)
-    {
-      const double        s = 2. * t - 1.;
-      std::vector<double> P{1., s};
-      for (unsigned int k = 2; k <= p; ++k)
-        P.push_back(((2. * k - 1.) * s * P[k - 1] - (k - 1.) * P[k - 2]) / k);
-      values      = {1. - t, t};
-      derivatives = {-1., 1.};
-      for (unsigned int k = 2; k <= p; ++k)
-        {
-          values.push_back((P[k] - P[k - 2]) / std::sqrt(4. * k - 2.));
-          derivatives.push_back(std::sqrt(4. * k - 2.) * P[k - 1]);
-        }
-    }
-  } // namespace
-
-
-
-  void
-  LagrangeElement::number_hierarchical_functions()
-  {
-    const unsigned int                      p = degree();
-    std::map<HierarchicalKey, unsigned int> numbers;
-    std::vector<unsigned int>               vertices;
-    std::vector<Point<2>>                   positions;
-    const auto active_cells = mesh->mesh.active_cell_iterators();
-    for (const auto &cell : active_cells)
-      for (unsigned int i = 0; i <= p; ++i)
-        for (unsigned int j = 0; j <= p; ++j)
-          if (numbers.try_emplace(key_of_product(cell, i, j).first, 0).second &&
-              i < 2 && j < 2)
-            {
-              vertices.push_back(cell->vertex_index(i + 2 * j));
-              positions.push_back(cell->vertex(i + 2 * j));
-            }
-    for (const unsigned int node : replaced_nodes(positions))
-      numbers.erase(key_of_vertex(vertices[node]));
-    // Keys begin with their degree.
-    levels.assign(3, 0);
-    for (auto &[key, number] : numbers)
-      {
-        number = levels.size();
-        levels.push_back(key[0]);
-      }
-
-    for (const auto &cell : active_cells)
-      {
-        Cell &here = cells[cell->active_cell_index()];
-        for (unsigned int i = 0; i <= p; ++i)
-          for (unsigned int j = 0; j <= p; ++j)
-            {
-              const auto [key, sign] = key_of_product(cell, i, j);
-              if (const auto found = numbers.find(key); found != numbers.end())
-                here.products.push_back({found->second, {{i, j}}, sign});
-            }
-        std::sort(here.products.begin(),
-                  here.products.end(),
-                  [](const Product &a, const Product &b) {
-                    return a.number < b.number;
-                  });
-        here.numbers = {0, 1, 2};
-        for (const Product &product : here.products)
-          here.numbers.push_back(product.number);
       }
   }
 
@@ -341,27 +240,6 @@ namespace lamella
     else
       append_functions(cells[cell], unit, to_real, result);
     return result;
-  }
-
-
-
-  void
-  LagrangeElement::append_products(const Cell         &cell,
-                                   const Point<2>     &unit,
-                                   const Tensor<2, 2> &to_real,
-                                   FunctionValues     &values) const
-  {
-    std::array<std::vector<double>, 2> l, d;
-    for (unsigned int c = 0; c < 2; ++c)
-      integrated_legendre(degree(), unit[c], l[c], d[c]);
-    for (const auto &[number, indices, sign] : cell.products)
-      {
-        const auto [i, j] = indices;
-        values.values.push_back(sign * l[0][i] * l[1][j]);
-        values.gradients.push_back(
-          to_real *
-          Point<2>(sign * d[0][i] * l[1][j], sign * l[0][i] * d[1][j]));
-      }
   }
 
 
@@ -440,20 +318,11 @@ namespace lamella
           point.cell               = c;
           point.unit               = unit;
           point.depth              = depth(c, f);
-          Tensor<1, 2> normal;
-          double       weight = 0.;
-          for (unsigned int q = 0; q < quadrature.size(); ++q)
-            {
-              const Point<2>     x = face_point(f, quadrature.point(q)[0]);
-              const Tensor<1, 2> n =
-                scaled_face_normal(f, geometry.map(c, x).jacobian);
-              const double share = fe.shape_value(i, x) * quadrature.weight(q);
-              normal += share * n;
-              weight += share * n.norm();
-            }
+          const auto value         = [&, face = f](const double t) {
+            return fe.shape_value(i, face_point(face, t));
+          };
           add_side(point,
-                   normal,
-                   weight,
+                   side_share(c, f, quadrature, value),
                    scaled_face_normal(f, geometry.map(c, unit).jacobian));
         }
 

@@ -228,30 +228,19 @@ namespace lamella
                        .emplace(cell->face(f)->vertex_index(i == 0 ? 0 : 1),
                                 points.size())
                        .first->second;
-          const Point<2> unit      = face_point(f, basis.point(i));
-          const auto [position, J] = geometry.map(c, unit);
+          const Point<2> unit = face_point(f, basis.point(i));
           if (number == points.size())
             {
-              points.emplace_back();
-              points.back().cell     = c;
-              points.back().unit     = unit;
-              points.back().position = position;
-              points.back().depth    = depth(c, f);
+              points.push_back(point_at(c, unit));
+              points.back().depth = depth(c, f);
             }
-          Tensor<1, 2> normal;
-          double       weight = 0.;
-          for (unsigned int q = 0; q < quadrature.size(); ++q)
-            {
-              const double       t = quadrature.point(q)[0];
-              const Tensor<1, 2> n =
-                scaled_face_normal(f,
-                                   geometry.map(c, face_point(f, t)).jacobian);
-              basis.evaluate(t, shares.data(), nullptr);
-              const double share = shares[i] * quadrature.weight(q);
-              normal += share * n;
-              weight += share * n.norm();
-            }
-          add_side(points[number], normal, weight, scaled_face_normal(f, J));
+          const auto value = [&](const double t) {
+            basis.evaluate(t, shares.data(), nullptr);
+            return shares[i];
+          };
+          add_side(points[number],
+                   side_share(c, f, quadrature, value),
+                   scaled_face_normal(f, geometry.map(c, unit).jacobian));
         }
     for (EdgePoint &point : points)
       point.normal /= point.normal.norm();
@@ -305,12 +294,8 @@ namespace lamella
     for (unsigned int cell = 0; cell < geometry.n_cells(); ++cell)
       for (const Point<2> &unit : candidates_of_cell.get_points())
         {
-          EdgePoint point;
-          point.cell     = cell;
-          point.unit     = unit;
-          point.position = geometry.map(cell, unit).position;
-          candidates.push_back(point);
-          evaluate_polynomials(point.position, values, gradients);
+          candidates.push_back(point_at(cell, unit));
+          evaluate_polynomials(candidates.back().position, values, gradients);
           for (unsigned int c = 0; c < values.size(); ++c)
             rows(candidates.size() - 1, c) = values[c];
         }

@@ -8,9 +8,10 @@
 
 #include <deal.II/base/bounding_box.h>
 #include <deal.II/base/point.h>
+#include <deal.II/base/quadrature.h>
 
+#include <functional>
 #include <memory>
-
 #include <string>
 #include <vector>
 
@@ -226,19 +227,36 @@ namespace lamella
     linear_functions(const dealii::Point<2>     &position,
                      const dealii::Tensor<2, 2> &jacobian) const;
 
+    /// Integrals over a side of a nodal function times n, and alone.
+    struct SideShare
+    {
+      dealii::Tensor<1, 2> scaled_normal;
+      double               weight = 0.;
+    };
+
     /**
      * Adds a side's share of normal and length to @p point, at whose place the
      * side's own normal is @p own_normal; marks corners of more than 20
      * degrees.
-     * @p scaled_normal and @p weight are the integrals of the point's nodal
-     * function times n and alone; who calls it divides the sum of normals by
-     * its length in the end.
+     * @p share is that of the point's nodal function; who calls it divides the
+     * sum of normals by its length in the end.
      */
     static void
     add_side(EdgePoint                  &point,
-             const dealii::Tensor<1, 2> &scaled_normal,
-             const double                weight,
+             const SideShare            &share,
              const dealii::Tensor<1, 2> &own_normal);
+
+    /// Those of @p shape, a function of the side's parameter, over the side
+    /// @p face of @p cell. [length]
+    SideShare
+    side_share(const unsigned int                         cell,
+               const unsigned int                         face,
+               const dealii::Quadrature<1>               &quadrature,
+               const std::function<double(const double)> &shape) const;
+
+    /// The point at @p unit of @p cell, nothing but its place set.
+    EdgePoint
+    point_at(const unsigned int cell, const dealii::Point<2> &unit) const;
 
     /// The depth of @p cell behind its side @p face: area over length of side.
     /// Taken in the middle of the side. [length]

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -239,12 +240,27 @@ namespace lamella
     void
     number_nodal_functions();
 
+    /// The numbers of the functions in columns: of each column the constant
+    /// one and the slope, and of each node its own; 0 where there is none.
+    struct ColumnNumbers
+    {
+      std::vector<unsigned int> constant, slope, of_node;
+    };
+    ColumnNumbers
+    number_columns(const Grid &grid);
+
     /// Numbers for the basis in columns. 1, x, z stand for both functions of
     /// the first column and the constant one of the last.
     void
     number_column_functions(const Grid &grid);
 
-    /// Numbers for the hierarchical basis, degree after degree.
+    /// A hierarchical function of a section: its degree, the kind of what it is
+    /// on (vertex, edge, cell) with the number of that, and its indices there.
+    using ProductKey = std::array<unsigned int, 5>;
+    /// Numbers for the hierarchical basis, degree after degree, without the
+    /// three vertices that give way.
+    std::map<ProductKey, unsigned int>
+    number_products();
     void
     number_hierarchical_functions();
 
