@@ -167,7 +167,14 @@ namespace lamella
              solve(derivative[torsion], nothing),
              solve(derivative[curvature_x], unit(t_x)),
              solve(derivative[curvature_z], unit(t_z))};
+    find_shear_states();
+  }
 
+
+
+  void
+  SaintVenant::find_shear_states()
+  {
     // As much of extension and torsion as frees a curvature of F_y and M_y.
     std::array<Tensor<1, 6>, 4> forces;
     for (unsigned int k = 0; k < 4; ++k)
@@ -197,9 +204,9 @@ namespace lamella
 
 
   void
-  SaintVenant::find_compliance()
+  SaintVenant::find_resultants(FullMatrix<double> &forces,
+                               FullMatrix<double> &energies) const
   {
-    FullMatrix<double> forces(6, 6), energies(6, 6);
     for (unsigned int k = 0; k < 6; ++k)
       {
         const Tensor<1, 6> f = resultants(section, value[k], derivative[k]);
@@ -212,6 +219,15 @@ namespace lamella
         for (unsigned int l = 0; l < 6; ++l)
           energies(l, k) = value[l] * on_a + derivative[l] * on_b;
       }
+  }
+
+
+
+  void
+  SaintVenant::find_compliance()
+  {
+    FullMatrix<double> forces(6, 6), energies(6, 6);
+    find_resultants(forces, energies);
     // Forces of one state differ by powers of the length: scaled, or the
     // inverse loses digits where the units are far from the section's size.
     std::array<double, 6> scale;

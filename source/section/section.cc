@@ -108,6 +108,40 @@ namespace lamella
 
 
 
+  namespace
+  {
+    /// D_s u of Eq. 5 for the derivatives of u.
+    Voigt
+    section_strain(const Tensor<1, 3> &d_dx, const Tensor<1, 3> &d_dz)
+    {
+      Voigt strain;
+      strain[0] = d_dx[0];
+      strain[2] = d_dz[2];
+      strain[3] = d_dx[1];
+      strain[4] = d_dz[0] + d_dx[2];
+      strain[5] = d_dz[1];
+      return strain;
+    }
+
+
+
+    /// Drops the transverse shear strains of a value and of its derivative,
+    /// whose sum Kirchhoff's constraint makes vanish; dropping both keeps the
+    /// digits that the difference would lose.
+    void
+    drop_transverse_shear(SectionPoint &point)
+    {
+      for (unsigned int a = 0; a < point.fields->size(); ++a)
+        for (const unsigned int shear : {3, 5})
+          {
+            point.in_plane[a][shear] = 0.;
+            point.along[a][shear]    = 0.;
+          }
+    }
+  } // namespace
+
+
+
   SectionPoint
   Section::evaluate_fields(const unsigned int cell, const Point<2> &unit) const
   {
@@ -134,26 +168,13 @@ namespace lamella
             d_dx[term.component] += term.factor * f.gradients[k][0];
             d_dz[term.component] += term.factor * f.gradients[k][1];
           }
-        Voigt strain;
-        strain[0] = d_dx[0];
-        strain[2] = d_dz[2];
-        strain[3] = d_dx[1];
-        strain[4] = d_dz[0] + d_dx[2];
-        strain[5] = d_dz[1];
         point.value.push_back(value);
-        point.in_plane.push_back(strain);
+        point.in_plane.push_back(section_strain(d_dx, d_dz));
         point.along.push_back(axial_strain(value));
         point.twist.push_back(0.5 * (d_dz[0] - d_dx[2]));
       }
     if (section_theory.kind == Theory::Kind::EBBT)
-      for (unsigned int a = 0; a < point.fields->size(); ++a)
-        for (const unsigned int shear : {3, 5})
-          {
-            // Kirchhoff's constraint makes their sum vanish; dropping both
-            // keeps the digits that the difference would lose.
-            point.in_plane[a][shear] = 0.;
-            point.along[a][shear]    = 0.;
-          }
+      drop_transverse_shear(point);
     return point;
   }
 

@@ -44,41 +44,10 @@ namespace lamella
     DenseRows dense;
     for (std::vector<Vector> &rows : dense)
       rows.assign(n_dense, Vector(n_fields()));
-    // Cell by cell as products of dense matrices: the strains at all points of
-    // a cell, normal ones (and xz) of in_plane, transverse shear ones of
-    // in_plane, and along.
-    const unsigned int n_points = points.size() / n_cells();
     for (unsigned int cell = 0; cell < n_cells(); ++cell)
       {
-        const unsigned int                      n = cell_fields[cell].size();
-        std::array<LAPACKFullMatrix<double>, 3> strain, stress;
-        for (unsigned int p = 0; p < 3; ++p)
-          {
-            strain[p].reinit(6 * n_points, n);
-            stress[p].reinit(6 * n_points, n);
-          }
-        for (unsigned int k = 0; k < n_points; ++k)
-          {
-            const unsigned int   number = cell * n_points + k;
-            const SectionPoint  &point  = points[number];
-            const ElasticTensor &C      = law_at_point(number).stiffness();
-            for (unsigned int a = 0; a < n; ++a)
-              {
-                std::array<Voigt, 3> e;
-                for (unsigned int c = 0; c < 6; ++c)
-                  e[is_transverse_shear(c) ? 1 : 0][c] = point.in_plane[a][c];
-                e[2] = point.along[a];
-                for (unsigned int p = 0; p < 3; ++p)
-                  {
-                    const Voigt s = weights[number] * (C * e[p]);
-                    for (unsigned int c = 0; c < 6; ++c)
-                      {
-                        strain[p](6 * k + c, a) = e[p][c];
-                        stress[p](6 * k + c, a) = s[c];
-                      }
-                  }
-              }
-          }
+        StrainParts strain, stress;
+        find_cell_strains(cell, strain, stress);
         add_cell_matrices(cell, strain, stress, dense);
       }
     for (unsigned int m = 0; m < matrices.size(); ++m)
@@ -92,11 +61,48 @@ namespace lamella
 
 
   void
-  Section::add_cell_matrices(
-    const unsigned int                             cell,
-    const std::array<LAPACKFullMatrix<double>, 3> &strain,
-    const std::array<LAPACKFullMatrix<double>, 3> &stress,
-    DenseRows                                     &dense)
+  Section::find_cell_strains(const unsigned int cell,
+                             StrainParts       &strain,
+                             StrainParts       &stress) const
+  {
+    const unsigned int n_points = points.size() / n_cells();
+    const unsigned int n        = cell_fields[cell].size();
+    for (unsigned int p = 0; p < 3; ++p)
+      {
+        strain[p].reinit(6 * n_points, n);
+        stress[p].reinit(6 * n_points, n);
+      }
+    for (unsigned int k = 0; k < n_points; ++k)
+      {
+        const unsigned int   number = cell * n_points + k;
+        const SectionPoint  &point  = points[number];
+        const ElasticTensor &C      = law_at_point(number).stiffness();
+        for (unsigned int a = 0; a < n; ++a)
+          {
+            std::array<Voigt, 3> e;
+            for (unsigned int c = 0; c < 6; ++c)
+              e[is_transverse_shear(c) ? 1 : 0][c] = point.in_plane[a][c];
+            e[2] = point.along[a];
+            for (unsigned int p = 0; p < 3; ++p)
+              {
+                const Voigt s = weights[number] * (C * e[p]);
+                for (unsigned int c = 0; c < 6; ++c)
+                  {
+                    strain[p](6 * k + c, a) = e[p][c];
+                    stress[p](6 * k + c, a) = s[c];
+                  }
+              }
+          }
+      }
+  }
+
+
+
+  void
+  Section::add_cell_matrices(const unsigned int cell,
+                             const StrainParts &strain,
+                             const StrainParts &stress,
+                             DenseRows         &dense)
   {
     const auto              &numbers = cell_fields[cell];
     const unsigned int       n       = numbers.size();
@@ -150,7 +156,7 @@ namespace lamella
 
     /// Of a field the parts that its value multiplies, without and with nothing
     /// but transverse shear, and those that its derivative along y multiplies.
-    using StrainParts = std::array<std::vector<StrainPart>, 3>;
+    using FieldStrain = std::array<std::vector<StrainPart>, 3>;
 
 
 
@@ -173,7 +179,7 @@ namespace lamella
     /// The strains of @p field (Eq. 4: xx, yy, zz, xy, xz, yz). Derivatives of
     /// (x - x_c) / h and (z - z_c) / h are 1 / h times the function 1: what of
     /// the rigid turn about y cancels then does so to the last bit.
-    StrainParts
+    FieldStrain
     strains_of(const SectionField &field, const double h)
     {
       using D = StrainPart::Derivative;
@@ -186,7 +192,7 @@ namespace lamella
         {{{0, 0, D::d_dx}, {0, 4, D::d_dz}, {2, 3, D::none}},
          {{1, 3, D::d_dx}, {1, 5, D::d_dz}, {2, 1, D::none}},
          {{0, 2, D::d_dz}, {0, 4, D::d_dx}, {2, 5, D::none}}}};
-      StrainParts result;
+      FieldStrain result;
       for (const SectionField::Term &term : field.terms)
         for (const Entry &entry : of_component[term.component])
           {
@@ -272,6 +278,48 @@ namespace lamella
 
 
 
+    /// The functions of @p element at the points @p quadrature of @p cell, into
+    /// @p D; returns where these lie.
+    std::vector<Point<2>>
+    evaluate_functions(const CrossSectionElement &element,
+                       const unsigned int         cell,
+                       const QGauss<2>           &quadrature,
+                       CellFunctions             &D)
+    {
+      std::vector<Point<2>> positions;
+      for (unsigned int q = 0; q < quadrature.size(); ++q)
+        {
+          const FunctionValues f = element.evaluate(cell, quadrature.point(q));
+          const double         root =
+            std::sqrt(quadrature.weight(q) * determinant(f.jacobian));
+          for (unsigned int k = 0; k < element.n_functions(); ++k)
+            {
+              D[0](q, k) = root * f.values[k];
+              D[1](q, k) = root * f.gradients[k][0];
+              D[2](q, k) = root * f.gradients[k][1];
+            }
+          positions.push_back(f.position);
+        }
+      return positions;
+    }
+
+
+
+    /// The moments of a > b from those of a < b.
+    void
+    fill_by_symmetry(FunctionMoments &moments)
+    {
+      const unsigned int n = moments.empty() ? 0 : moments[0][0][0].m();
+      for (auto &of_part : moments)
+        for (unsigned int a = 0; a < 3; ++a)
+          for (unsigned int b = 0; b < a; ++b)
+            for (unsigned int k = 0; k < n; ++k)
+              for (unsigned int l = 0; l < n; ++l)
+                of_part[a][b](k, l) = of_part[b][a](l, k);
+    }
+
+
+
     FunctionMoments
     function_moments(const CrossSectionElement        &element,
                      const std::vector<unsigned int>  &ply_of_cell,
@@ -292,22 +340,12 @@ namespace lamella
       std::vector<double>             weight(quadrature.size());
       for (unsigned int cell = 0; cell < ply_of_cell.size(); ++cell)
         {
-          const unsigned int ply = ply_of_cell[cell];
-          for (unsigned int q = 0; q < quadrature.size(); ++q)
-            {
-              const FunctionValues f =
-                element.evaluate(cell, quadrature.point(q));
-              const double root =
-                std::sqrt(quadrature.weight(q) * determinant(f.jacobian));
-              if (laws.varies(ply))
-                at_point[q] = laws.harmonics(ply, f.position);
-              for (unsigned int k = 0; k < n; ++k)
-                {
-                  D[0](q, k) = root * f.values[k];
-                  D[1](q, k) = root * f.gradients[k][0];
-                  D[2](q, k) = root * f.gradients[k][1];
-                }
-            }
+          const unsigned int          ply = ply_of_cell[cell];
+          const std::vector<Point<2>> x =
+            evaluate_functions(element, cell, quadrature, D);
+          if (laws.varies(ply))
+            for (unsigned int q = 0; q < quadrature.size(); ++q)
+              at_point[q] = laws.harmonics(ply, x[q]);
           for (unsigned int p = 0; p < parts.size(); ++p)
             if (parts[p].ply == ply)
               {
@@ -316,12 +354,7 @@ namespace lamella
                 add_cell_moments(D, parts[p].harmonic, weight, moments[p]);
               }
         }
-      for (auto &of_part : moments)
-        for (unsigned int a = 0; a < 3; ++a)
-          for (unsigned int b = 0; b < a; ++b)
-            for (unsigned int k = 0; k < n; ++k)
-              for (unsigned int l = 0; l < n; ++l)
-                of_part[a][b](k, l) = of_part[b][a](l, k);
+      fill_by_symmetry(moments);
       return moments;
     }
   } // namespace
@@ -334,7 +367,7 @@ namespace lamella
     const std::vector<StiffnessPart> materials = stiffness_parts(laws);
     const FunctionMoments            functions =
       function_moments(*expansion, ply_of_cell, laws, materials);
-    std::vector<StrainParts> parts;
+    std::vector<FieldStrain> parts;
     for (const SectionField &field : fields)
       parts.push_back(strains_of(field, expansion->reference_length()));
 
@@ -359,7 +392,15 @@ namespace lamella
                 moment(a, b) = sum;
               }
         }
+    add_moments();
+  }
 
+
+
+  void
+  Section::add_moments()
+  {
+    const unsigned int n = n_fields();
     make_pattern();
     const auto &m = strain_moments;
     for (unsigned int a = 0; a < n; ++a)

@@ -94,19 +94,7 @@ namespace lamella
     , means(2 * (modes.n_functions() - 3))
   {
     const unsigned int n = means.size();
-    {
-      std::vector<Voigt> sums(n);
-      double             area = 0.;
-      for (unsigned int k = 0; k < points.size(); ++k)
-        {
-          const auto strain = mode_strains(points[k].cell, points[k].unit);
-          area += weights[k];
-          for (unsigned int m = 0; m < n; ++m)
-            sums[m] += weights[k] * strain[m];
-        }
-      for (unsigned int m = 0; m < n; ++m)
-        means[m] = sums[m] / area;
-    }
+    find_means(points, weights);
     LAPACKFullMatrix<double> K(n);
     of_in_plane.reinit(n, n_fields);
     of_along.reinit(n, n_fields);
@@ -115,19 +103,7 @@ namespace lamella
         const SectionPoint &point = points[k];
         const ElasticTensor C =
           laws.at(ply_of_cell[point.cell], point.position).stiffness();
-        const std::vector<Voigt> strain = mode_strains(point.cell, point.unit);
-        for (unsigned int m = 0; m < n; ++m)
-          {
-            const Voigt stress = weights[k] * (C * strain[m]);
-            for (unsigned int l = 0; l < n; ++l)
-              K(m, l) += stress * strain[l];
-            for (unsigned int a = 0; a < point.fields->size(); ++a)
-              {
-                const unsigned int alpha = (*point.fields)[a];
-                of_in_plane(m, alpha) -= stress * point.in_plane[a];
-                of_along(m, alpha) -= stress * point.along[a];
-              }
-          }
+        add_energies(point, weights[k], C, K);
       }
     // Modes across a thin section are stiffer than those along it by orders of
     // magnitude, to which Cholesky's factorisation is indifferent.
@@ -135,6 +111,49 @@ namespace lamella
     K.compute_cholesky_factorization();
     K.solve(of_in_plane);
     K.solve(of_along);
+  }
+
+
+
+  void
+  ContractionModes::find_means(const std::vector<SectionPoint> &points,
+                               const std::vector<double>       &weights)
+  {
+    const unsigned int n = means.size();
+    std::vector<Voigt> sums(n);
+    double             area = 0.;
+    for (unsigned int k = 0; k < points.size(); ++k)
+      {
+        const auto strain = mode_strains(points[k].cell, points[k].unit);
+        area += weights[k];
+        for (unsigned int m = 0; m < n; ++m)
+          sums[m] += weights[k] * strain[m];
+      }
+    for (unsigned int m = 0; m < n; ++m)
+      means[m] = sums[m] / area;
+  }
+
+
+
+  void
+  ContractionModes::add_energies(const SectionPoint       &point,
+                                 const double              weight,
+                                 const ElasticTensor      &C,
+                                 LAPACKFullMatrix<double> &K)
+  {
+    const std::vector<Voigt> strain = mode_strains(point.cell, point.unit);
+    for (unsigned int m = 0; m < strain.size(); ++m)
+      {
+        const Voigt stress = weight * (C * strain[m]);
+        for (unsigned int l = 0; l < strain.size(); ++l)
+          K(m, l) += stress * strain[l];
+        for (unsigned int a = 0; a < point.fields->size(); ++a)
+          {
+            const unsigned int alpha = (*point.fields)[a];
+            of_in_plane(m, alpha) -= stress * point.in_plane[a];
+            of_along(m, alpha) -= stress * point.along[a];
+          }
+      }
   }
 
 

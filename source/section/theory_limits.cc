@@ -167,6 +167,25 @@ namespace lamella
 
 
 
+  namespace
+  {
+    /// Of a section's @p n fields the places among those whose section strain
+    /// does not vanish, and how many these are. (The slopes are among them:
+    /// they let the section turn about its shear centre.)
+    std::pair<std::vector<unsigned int>, unsigned int>
+    strained_fields(const unsigned int n)
+    {
+      std::vector<unsigned int> place(n, numbers::invalid_unsigned_int);
+      unsigned int              n_free = 0;
+      for (unsigned int a = 0; a < n; ++a)
+        if (a > RigidField::translation_z && a != RigidField::rotation_y)
+          place[a] = n_free++;
+      return {place, n_free};
+    }
+  } // namespace
+
+
+
   std::optional<double>
   torsional_stiffness(const Section &section)
   {
@@ -175,15 +194,10 @@ namespace lamella
     const unsigned int n = section.n_fields();
     if (section.theory().is_classical() || n > most_fields)
       return {};
-    // S_00 w = -S_01 r_y without the fields whose section strain vanishes. (The
-    // slopes stay: they let the section turn about its shear centre.)
-    const double              h   = section.element().reference_length();
-    constexpr unsigned int    r_y = RigidField::rotation_y;
-    std::vector<unsigned int> place(n, numbers::invalid_unsigned_int);
-    unsigned int              n_free = 0;
-    for (unsigned int a = 0; a < n; ++a)
-      if (a > RigidField::translation_z && a != r_y)
-        place[a] = n_free++;
+    // S_00 w = -S_01 r_y without the fields whose section strain vanishes.
+    const double           h   = section.element().reference_length();
+    constexpr unsigned int r_y = RigidField::rotation_y;
+    const auto [place, n_free] = strained_fields(n);
     LAPACKFullMatrix<double> K(n_free, n_free);
     Vector                   w(n_free);
     for (unsigned int a = 0; a < n; ++a)

@@ -7,6 +7,8 @@
 #include <lamella/section/section.h>
 #include <lamella/section/warping.h>
 
+#include <deal.II/lac/full_matrix.h>
+
 #include <array>
 #include <memory>
 #include <vector>
@@ -117,6 +119,13 @@ namespace lamella
     right_hand_side(const Vector &v, const Vector &w) const;
     void
     find_states();
+    /// After the curvatures have been found.
+    void
+    find_shear_states();
+    /// F, the resultants of the states, and Q, their energies in pairs.
+    void
+    find_resultants(dealii::FullMatrix<double> &forces,
+                    dealii::FullMatrix<double> &energies) const;
     void
     find_compliance();
 

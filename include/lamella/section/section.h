@@ -331,18 +331,27 @@ namespace lamella
     /// at once, function by function instead of field by field.
     void
     make_moments();
+    /// The matrices as sums of strain_moments.
+    void
+    add_moments();
     /// Of each matrix the rows of the fields that live on all cells.
     using DenseRows = std::array<std::vector<Vector>, 5>;
-    /// Adds the products of strains and stresses at the points of @p cell to
-    /// the matrices, and to @p dense what belongs to its rows; the parts are
-    /// in_plane without and with nothing but the transverse shear strains, and
-    /// along.
+    /// Strains, or stresses times weights, of the fields of a cell at its
+    /// points, six rows a point: in_plane without and with nothing but the
+    /// transverse shear strains, and along.
+    using StrainParts = std::array<dealii::LAPACKFullMatrix<double>, 3>;
     void
-    add_cell_matrices(
-      const unsigned int                                     cell,
-      const std::array<dealii::LAPACKFullMatrix<double>, 3> &strain,
-      const std::array<dealii::LAPACKFullMatrix<double>, 3> &stress,
-      DenseRows                                             &dense);
+    find_cell_strains(const unsigned int cell,
+                      StrainParts       &strain,
+                      StrainParts       &stress) const;
+    /// Adds the products of strains and stresses at the points of @p cell to
+    /// the matrices, cell by cell as products of dense matrices, and to
+    /// @p dense what belongs to its rows.
+    void
+    add_cell_matrices(const unsigned int cell,
+                      const StrainParts &strain,
+                      const StrainParts &stress,
+                      DenseRows         &dense);
     /// The cells' boxes; those of a section with curved edges grow by a fifth.
     void
     make_boxes();

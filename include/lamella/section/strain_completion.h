@@ -132,6 +132,17 @@ namespace lamella
     complete(SectionPoint &point) const override;
 
   private:
+    /// The means over the section, from its integration points.
+    void
+    find_means(const std::vector<SectionPoint> &points,
+               const std::vector<double>       &weights);
+    /// Adds what @p point stands for, with its law @p C, to @p K and to the
+    /// right hand sides, of_in_plane and of_along.
+    void
+    add_energies(const SectionPoint               &point,
+                 const double                      weight,
+                 const ElasticTensor              &C,
+                 dealii::LAPACKFullMatrix<double> &K);
     /// D_s v of all modes at a point, less their means. Two for each
     /// polynomial, of its displacement along x and along z. [1 / length]
     std::vector<Voigt>
