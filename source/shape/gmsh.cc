@@ -89,43 +89,53 @@ namespace lamella
 
 
 
+    /// How many there are, and the line of the file that has the first.
+    struct ElementsOfAKind
+    {
+      void
+      add(const GmshFile::Element &element)
+      {
+        first_line = n == 0 ? element.line : first_line;
+        ++n;
+      }
+
+      unsigned int n = 0, first_line = 0;
+    };
+
+
+
     /// Throws InputError unless the elements are quadrilaterals of first order,
     /// their lines and points.
     void
     check_elements(const GmshFile &file, const Entry &entry)
     {
-      unsigned int triangles = 0, others = 0, cells = 0, first = 0;
+      unsigned int    cells = 0;
+      ElementsOfAKind triangles, others;
       for (const GmshFile::Element &element : file.elements)
         if (element.type == GmshFile::triangle)
-          {
-            first = triangles == 0 ? element.line : first;
-            ++triangles;
-          }
+          triangles.add(element);
         else if (element.type == GmshFile::quadrilateral)
           ++cells;
         else if (element.type != GmshFile::line_type &&
                  element.type != GmshFile::point)
-          {
-            first = others + triangles == 0 ? element.line : first;
-            ++others;
-          }
-      if (triangles > 0)
+          others.add(element);
+      if (triangles.n > 0)
         refuse_line(
           entry,
-          first,
-          std::to_string(triangles) +
-            (triangles == 1 ? " cell is a triangle" :
-                              " cells are triangles, this the first"),
+          triangles.first_line,
+          std::to_string(triangles.n) +
+            (triangles.n == 1 ? " cell is a triangle" :
+                                " cells are triangles, this the first"),
           "A section is made of quadrilaterals: in Gmsh, 'Recombine Surface "
           "{:};' with transfinite surfaces, or 'Mesh.RecombinationAlgorithm = "
           "3;'.");
-      if (others > 0)
+      if (others.n > 0)
         refuse_line(entry,
-                    first,
-                    "of the elements " + std::to_string(others) +
-                      (others == 1 ? " is" : " are") +
+                    triangles.first_line,
+                    "of the elements " + std::to_string(others.n) +
+                      (others.n == 1 ? " is" : " are") +
                       " of higher order or not in the plane" +
-                      (others == 1 ? "" : ", this the first"),
+                      (others.n == 1 ? "" : ", this the first"),
                     "Use first-order quadrilaterals: Mesh.ElementOrder = 1.");
       if (cells == 0)
         entry.refuse(

@@ -151,6 +151,49 @@ namespace lamella
           }
       return count;
     }
+
+
+
+    Side
+    side_of_line(const GmshMesh &mesh, const unsigned int l)
+    {
+      const CellData<1> &line = mesh.rest.boundary_lines[l];
+      return side_between(line.vertices[0], line.vertices[1]);
+    }
+
+
+
+    /// Whether line @p l of @p mesh is a side of one cell, of those of
+    /// @p count; lines beside the section are none. Throws InputError for those
+    /// that ought to be one, and inside.
+    bool
+    is_at_boundary(const GmshMesh                     &mesh,
+                   const unsigned int                  l,
+                   const std::map<Side, unsigned int> &count,
+                   const Entry                        &entry)
+    {
+      const Side         side    = side_of_line(mesh, l);
+      const auto         cells   = count.find(side);
+      const unsigned int in_file = mesh.lines[l]->line;
+      if (cells == count.end() && mesh.rest.boundary_lines[l].boundary_id != 0)
+        refuse_line(
+          entry,
+          in_file,
+          "this part of a physical line is no side of a cell",
+          "Only lines of the section's boundary can be physical ones: "
+          "remove this one, or mesh the section anew.");
+      // Lines of no name beside the section: auxiliary ones.
+      if (cells == count.end())
+        return false;
+      if (cells->second > 1)
+        refuse_line(
+          entry,
+          in_file,
+          "a line of the mesh runs inside the section, " + ends(mesh, side),
+          "Only lines of its boundary can be physical ones: remove this "
+          "one, or Mesh.SaveAll.");
+      return true;
+    }
   } // namespace
 
 
@@ -163,37 +206,19 @@ namespace lamella
     std::vector<CellData<1>>     lines;
     for (unsigned int l = 0; l < mesh.lines.size(); ++l)
       {
-        const CellData<1> &line = mesh.rest.boundary_lines[l];
-        const Side side  = side_between(line.vertices[0], line.vertices[1]);
-        const auto cells = count.find(side);
-        const unsigned int in_file = mesh.lines[l]->line;
-        if (cells == count.end() && line.boundary_id != 0)
-          refuse_line(
-            entry,
-            in_file,
-            "this part of a physical line is no side of a cell",
-            "Only lines of the section's boundary can be physical ones: "
-            "remove this one, or mesh the section anew.");
-        // Lines of no name beside the section: auxiliary ones.
-        if (cells == count.end())
+        if (!is_at_boundary(mesh, l, count, entry))
           continue;
-        if (cells->second > 1)
-          refuse_line(
-            entry,
-            in_file,
-            "a line of the mesh runs inside the section, " + ends(mesh, side),
-            "Only lines of its boundary can be physical ones: remove this "
-            "one, or Mesh.SaveAll.");
+        const Side side         = side_of_line(mesh, l);
         const auto [it, is_new] = seen.insert({side, l});
         if (!is_new)
           refuse_line(entry,
-                      in_file,
+                      mesh.lines[l]->line,
                       "the side " + ends(mesh, side) +
                         " is in a physical line already, in line " +
                         std::to_string(mesh.lines[it->second]->line) +
                         " of the file",
                       "Let each curve be in one.");
-        lines.push_back(line);
+        lines.push_back(mesh.rest.boundary_lines[l]);
       }
     mesh.rest.boundary_lines = lines;
   }

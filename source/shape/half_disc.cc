@@ -52,8 +52,16 @@ namespace lamella
       Complex
       core_point(const int i, const int j) const;
 
+      /// From +x to -x, around P.
+      std::vector<Complex>
+      core_outline() const;
+
       Ring
       add_ring(const std::vector<Complex> &ring);
+      /// The ring of the points x + i depth of @p flat, with the cells between
+      /// @p inner and it.
+      Ring
+      add_bent_ring(const std::vector<Complex> &flat, const Ring &inner);
       void
       add_cells_between(const Ring &inner, const Ring &outer);
       Ring
@@ -161,22 +169,9 @@ namespace lamella
 
 
 
-    GradedHalfDisc::Ring
-    GradedHalfDisc::add_rings(Ring inner)
+    std::vector<Complex>
+    GradedHalfDisc::core_outline() const
     {
-      const auto on_circle = [this](const unsigned int l) {
-        return std::polar(1., numbers::PI * l / sectors);
-      };
-      const auto add = [&](const std::vector<Complex> &flat) {
-        std::vector<Complex> ring;
-        for (const Complex &p : flat)
-          ring.push_back(bent(p.real(), p.imag()));
-        const Ring outer = add_ring(ring);
-        add_cells_between(inner, outer);
-        inner = outer;
-      };
-
-      // From the outline of the core to a circle.
       std::vector<Complex> outline;
       for (int j = 0; j < half; ++j)
         outline.push_back(core_point(half, j));
@@ -184,8 +179,36 @@ namespace lamella
         outline.push_back(core_point(i, half));
       for (int j = half; j >= 0; --j)
         outline.push_back(core_point(-half, j));
-      const double       first_radius = 1.6 * core_width;
-      const unsigned int n_blended    = std::max(1., std::round(sectors / 8.));
+      return outline;
+    }
+
+
+
+    GradedHalfDisc::Ring
+    GradedHalfDisc::add_bent_ring(const std::vector<Complex> &flat,
+                                  const Ring                 &inner)
+    {
+      std::vector<Complex> ring;
+      for (const Complex &p : flat)
+        ring.push_back(bent(p.real(), p.imag()));
+      const Ring outer = add_ring(ring);
+      add_cells_between(inner, outer);
+      return outer;
+    }
+
+
+
+    GradedHalfDisc::Ring
+    GradedHalfDisc::add_rings(Ring inner)
+    {
+      const auto on_circle = [this](const unsigned int l) {
+        return std::polar(1., numbers::PI * l / sectors);
+      };
+
+      // From the outline of the core to a circle.
+      const std::vector<Complex> outline      = core_outline();
+      const double               first_radius = 1.6 * core_width;
+      const unsigned int n_blended = std::max(1., std::round(sectors / 8.));
       for (unsigned int k = 1; k <= n_blended; ++k)
         {
           std::vector<Complex> flat;
@@ -193,7 +216,7 @@ namespace lamella
           for (unsigned int l = 0; l <= sectors; ++l)
             flat.push_back((1. - t) * outline[l] +
                            t * first_radius * on_circle(l));
-          add(flat);
+          inner = add_bent_ring(flat, inner);
         }
 
       // A sector is as wide as deep at the ratio exp(pi / sectors).
@@ -208,7 +231,7 @@ namespace lamella
           for (unsigned int l = 0; l <= sectors; ++l)
             flat.push_back(first_radius * std::exp(k * span / n) *
                            on_circle(l));
-          add(flat);
+          inner = add_bent_ring(flat, inner);
         }
       return inner;
     }
@@ -242,6 +265,33 @@ namespace lamella
           below = outer;
         }
     }
+
+
+
+    /// The vertices and cells of @p disc, graded towards where it says.
+    std::pair<std::vector<Point<2>>, std::vector<CellData<2>>>
+    graded_cells(const HalfDisc &disc)
+    {
+      // The map shrinks lengths at P by the sine of the angle.
+      const double   angle = disc.graded_towards * numbers::PI / 180.;
+      const double   c = 1. / std::tan(0.5 * angle), b = (c - 1.) / (c + 1.);
+      GradedHalfDisc graded(disc.sectors,
+                            disc.finest_cell / disc.radius / std::sin(angle));
+      std::vector<Point<2>> vertices;
+      for (const Complex &z : graded.points)
+        {
+          Complex    w = (z + b) / (1. + b * z);
+          const bool on_arc =
+            std::abs(std::abs(z) - 1.) < arithmetic::rounding_of_results;
+          w /= on_arc ? std::abs(w) : 1.;
+          vertices.emplace_back(disc.radius * (1. + w.real()),
+                                std::abs(z.imag()) <
+                                    arithmetic::rounding_of_results ?
+                                  0. :
+                                  disc.radius * w.imag());
+        }
+      return {vertices, graded.cells};
+    }
   } // namespace
 
 
@@ -256,27 +306,10 @@ namespace lamella
                        disc.radius,
                        materials.at(disc.fabric.material)}};
 
-    // The map shrinks lengths at P by the sine of the angle.
-    const double   angle = disc.graded_towards * numbers::PI / 180.;
-    const double   c = 1. / std::tan(0.5 * angle), b = (c - 1.) / (c + 1.);
-    GradedHalfDisc graded(disc.sectors,
-                          disc.finest_cell / disc.radius / std::sin(angle));
-    std::vector<Point<2>> vertices;
-    for (const Complex &z : graded.points)
-      {
-        Complex    w = (z + b) / (1. + b * z);
-        const bool on_arc =
-          std::abs(std::abs(z) - 1.) < arithmetic::rounding_of_results;
-        w /= on_arc ? std::abs(w) : 1.;
-        vertices.emplace_back(disc.radius * (1. + w.real()),
-                              std::abs(z.imag()) <
-                                  arithmetic::rounding_of_results ?
-                                0. :
-                                disc.radius * w.imag());
-      }
-    GridTools::consistently_order_cells(graded.cells);
+    auto [vertices, cells] = graded_cells(disc);
+    GridTools::consistently_order_cells(cells);
     Triangulation<2> &mesh = section->mesh;
-    mesh.create_triangulation(vertices, graded.cells, SubCellData());
+    mesh.create_triangulation(vertices, cells, SubCellData());
 
     section->boundaries = {{0, "arc"}, {1, "flat"}};
     for (const auto &face : mesh.active_face_iterators())

@@ -23,6 +23,36 @@ namespace lamella
 {
   using namespace dealii;
 
+  namespace
+  {
+    /// Those of SectionProperties, of sides as @p mapping has them.
+    std::map<std::string, double>
+    boundary_lengths(const SectionMesh &section, const Mapping<2> &mapping)
+    {
+      const FE_Nothing<2> nothing;
+      FEFaceValues<2>     face_values(mapping,
+                                  nothing,
+                                  QGauss<1>(8),
+                                  update_JxW_values);
+
+      std::map<std::string, double> lengths;
+      for (const auto &cell : section.mesh.active_cell_iterators())
+        for (const unsigned int f : cell->face_indices())
+          if (cell->face(f)->at_boundary())
+            {
+              face_values.reinit(cell, f);
+              double &length =
+                lengths[section.boundaries.at(cell->face(f)->boundary_id())];
+              for (const unsigned int q :
+                   face_values.quadrature_point_indices())
+                length += face_values.JxW(q);
+            }
+      return lengths;
+    }
+  } // namespace
+
+
+
   SectionProperties
   section_properties(const SectionMesh &section)
   {
@@ -34,10 +64,6 @@ namespace lamella
                        nothing,
                        QGauss<2>(8),
                        update_quadrature_points | update_JxW_values);
-    FEFaceValues<2>     face_values(mapping,
-                                nothing,
-                                QGauss<1>(8),
-                                update_JxW_values);
 
     SectionProperties result;
     result.ply_areas.resize(section.plies.size());
@@ -52,17 +78,8 @@ namespace lamella
             result.ply_areas[cell->material_id()] += values.JxW(q);
             first += values.JxW(q) * Tensor<1, 2>(values.quadrature_point(q));
           }
-        for (const unsigned int f : cell->face_indices())
-          if (cell->face(f)->at_boundary())
-            {
-              face_values.reinit(cell, f);
-              double &length = result.boundary_lengths[section.boundaries.at(
-                cell->face(f)->boundary_id())];
-              for (const unsigned int q :
-                   face_values.quadrature_point_indices())
-                length += face_values.JxW(q);
-            }
       }
+    result.boundary_lengths = boundary_lengths(section, mapping);
     result.area =
       std::accumulate(result.ply_areas.begin(), result.ply_areas.end(), 0.);
     result.centroid = Point<2>(first / result.area);
