@@ -12,6 +12,39 @@ namespace lamella
 {
   using namespace dealii;
 
+  namespace
+  {
+    /// Of those that are equal up to rounding the first, always.
+    std::vector<double>::iterator
+    first_of_largest(std::vector<double> &values)
+    {
+      return std::max_element(values.begin(),
+                              values.end(),
+                              [](const double a, const double b) {
+                                return a < (1. - arithmetic::negligible) * b;
+                              });
+    }
+
+
+
+    /// Row @p row of @p A less its parts along @p directions, unit vectors.
+    Vector<double>
+    rest_of_row(const LAPACKFullMatrix<double>    &A,
+                const unsigned int                 row,
+                const std::vector<Vector<double>> &directions)
+    {
+      Vector<double> rest(A.n());
+      for (unsigned int c = 0; c < A.n(); ++c)
+        rest[c] = A(row, c);
+      for (unsigned int pass = 0; pass < 2; ++pass)
+        for (const Vector<double> &known : directions)
+          rest.add(-(rest * known), known);
+      return rest;
+    }
+  } // namespace
+
+
+
   std::vector<unsigned int>
   most_independent(const LAPACKFullMatrix<double> &A, const double relative)
   {
@@ -27,24 +60,12 @@ namespace lamella
       longest = std::max(longest, square);
     while (chosen.size() < std::min(A.n(), A.m()))
       {
-        const auto next =
-          std::max_element(squares.begin(),
-                           squares.end(),
-                           [](const double a, const double b) {
-                             // Equal up to rounding: the first,
-                             // always.
-                             return a < (1. - arithmetic::negligible) * b;
-                           });
+        const auto next = first_of_largest(squares);
         if (*next <= relative * relative * longest)
           break;
-        const unsigned int row = next - squares.begin();
-        *next                  = 0.;
-        Vector<double> direction(A.n());
-        for (unsigned int c = 0; c < A.n(); ++c)
-          direction[c] = A(row, c);
-        for (unsigned int pass = 0; pass < 2; ++pass)
-          for (const Vector<double> &known : directions)
-            direction.add(-(direction * known), known);
+        const unsigned int row   = next - squares.begin();
+        *next                    = 0.;
+        Vector<double> direction = rest_of_row(A, row, directions);
         // The squares are differences: what is left may be less.
         if (direction.l2_norm() <= relative * std::sqrt(longest))
           continue;

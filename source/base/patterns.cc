@@ -163,6 +163,26 @@ namespace lamella
           entry.refuse(rule_of_range(part[1], part[2]));
         entry.refuse("does not match " + pattern);
       }
+
+
+
+      /// Throws InputError for what is no list of so many numbers: @p list has
+      /// the pattern of each, the least and the largest count.
+      [[noreturn]] void
+      refuse_list(const Entry &entry, const std::smatch &list)
+      {
+        const std::size_t n = entry.items().size(), least = std::stoul(list[2]);
+        if (n < least || n > std::stoul(list[3]))
+          {
+            if (least == 3)
+              entry.point();
+            entry.refuse("there are " + std::to_string(n) +
+                           " values, and it takes " + std::to_string(least),
+                         "Write them between commas.");
+          }
+        entry.numbers();
+        refuse_range(entry, list[1]);
+      }
     } // namespace
 
 
@@ -191,20 +211,7 @@ namespace lamella
             }
         }
       if (std::regex_match(pattern, part, list))
-        {
-          const std::size_t n     = entry.items().size(),
-                            least = std::stoul(part[2]);
-          if (n < least || n > std::stoul(part[3]))
-            {
-              if (least == 3)
-                entry.point();
-              entry.refuse("there are " + std::to_string(n) +
-                             " values, and it takes " + std::to_string(least),
-                           "Write them between commas.");
-            }
-          entry.numbers();
-          refuse_range(entry, part[1]);
-        }
+        refuse_list(entry, part);
       if (std::regex_match(pattern, part, choice))
         entry.refuse("must be " + alternatives(part[1]));
       if (pattern == "[Bool]")

@@ -28,6 +28,31 @@ namespace lamella
         return {to_number(piece)};
       return {};
     }
+
+
+
+    const std::string layup_rule =
+      "must be ply angles in degrees between slashes, bottom to top, as in "
+      "0/90/0 or [0/+-45/90]2s";
+
+
+
+    /// Of all @p pieces between slashes. Throws InputError of @p entry.
+    std::vector<double>
+    parse_angles(const std::string &pieces, const Entry &entry)
+    {
+      std::vector<double> angles;
+      for (const std::string &piece : split(pieces, '/'))
+        {
+          const std::vector<double> some = parse_angle(piece);
+          if (some.empty())
+            entry.refuse(layup_rule + "; '" + piece + "' is not an angle");
+          angles.insert(angles.end(), some.begin(), some.end());
+        }
+      if (angles.empty())
+        entry.refuse(layup_rule + "; there is no ply");
+      return angles;
+    }
   } // namespace
 
 
@@ -42,32 +67,20 @@ namespace lamella
     // A bracket, what it holds, and what follows it; or no bracket at all.
     static const std::regex form(
       R"(\s*(\[?)([^\[\]]*)(\]?)\s*([0-9]*)(s?)\s*)");
-    const std::string rule =
-      "must be ply angles in degrees between slashes, bottom to top, as in "
-      "0/90/0 or [0/+-45/90]2s";
     std::smatch match;
     const bool  fits      = std::regex_match(code, match, form);
     const bool  bracketed = fits && match[1].length() == 1;
     if (!fits || bracketed != (match[3].length() == 1))
-      entry.refuse(rule + "; brackets must pair and enclose all plies");
+      entry.refuse(layup_rule + "; brackets must pair and enclose all plies");
 
     // Without brackets the greedy second group takes everything.
-    std::vector<double> angles;
-    for (const std::string &piece : split(match[2], '/'))
-      {
-        const std::vector<double> some = parse_angle(piece);
-        if (some.empty())
-          entry.refuse(rule + "; '" + piece + "' is not an angle");
-        angles.insert(angles.end(), some.begin(), some.end());
-      }
-    if (angles.empty())
-      entry.refuse(rule + "; there is no ply");
+    std::vector<double> angles = parse_angles(match[2], entry);
 
     constexpr double most = 1000.;
     const double     repetitions =
       match[4].length() > 0 ? to_number(match[4].str()) : 1.;
     if (!(repetitions >= 1. && repetitions <= most))
-      entry.refuse(rule + "; the repetition must be from 1 to 1000");
+      entry.refuse(layup_rule + "; the repetition must be from 1 to 1000");
     const std::vector<double> once = angles;
     for (int i = 1; i < repetitions; ++i)
       angles.insert(angles.end(), once.begin(), once.end());
