@@ -128,7 +128,8 @@ namespace lamella
 
 
 
-  /// The points that a task has looked at, those near to the largest 1/R.
+  /// The points that a task has looked at, those that came near to the largest
+  /// 1/R so far, and that.
   class StrengthSweep::Candidates
   {
   public:
@@ -141,17 +142,17 @@ namespace lamella
       points.push_back({x, nearness});
     }
 
-    /// Those near to the largest of all processes, @p largest; @p same is a
+    /// Those near to @p most, the largest of all processes; @p same is a
     /// length.
     std::vector<Point<3>>
-    nearest(const double largest, const double same) const
+    nearest(const double most, const double same) const
     {
       std::vector<Point<3>> result;
       for (const Candidate &point : points)
-        if (point.nearness >= near * largest)
+        if (point.nearness >= near * most)
           result.push_back(point.x);
       // Unstressed, all points are alike.
-      if (largest == 0. && result.size() > 1)
+      if (most == 0. && result.size() > 1)
         result.resize(1);
       return without_repetitions(std::move(result), same);
     }
