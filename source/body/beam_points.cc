@@ -210,13 +210,17 @@ namespace lamella
 
 
   void
-  Beam::add_to_rows(const AxisPoint    &axis_point,
-                    const SectionPoint &point,
-                    const Quantity      quantity,
-                    const FromStrain   &to_frame,
-                    const double        share,
-                    std::vector<Row>   &rows) const
+  Beam::add_to_rows(const Location::Place &place,
+                    const Quantity         quantity,
+                    const FromStrain      &to_frame,
+                    const double           share,
+                    std::vector<Row>      &rows) const
   {
+    const AxisPoint axis_point =
+      beam_axis->evaluate(place.cell / beam_section->n_cells(), place.unit[1]);
+    const SectionPoint point =
+      beam_section->evaluate(place.cell % beam_section->n_cells(),
+                             {place.unit[0], place.unit[2]});
     const std::vector<FieldValue> values =
       values_of_fields(point, quantity, placement, to_frame);
     const auto add =
@@ -278,20 +282,8 @@ namespace lamella
               rows[c].add_constant(constant[c]);
           }
         for (const Location::Place &place : where.places)
-          {
-            const AxisPoint axis_point =
-              beam_axis->evaluate(place.cell / beam_section->n_cells(),
-                                  place.unit[1]);
-            const SectionPoint point =
-              beam_section->evaluate(place.cell % beam_section->n_cells(),
-                                     {place.unit[0], place.unit[2]});
-            add_to_rows(axis_point,
-                        point,
-                        quantity,
-                        to_frame,
-                        1. / where.places.size(),
-                        rows);
-          }
+          add_to_rows(
+            place, quantity, to_frame, 1. / where.places.size(), rows);
         for (Row &row : rows)
           row.compress();
         result.push_back(std::move(rows));

@@ -154,23 +154,26 @@ namespace lamella
 
 
 
+  std::optional<unsigned int>
+  MeshSurface::on_side(const std::vector<unsigned int> &numbers,
+                       const Tensor<1, 3>              &normal) const
+  {
+    const auto found =
+      std::find_if(numbers.begin(), numbers.end(), [&](const unsigned int k) {
+        return nodes[k].normal * normal > sharp;
+      });
+    if (found == numbers.end())
+      return {};
+    return *found;
+  }
+
+
+
   void
   MeshSurface::split_at_edges(const SurfaceTopology &topology)
   {
     // Our nodes, one for each side of a sharp edge, of a node of the body.
     std::vector<std::vector<unsigned int>> sides(topology.n_grid);
-    // The one of them whose normal is like @p normal; the normal is that of the
-    // first facet there, until it is averaged.
-    const auto on_side = [&](const unsigned int  node,
-                             const Tensor<1, 3> &normal) {
-      const auto found = std::find_if(sides[node].begin(),
-                                      sides[node].end(),
-                                      [&](unsigned int k) {
-                                        return nodes[k].normal * normal > sharp;
-                                      });
-      return found == sides[node].end() ? numbers::invalid_unsigned_int :
-                                          *found;
-    };
     for (unsigned int f = 0; f < all_facets.size(); ++f)
       {
         Facet                   &facet = all_facets[f];
@@ -178,31 +181,38 @@ namespace lamella
         const auto              &of_body = topology.facets[f].grid;
         for (unsigned int k = 0; k < of_body.size(); ++k)
           {
-            const Place place =
-              facet.map({s.point(k % s.size()), t.point(k / s.size())});
+            const Point<2>     st(s.point(k % s.size()), t.point(k / s.size()));
+            const Place        place  = facet.map(st);
             const Tensor<1, 3> normal = outward_normal(facet, place);
-            unsigned int       number = on_side(of_body[k], normal);
-            if (number == numbers::invalid_unsigned_int)
+            auto               number = on_side(sides[of_body[k]], normal);
+            if (!number)
               {
+                // The normal of the first facet, until it is averaged.
                 number = nodes.size();
                 nodes.push_back({place.position, normal});
-                grid_places.emplace_back(f,
-                                         Point<2>(s.point(k % s.size()),
-                                                  t.point(k / s.size())));
-                sides[of_body[k]].push_back(number);
+                grid_places.emplace_back(f, st);
+                sides[of_body[k]].push_back(*number);
               }
-            facet.grid_nodes.push_back(number);
+            facet.grid_nodes.push_back(*number);
           }
       }
+    find_hanging_nodes(topology, sides);
+  }
 
+
+
+  void
+  MeshSurface::find_hanging_nodes(
+    const SurfaceTopology                        &topology,
+    const std::vector<std::vector<unsigned int>> &sides)
+  {
     for (const HangingNode &node : topology.hanging)
       for (const unsigned int k : sides[node.node])
         {
-          const unsigned int a = on_side(node.ends[0], nodes[k].normal),
-                             b = on_side(node.ends[1], nodes[k].normal);
-          if (a != numbers::invalid_unsigned_int &&
-              b != numbers::invalid_unsigned_int)
-            hanging.push_back({k, {{a, b}}});
+          const auto a = on_side(sides[node.ends[0]], nodes[k].normal),
+                     b = on_side(sides[node.ends[1]], nodes[k].normal);
+          if (a && b)
+            hanging.push_back({k, {{*a, *b}}});
         }
     // Short edges first, since a node may hang on one that hangs on a longer
     // edge itself.

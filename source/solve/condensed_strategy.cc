@@ -200,6 +200,26 @@ namespace lamella
 
 
 
+  std::vector<unsigned int>
+  CondensedStrategy::first_part(const ContactProblem &problem) const
+  {
+    std::set<unsigned int> part(problem.start.begin(), problem.start.end());
+    for (unsigned int r = 0; r < rows.size(); ++r)
+      if (problem.force[r] != 0. || problem.estimate[r] != 0.)
+        part.insert(r);
+    if (part.empty() && rows_below(-problem.closed, {}, problem.gap).empty())
+      return {};
+    std::vector<unsigned int> known;
+    for (unsigned int r = 0; r < rows.size(); ++r)
+      if (compliance.knows(r))
+        known.push_back(r);
+    if (!are_idle(known.size(), part.size()))
+      part.insert(known.begin(), known.end());
+    return {part.begin(), part.end()};
+  }
+
+
+
   ContactSolution
   CondensedStrategy::settle(const ContactProblem &problem,
                             const Monitor        &monitor)
@@ -209,20 +229,10 @@ namespace lamella
     solution.force  = problem.force;
     solution.active = problem.start;
 
-    std::set<unsigned int> start(problem.start.begin(), problem.start.end());
-    for (unsigned int r = 0; r < rows.size(); ++r)
-      if (problem.force[r] != 0. || problem.estimate[r] != 0.)
-        start.insert(r);
-    if (start.empty() && rows_below(-problem.closed, {}, problem.gap).empty())
-      return solution;
-    std::vector<unsigned int> known;
-    for (unsigned int r = 0; r < rows.size(); ++r)
-      if (compliance.knows(r))
-        known.push_back(r);
-    if (!are_idle(known.size(), start.size()))
-      start.insert(known.begin(), known.end());
-    std::vector<unsigned int> part(start.begin(), start.end());
+    std::vector<unsigned int> part = first_part(problem);
     Violations joining = rows_below(-problem.closed, part, problem.gap);
+    if (part.empty() && joining.empty())
+      return solution;
     joining.resize(std::min(joining.size(), first_rows));
 
     std::set<unsigned int> left;

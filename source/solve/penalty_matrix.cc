@@ -193,13 +193,20 @@ namespace lamella
           stiffness);
       });
     stiffness.compress(VectorOperation::add);
+    fill_diagonal();
+  }
 
+
+
+  void
+  PenaltyMatrix::fill_diagonal()
+  {
     // Constrained DoFs get what others have at most.
     double greatest = 0.;
     for (const DofIndex i : owned)
       greatest = std::max(greatest, std::abs(stiffness.diag_element(i)));
     greatest = Utilities::MPI::max(greatest, communicator());
-    diagonal.reinit(n);
+    diagonal.reinit(structure.n_dofs());
     for (const DofIndex i : owned)
       {
         if (constraints.is_constrained(i))

@@ -434,14 +434,13 @@ namespace lamella
                   const Vector      &u) const;
 
     /// Adds to the rows @p rows of a quantity, one a component, the @p share
-    /// of a point of the body that is @p axis_point times @p point.
+    /// of what is at @p place.
     void
-    add_to_rows(const AxisPoint    &axis_point,
-                const SectionPoint &point,
-                const Quantity      quantity,
-                const FromStrain   &to_frame,
-                const double        share,
-                std::vector<Row>   &rows) const;
+    add_to_rows(const Location::Place &place,
+                const Quantity         quantity,
+                const FromStrain      &to_frame,
+                const double           share,
+                std::vector<Row>      &rows) const;
 
     /// The location with the one place @p eta of @p axis_cell, @p unit of
     /// @p section_cell; @p position (scene axes) is that of it.

@@ -235,9 +235,18 @@ namespace lamella
     void
     find_neighbours();
     /// Numbers the grid nodes, apart on the sides of edges sharper than 45
-    /// degrees, and carries the hanging ones over.
+    /// degrees, and finds those that hang.
     void
     split_at_edges(const SurfaceTopology &topology);
+    /// Of the grid nodes @p numbers, those of one node of the body, the one
+    /// whose normal is like @p normal.
+    std::optional<unsigned int>
+    on_side(const std::vector<unsigned int> &numbers,
+            const dealii::Tensor<1, 3>      &normal) const;
+    /// Carries over those of the body, whose numbers here are @p sides.
+    void
+    find_hanging_nodes(const SurfaceTopology                        &topology,
+                       const std::vector<std::vector<unsigned int>> &sides);
     /// Sets the n_i, those of hanging nodes as the mean of their ends, and
     /// is_flat.
     void

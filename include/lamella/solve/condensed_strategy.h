@@ -86,6 +86,12 @@ namespace lamella
     /// Rows with the negative of their gaps, the smallest gap first.
     using Violations = std::vector<std::pair<double, unsigned int>>;
 
+    /// The rows to begin with: those that were active, have a force or are
+    /// thought to have one, and those whose compliance is known unless most of
+    /// them would be idle. None where no gap is closed and nothing is active.
+    std::vector<unsigned int>
+    first_part(const ContactProblem &problem) const;
+
     /// Rows without a softness of their own (a = 0) that touch under the gaps
     /// @p g, up to a hundred times what counts as closed, and are not among
     /// @p part.

@@ -74,10 +74,13 @@ namespace lamella
     /// numbering of the scene: body after body.
     Constraints
     constraints_of_all() const;
-    /// K of all bodies with their springs, condensed; diagonal entries of
-    /// eliminated DoFs are the largest of all others.
+    /// K of all bodies with their springs, condensed.
     void
     assemble_stiffness(const Linearisation &linearisation);
+    /// Diagonal entries of eliminated DoFs become the largest of all others;
+    /// keeps the diagonal.
+    void
+    fill_diagonal();
     /// Makes room in K + K^p for the rows @p active, too; drops the factor and
     /// its symbolic analysis if some of them are new.
     void
