@@ -186,6 +186,9 @@ namespace lamella
       make_pattern(const CondensedTerms &terms);
       void
       fill(const CondensedTerms &terms);
+      /// Constrained DoFs get the diagonal that others have on average.
+      void
+      fill_constrained(const CondensedTerms &terms);
 
       DofIndex n_dofs, first, end;
       /// Shared with a solver that iterates.
@@ -291,8 +294,14 @@ namespace lamella
                              entries.values[place[columns[j]]] += values[j];
                          });
       matrix->compress(VectorOperation::add);
+      fill_constrained(terms);
+    }
 
-      // Constrained DoFs get what others have on average.
+
+
+    void
+    DistributedStiffness::fill_constrained(const CondensedTerms &terms)
+    {
       double sum = 0., n_free = 0.;
       for (DofIndex row = first; row < end; ++row)
         if (!terms.is_constrained(row))

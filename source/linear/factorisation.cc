@@ -62,6 +62,13 @@ namespace lamella
       void
       apply(const int system, double *const x, const std::size_t count) const;
 
+      /// Throws NumericsError if the factorisation of the matrix of @p n rows
+      /// has failed; who calls it releases what there is.
+      void
+      check(const std::string &what, const DofIndex n) const;
+      void
+      release();
+
       // CHOLMOD writes into its workspace while solving.
       mutable cholmod_common common;
       cholmod_factor        *factor               = nullptr;
@@ -134,50 +141,59 @@ namespace lamella
           if (monitor)
             monitor(
               {double(factor->xsize), 8. * (factor->xsize + factor->maxcsize)});
+          cholmod_l_factorize(A, factor, &common);
+          reciprocal_condition = cholmod_l_rcond(factor, &common);
+          cholmod_l_free_sparse(&A, &common);
+          check(what, n);
         }
       catch (...)
         {
+          // Nothing, if it is freed.
           cholmod_l_free_sparse(&A, &common);
-          cholmod_l_free_factor(&factor, &common);
-          cholmod_l_finish(&common);
+          release();
           throw;
         }
-      cholmod_l_factorize(A, factor, &common);
-      reciprocal_condition = cholmod_l_rcond(factor, &common);
-      cholmod_l_free_sparse(&A, &common);
+    }
 
+
+
+    void
+    CholmodFactorisation::check(const std::string &what, const DofIndex n) const
+    {
       const std::size_t minor  = factor->minor;
       const int         status = common.status;
-      const auto *order = static_cast<const SuiteSparse_long *>(factor->Perm);
-      const DofIndex broken = order[std::min<std::size_t>(minor, n - 1)];
       // The condition is no number where the matrix holds one that is none.
-      const bool succeeded =
-        status == CHOLMOD_OK && minor == n && reciprocal_condition > 0.;
-      if (!succeeded)
-        {
-          cholmod_l_free_factor(&factor, &common);
-          cholmod_l_finish(&common);
-          if (status == CHOLMOD_OUT_OF_MEMORY)
-            throw NumericsError("The factorisation of " + what +
-                                " does not fit in memory. Use a coarser mesh "
-                                "or a lower order.");
-          throw NotPositiveDefinite(
-            "The stiffness matrix of " + what +
-              " is not positive definite (pivot " +
-              std::to_string(std::min<std::size_t>(minor + 1, n)) + " of " +
-              std::to_string(n) +
-              "). Either the body can still move, or its slenderness or its "
-              "ratio of stiffnesses is beyond what double precision holds.",
-            broken);
-        }
+      if (status == CHOLMOD_OK && minor == n && reciprocal_condition > 0.)
+        return;
+      if (status == CHOLMOD_OUT_OF_MEMORY)
+        throw NumericsError("The factorisation of " + what +
+                            " does not fit in memory. Use a coarser mesh "
+                            "or a lower order.");
+      const auto *order = static_cast<const SuiteSparse_long *>(factor->Perm);
+      throw NotPositiveDefinite(
+        "The stiffness matrix of " + what +
+          " is not positive definite (pivot " +
+          std::to_string(std::min<std::size_t>(minor + 1, n)) + " of " +
+          std::to_string(n) +
+          "). Either the body can still move, or its slenderness or its "
+          "ratio of stiffnesses is beyond what double precision holds.",
+        order[std::min<std::size_t>(minor, n - 1)]);
+    }
+
+
+
+    void
+    CholmodFactorisation::release()
+    {
+      cholmod_l_free_factor(&factor, &common);
+      cholmod_l_finish(&common);
     }
 
 
 
     CholmodFactorisation::~CholmodFactorisation()
     {
-      cholmod_l_free_factor(&factor, &common);
-      cholmod_l_finish(&common);
+      release();
     }
 
 

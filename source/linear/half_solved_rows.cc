@@ -79,10 +79,9 @@ namespace lamella
   void
   HalfSolvedRows::eliminate(const std::size_t s)
   {
-    Block              &block  = blocks[s].back();
-    const double       *L      = factor.entry + factor.first_entry[s];
-    const std::int64_t *rows   = factor.row + factor.first_row[s];
-    const blas_int      inside = width(s), count = block.columns.size(),
+    Block         &block  = blocks[s].back();
+    const double  *L      = factor.entry + factor.first_entry[s];
+    const blas_int inside = width(s), count = block.columns.size(),
                    height = factor.first_row[s + 1] - factor.first_row[s],
                    below  = height - inside;
     blas_int info         = 0;
@@ -114,22 +113,34 @@ namespace lamella
                  &zero,
                  change.data(),
                  &below);
+    pass_on(s, change);
+  }
+
+
+
+  void
+  HalfSolvedRows::pass_on(const std::size_t          s,
+                          const std::vector<double> &change)
+  {
+    const Block        &block = blocks[s].back();
+    const std::int64_t *rows  = factor.row + factor.first_row[s] + width(s);
+    const std::size_t   below =
+      factor.first_row[s + 1] - factor.first_row[s] - width(s);
     // All columns that pass through a supernode pass through those of its rows.
-    for (blas_int begin = 0, end = 0; begin < below; begin = end)
+    for (std::size_t begin = 0, end = 0; begin < below; begin = end)
       {
-        const std::size_t above = supernode_of[rows[inside + begin]];
-        while (end < below && supernode_of[rows[inside + end]] == above)
+        const std::size_t above = supernode_of[rows[begin]];
+        while (end < below && supernode_of[rows[end]] == above)
           ++end;
         Block      &target = blocks[above].back();
         std::size_t at     = 0;
-        for (blas_int k = 0; k < count; ++k)
+        for (std::size_t k = 0; k < block.columns.size(); ++k)
           {
             while (target.columns[at] != block.columns[k])
               ++at;
             double *const column = target.values.data() + at * width(above);
-            for (blas_int i = begin; i < end; ++i)
-              column[rows[inside + i] - factor.column[above]] -=
-                change[std::size_t(k) * below + i];
+            for (std::size_t i = begin; i < end; ++i)
+              column[rows[i] - factor.column[above]] -= change[k * below + i];
           }
       }
   }

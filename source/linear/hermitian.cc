@@ -104,6 +104,28 @@ namespace lamella
         x = std::copy(vector.begin(), vector.end(), x);
       return B;
     }
+
+
+
+    /// The real and the imaginary part of each column of @p X, in turns.
+    std::vector<Vector>
+    parts_of(const cholmod_dense &X)
+    {
+      std::vector<Vector> parts;
+      const auto         *x = static_cast<const std::complex<double> *>(X.x);
+      for (std::size_t k = 0; k < X.ncol; ++k, x += X.nrow)
+        {
+          Vector re(X.nrow), im(X.nrow);
+          for (std::size_t i = 0; i < X.nrow; ++i)
+            {
+              re[i] = x[i].real();
+              im[i] = x[i].imag();
+            }
+          parts.push_back(std::move(re));
+          parts.push_back(std::move(im));
+        }
+      return parts;
+    }
   } // namespace
 
 
@@ -137,19 +159,6 @@ namespace lamella
     const auto X = owned(cholmod_l_solve(CHOLMOD_A, L.get(), B.get(), &common),
                          common,
                          cholmod_l_free_dense);
-    std::vector<Vector> solutions;
-    const auto         *x = static_cast<const std::complex<double> *>(X->x);
-    for (std::size_t k = 0; k < right_hand_sides.size(); ++k, x += real.m())
-      {
-        Vector re(real.m()), im(real.m());
-        for (std::size_t i = 0; i < real.m(); ++i)
-          {
-            re[i] = x[i].real();
-            im[i] = x[i].imag();
-          }
-        solutions.push_back(std::move(re));
-        solutions.push_back(std::move(im));
-      }
-    return solutions;
+    return parts_of(*X);
   }
 } // namespace lamella

@@ -297,6 +297,31 @@ namespace lamella
 
 
 
+    /// The rows from @p begin to @p end as MUMPS takes sparse right-hand sides:
+    /// a column each, all counted from 1.
+    struct SparseColumns
+    {
+      std::vector<int>    starts{1}, dofs;
+      std::vector<double> weights;
+
+      SparseColumns(const std::vector<Row> &rows,
+                    const unsigned int      begin,
+                    const unsigned int      end)
+      {
+        for (unsigned int k = begin; k < end; ++k)
+          {
+            for (const auto &[dof, weight] : rows[k].entries())
+              {
+                dofs.push_back(dof + 1);
+                weights.push_back(weight);
+              }
+            starts.push_back(dofs.size() + 1);
+          }
+      }
+    };
+
+
+
     std::vector<double>
     MumpsFactorisation::products(const std::vector<Row> &rows,
                                  const unsigned int      first) const
@@ -324,24 +349,14 @@ namespace lamella
                                      const unsigned int      end,
                                      double *const           result) const
     {
-      std::vector<int>    starts{1}, dofs;
-      std::vector<double> weights;
-      for (unsigned int k = begin; k < end; ++k)
-        {
-          for (const auto &[dof, weight] : rows[k].entries())
-            {
-              dofs.push_back(dof + 1);
-              weights.push_back(weight);
-            }
-          starts.push_back(dofs.size() + 1);
-        }
+      SparseColumns columns(rows, begin, end);
       mumps.rhs    = nullptr;
       mumps.nrhs   = end - begin;
-      mumps.nz_rhs = dofs.size();
+      mumps.nz_rhs = columns.dofs.size();
       // Only the first process may point to them.
-      mumps.irhs_ptr    = is_speaker() ? starts.data() : nullptr;
-      mumps.irhs_sparse = is_speaker() ? dofs.data() : nullptr;
-      mumps.rhs_sparse  = is_speaker() ? weights.data() : nullptr;
+      mumps.irhs_ptr    = is_speaker() ? columns.starts.data() : nullptr;
+      mumps.irhs_sparse = is_speaker() ? columns.dofs.data() : nullptr;
+      mumps.rhs_sparse  = is_speaker() ? columns.weights.data() : nullptr;
 
       const int           n_local = mumps.info[23 - 1];
       std::vector<int>    local_dofs(std::max(1, n_local));

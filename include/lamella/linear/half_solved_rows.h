@@ -115,6 +115,11 @@ namespace lamella
     void
     eliminate(const std::size_t supernode);
 
+    /// Takes @p change, L_21 X of @p supernode, column by column, off what is
+    /// above.
+    void
+    pass_on(const std::size_t supernode, const std::vector<double> &change);
+
     /// Then the place of each row of A in L, and the supernode of each column
     /// of L.
     SupernodalFactor         factor;
