@@ -117,10 +117,19 @@ namespace lamella
     /// what they were when the trade began.
     nlohmann::json
     new_record(const Job &job) const;
+    /// Runs @p job again where it took @p seconds and those are few: what else
+    /// the machine does weighs most where a run is short. Leaves those of the
+    /// fastest run there, its costs in @p answer and, unless the rung makes
+    /// bars, its results in the folder.
+    void
+    try_again(const Job &job, nlohmann::json &answer, double &seconds) const;
     /// Reads the rung's record in its folder, or makes one; adds the rung to
     /// results and numbers.
     void
     run_rung(const Job &job);
+    /// Adds a rung that cannot be made to results and numbers.
+    void
+    fail(const LadderEntry &entry, const std::string &why);
     /// Adds the largest quantities of the probes of which the scene only says
     /// that they are compared, as the finest run has them.
     void
