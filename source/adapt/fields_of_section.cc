@@ -25,6 +25,37 @@ namespace lamella
                    first * std::pow(last / first, double(k) / (n - 1)));
       return numbers;
     }
+
+
+
+    /// Loads that answers are wanted to, and the fields that each of these
+    /// joins.
+    struct ResponseTakers
+    {
+      std::vector<Vector>                loads;
+      std::vector<std::vector<Vector> *> fields_of;
+
+      /// Refers to @p fields.
+      void
+      add(const std::vector<Vector> &some, std::vector<Vector> &fields)
+      {
+        for (const Vector &load : some)
+          {
+            loads.push_back(load);
+            fields_of.push_back(&fields);
+          }
+      }
+
+      /// The @p answers to the loads, some fields each.
+      void
+      take(const std::vector<std::vector<Vector>> &answers) const
+      {
+        for (unsigned int i = 0; i < loads.size(); ++i)
+          fields_of[i]->insert(fields_of[i]->end(),
+                               answers[i].begin(),
+                               answers[i].end());
+      }
+    };
   } // namespace
 
 
@@ -61,6 +92,40 @@ namespace lamella
 
 
 
+  bool
+  FieldsOfSection::Group::asks_as(const Group &other) const
+  {
+    bool same =
+      loads.size() == other.loads.size() && reach == 0. &&
+      std::abs(element - other.element) < arithmetic::alike * other.element;
+    for (unsigned int k = 0; same && k < loads.size(); ++k)
+      {
+        Vector difference = other.loads[k];
+        difference -= loads[k];
+        same =
+          difference.l2_norm() < arithmetic::alike * other.loads[k].l2_norm();
+      }
+    return same;
+  }
+
+
+
+  std::vector<Vector>
+  FieldsOfSection::tractions_of_warpings() const
+  {
+    std::vector<Vector> tractions;
+    for (unsigned int j = 0; j < warpings.n(); ++j)
+      for (const unsigned int q : {0, 1})
+        {
+          Vector traction(section->n_fields());
+          section->S(1, q).vmult(traction, column_of(warpings, j));
+          tractions.push_back(traction);
+        }
+    return tractions;
+  }
+
+
+
   unsigned int
   FieldsOfSection::group_of(const Touch &touch)
   {
@@ -74,37 +139,15 @@ namespace lamella
                 touch.holds_section};
     if (touch.holds_section)
       {
-        // It answers to no load vector: it holds the warping w, with the
-        // tractions that w has as a value and as a derivative.
-        group.loads.clear();
-        for (unsigned int j = 0; j < warpings.n(); ++j)
-          for (const unsigned int q : {0, 1})
-            {
-              Vector traction(section->n_fields());
-              section->S(1, q).vmult(traction, column_of(warpings, j));
-              group.loads.push_back(traction);
-            }
+        group.loads = tractions_of_warpings();
         group.smooth.clear();
       }
     for (unsigned int g = 0; g < groups.size(); ++g)
-      {
-        bool same = groups[g].loads.size() == group.loads.size() &&
-                    groups[g].reach == 0. &&
-                    std::abs(groups[g].element - group.element) <
-                      arithmetic::alike * group.element;
-        for (unsigned int k = 0; same && k < group.loads.size(); ++k)
-          {
-            Vector difference = group.loads[k];
-            difference -= groups[g].loads[k];
-            same = difference.l2_norm() <
-                   arithmetic::alike * group.loads[k].l2_norm();
-          }
-        if (same)
-          {
-            groups[g].is_held = groups[g].is_held || group.is_held;
-            return g;
-          }
-      }
+      if (groups[g].asks_as(group))
+        {
+          groups[g].is_held = groups[g].is_held || group.is_held;
+          return g;
+        }
     groups.push_back(group);
     return groups.size() - 1;
   }
@@ -221,31 +264,16 @@ namespace lamella
     for (const double k : wave_numbers(rules.highest_wave / shortest))
       {
         // Up to the first one above what each of them can show.
-        const double                       before = std::exchange(last, k);
-        std::vector<Vector>                loads;
-        std::vector<std::vector<Vector> *> wanted_by;
-        const auto want = [&](const std::vector<Vector> &some,
-                              std::vector<Vector>       &fields,
-                              const double               highest) {
-          if (before < highest)
-            for (const Vector &load : some)
-              {
-                loads.push_back(load);
-                wanted_by.push_back(&fields);
-              }
-        };
+        const double   before = std::exchange(last, k);
+        ResponseTakers takers;
         for (Group &group : groups)
           {
-            want(group.loads, group.near, rules.highest_wave / group.element);
-            want(group.smooth,
-                 group.far,
-                 rules.highest_wave_afar / warping.height());
+            if (before < rules.highest_wave / group.element)
+              takers.add(group.loads, group.near);
+            if (before < rules.highest_wave_afar / warping.height())
+              takers.add(group.smooth, group.far);
           }
-        const auto fields = response.at(k, loads);
-        for (unsigned int i = 0; i < loads.size(); ++i)
-          wanted_by[i]->insert(wanted_by[i]->end(),
-                               fields[i].begin(),
-                               fields[i].end());
+        takers.take(response.at(k, takers.loads));
       }
     for (Group &group : groups)
       for (const Vector &load : group.smooth)
@@ -259,21 +287,15 @@ namespace lamella
   {
     if (const auto known = lists.find(near); known != lists.end())
       return known->second;
-    const bool                nothing_near = near.empty();
-    FieldColumns              fresh(section->n_fields(), 0);
+    if (responds())
+      find_responses();
     std::vector<unsigned int> list;
-    if (nothing_near)
+    FieldColumns              fresh(section->n_fields(), 0);
+    if (near.empty())
       {
         list = saint_venant_list();
         if (responds())
-          {
-            find_responses();
-            std::vector<Vector> smooth;
-            for (const Group &group : groups)
-              smooth.insert(smooth.end(), group.far.begin(), group.far.end());
-            fresh =
-              warping.basis(smooth, warpings, warpings, rules.far_tolerance);
-          }
+          fresh = fields_from_afar();
       }
     else
       {
@@ -289,18 +311,26 @@ namespace lamella
         others.erase(last);
         list = this->list(others);
         if (responds())
-          {
-            find_responses();
-            fresh = warping.basis(groups[last].near,
-                                  warpings,
-                                  columns_of(list),
-                                  near_tolerance());
-          }
+          fresh = warping.basis(groups[last].near,
+                                warpings,
+                                columns_of(list),
+                                near_tolerance());
       }
     for (unsigned int j = 0; j < fresh.n(); ++j)
       list.push_back(section->n_fields() + modes.n() + j);
     modes              = beside(modes, fresh);
     return lists[near] = list;
+  }
+
+
+
+  FieldColumns
+  FieldsOfSection::fields_from_afar() const
+  {
+    std::vector<Vector> smooth;
+    for (const Group &group : groups)
+      smooth.insert(smooth.end(), group.far.begin(), group.far.end());
+    return warping.basis(smooth, warpings, warpings, rules.far_tolerance);
   }
 
 

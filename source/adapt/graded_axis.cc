@@ -156,6 +156,29 @@ namespace lamella
 
 
 
+    /// The smallest gaps of @p contact at each place along the axis of the body
+    /// @p number, @p beam.
+    std::map<double, double>
+    gaps_along(const ContactInterface &contact,
+               const unsigned int      number,
+               const Beam             &beam)
+    {
+      std::map<double, double> gaps;
+      for (unsigned int k = 0; k < contact.rows.size(); ++k)
+        {
+          const Point<3> place    = number == contact.first_body ?
+                                      contact.points[k].first :
+                                      contact.points[k].second;
+          const double   y        = beam.place().to_body(place)[1],
+                       gap        = contact.rows[k].initial_gap;
+          const auto [at, is_new] = gaps.emplace(y, gap);
+          at->second              = std::min(at->second, gap);
+        }
+      return gaps;
+    }
+
+
+
     /// What one side of @p contact, that on @p body, wants along its axis.
     void
     add_contact_places(const ContactInterface    &contact,
@@ -166,20 +189,11 @@ namespace lamella
                        std::vector<ShortElement> &places)
     {
       // Gaps that differ by less than that share of H are alike.
-      constexpr double         alike = 1e-3;
-      std::map<double, double> gaps;
-      double                   lowest = std::numeric_limits<double>::max();
-      for (unsigned int k = 0; k < contact.rows.size(); ++k)
-        {
-          const Point<3> place    = number == contact.first_body ?
-                                      contact.points[k].first :
-                                      contact.points[k].second;
-          const double   y        = beam.place().to_body(place)[1],
-                       gap        = contact.rows[k].initial_gap;
-          const auto [at, is_new] = gaps.emplace(y, gap);
-          at->second              = std::min(at->second, gap);
-          lowest                  = std::min(lowest, gap);
-        }
+      constexpr double               alike = 1e-3;
+      const std::map<double, double> gaps  = gaps_along(contact, number, beam);
+      double lowest                        = std::numeric_limits<double>::max();
+      for (const auto &[y, gap] : gaps)
+        lowest = std::min(lowest, gap);
       double begin = beam.axis().length(), end = 0.;
       for (const auto &[y, gap] : gaps)
         if (gap < lowest + alike * H)
@@ -323,6 +337,29 @@ namespace lamella
         }
       return make_bodies(plain, meshes);
     }
+
+
+
+    std::vector<ContactInterface>
+    interfaces_of(const std::vector<ContactPair> &contacts,
+                  const Bodies                   &bodies)
+    {
+      std::vector<ContactInterface> interfaces;
+      for (const ContactPair &contact : contacts)
+        interfaces.push_back(make_interface(contact, bodies));
+      return interfaces;
+    }
+
+
+
+    /// As many equal elements along an axis as find a contact, and not more.
+    unsigned int
+    elements_to_search(const double length, const double height)
+    {
+      constexpr double fewest = 12., most = 240.;
+      return static_cast<unsigned int>(
+        std::clamp(std::ceil(2. * length / height), fewest, most));
+    }
   } // namespace
 
 
@@ -337,20 +374,15 @@ namespace lamella
   {
     if (std::none_of(bodies.begin(), bodies.end(), is_automatic))
       return;
-    // Fine enough to find a contact, and not more.
-    constexpr double fewest = 12., most = 240.;
     for (BodyDescription &body : bodies)
       if (is_automatic(body))
-        body.axis.elements = {static_cast<unsigned int>(std::clamp(
-          std::ceil(2. * body.axis.length / height(*meshes.at(body.section))),
-          fewest,
-          most))};
+        body.axis.elements = {
+          elements_to_search(body.axis.length,
+                             height(*meshes.at(body.section)))};
     for (unsigned int pass = 0; pass < 2; ++pass)
       {
-        const Bodies                  plain = plain_beams(bodies, meshes);
-        std::vector<ContactInterface> touching;
-        for (const ContactPair &contact : contacts)
-          touching.push_back(make_interface(contact, plain));
+        const Bodies plain    = plain_beams(bodies, meshes);
+        const auto   touching = interfaces_of(contacts, plain);
         std::vector<std::vector<ShortElement>> places(bodies.size());
         for (unsigned int b = 0; b < bodies.size(); ++b)
           if (is_automatic(bodies[b]))

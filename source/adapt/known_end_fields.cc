@@ -95,6 +95,19 @@ namespace lamella
 
 
 
+  namespace
+  {
+    /// Whether it is the same @p number on all of them.
+    bool
+    is_same_everywhere(const int number)
+    {
+      return Utilities::MPI::min(number, communicator()) ==
+             Utilities::MPI::max(number, communicator());
+    }
+  } // namespace
+
+
+
   std::vector<EndZone>
   EndFields::zones(const std::shared_ptr<const Section> &section,
                    const SaintVenant                    &states,
@@ -112,15 +125,11 @@ namespace lamella
                suffice(one.zones, of_piece);
       });
     // Making them is collective: processes that differ in a last bit make them.
-    const auto agreed = [](const int number) {
-      return Utilities::MPI::min(number, communicator()) ==
-             Utilities::MPI::max(number, communicator());
-    };
-    const bool is_known = agreed(same - known.begin());
+    const bool is_known = is_same_everywhere(same - known.begin());
     if (is_known && same != known.end())
       return same->zones;
     const std::size_t    other    = poorer(*section, of_piece);
-    const bool           is_there = agreed(other);
+    const bool           is_there = is_same_everywhere(other);
     std::vector<EndZone> zones;
     if (is_there && other < known.size())
       zones = embedded(known[other].zones,

@@ -354,6 +354,24 @@ namespace lamella
 
 
 
+    /// @p beam, on the same axis, with the fields @p lists of @p space at its
+    /// nodes.
+    std::unique_ptr<Beam>
+    with_lists(const Beam                                   &beam,
+               const std::shared_ptr<const FieldSpace>      &space,
+               const BodyDescription                        &description,
+               const std::vector<std::vector<unsigned int>> &lists)
+    {
+      return std::make_unique<Beam>(beam.name(),
+                                    space,
+                                    beam.shared_axis(),
+                                    beam.place(),
+                                    lists,
+                                    label_of(description, lists));
+    }
+
+
+
     /// Replaces the bodies @p touched of one section and theory.
     void
     replace(Bodies                             &bodies,
@@ -374,12 +392,9 @@ namespace lamella
       for (TouchedBody &body : touched)
         {
           const Beam &beam = *beams[body.number];
-          body.groups      = groups_of(
-            beam,
-            body,
-            fields,
-            rules,
-            wants_responses(descriptions[body.number], beam, body, rules));
+          const bool  responds =
+            wants_responses(descriptions[body.number], beam, body, rules);
+          body.groups = groups_of(beam, body, fields, rules, responds);
         }
 
       std::vector<std::vector<std::vector<unsigned int>>> lists;
@@ -394,18 +409,8 @@ namespace lamella
         }
       const auto space = fields.space();
       for (unsigned int k = 0; k < touched.size(); ++k)
-        if (!lists[k].empty())
-          {
-            const Beam &beam = *beams[touched[k].number];
-            bodies[touched[k].number] =
-              std::make_unique<Beam>(beam.name(),
-                                     space,
-                                     beam.shared_axis(),
-                                     beam.place(),
-                                     lists[k],
-                                     label_of(descriptions[touched[k].number],
-                                              lists[k]));
-          }
+        if (const unsigned int b = touched[k].number; !lists[k].empty())
+          bodies[b] = with_lists(*beams[b], space, descriptions[b], lists[k]);
     }
   } // namespace
 

@@ -104,6 +104,11 @@ namespace lamella
         return {reach > 0. ? reach : std::numeric_limits<double>::max(),
                 loads.size()};
       }
+
+      /// Whether its fields answer @p other, too: the same loads on elements as
+      /// short.
+      bool
+      asks_as(const Group &other) const;
     };
 
     /// What is held, with the zones of its end fields and their groups.
@@ -135,6 +140,13 @@ namespace lamella
     /// factorisation each.
     void
     find_responses();
+    /// What holds a section as a whole answers to no load vector: it holds the
+    /// warping w, with the tractions that w has as a value and as a derivative.
+    std::vector<Vector>
+    tractions_of_warpings() const;
+    /// The responses to smooth loads, as far as they are news.
+    FieldColumns
+    fields_from_afar() const;
 
     std::shared_ptr<const Section> section;
     Theory                         theory;
