@@ -114,6 +114,20 @@ namespace lamella
           "; overlaps, which the scene refuses,\n** would be pushed apart";
       return text + "\n";
     }
+
+
+
+    /// Throws InputError for what a deck cannot say.
+    void
+    check_overclosure(const ContactPair &pair, const std::string &path)
+    {
+      if (pair.overclosure == Overclosure::adjust)
+        throw InputError(path + "/Overclosure",
+                         name_of(pair.overclosure),
+                         "gaps without their overlap have no counterpart in a "
+                         "CalculiX deck",
+                         "Move the bodies apart, or use push apart.");
+    }
   } // namespace
 
 
@@ -140,12 +154,7 @@ namespace lamella
   {
     const ContactPair &pair = scene.contacts[k];
     const std::string  path = "Contact " + pair.name;
-    if (pair.overclosure == Overclosure::adjust)
-      throw InputError(path + "/Overclosure",
-                       name_of(pair.overclosure),
-                       "gaps without their overlap have no counterpart in a "
-                       "CalculiX deck",
-                       "Move the bodies apart, or use push apart.");
+    check_overclosure(pair, path);
     const auto side = [&](const Region &region) -> const Body & {
       const Body &body = *mesh.bodies()[region.body];
       check_surface(body, region.surface, path);
@@ -159,17 +168,8 @@ namespace lamella
     contact.slave     = mesh.faces(pair.first.body, pair.first.surface);
     contact.stiffness = first.stiffness;
     if (pair.obstacle != nullptr)
-      {
-        contact.layer =
-          make_layer(*pair.obstacle, facing_places(pair, mesh.bodies()));
-        contact.first_node    = next_node;
-        contact.first_element = next_element;
-        // Face 5 of deal.II is CalculiX' second.
-        for (unsigned int e = 0; e < contact.layer->elements.size(); ++e)
-          contact.master.emplace_back(next_element + e, 5);
-        next_node += contact.layer->nodes.size();
-        next_element += contact.layer->elements.size();
-      }
+      add_layer(make_layer(*pair.obstacle, facing_places(pair, mesh.bodies())),
+                contact);
     else
       {
         const SideMeasures second =
@@ -184,6 +184,21 @@ namespace lamella
           std::swap(contact.slave, contact.master);
       }
     list.push_back(std::move(contact));
+  }
+
+
+
+  void
+  CalculixContacts::add_layer(ObstacleLayer layer, CalculixContact &contact)
+  {
+    contact.layer         = std::move(layer);
+    contact.first_node    = next_node;
+    contact.first_element = next_element;
+    // Face 5 of deal.II is CalculiX' second.
+    for (unsigned int e = 0; e < contact.layer->elements.size(); ++e)
+      contact.master.emplace_back(next_element + e, 5);
+    next_node += contact.layer->nodes.size();
+    next_element += contact.layer->elements.size();
   }
 
 

@@ -392,6 +392,32 @@ namespace lamella
 
 
 
+  namespace
+  {
+    /// The axes of @p ply, a plane one of a body with the axes @p of_body, as
+    /// those of the element set @p set.
+    void
+    write_orientation(std::ostream      &deck,
+                      const std::string &set,
+                      const Ply         &ply,
+                      const Triad       &of_body)
+    {
+      // The ply's axes 1 and 2 in the scene.
+      const Triad axes = ply.axes(Point<2>()) * of_body;
+      deck << "** fibre at " << to_text(ply.angle)
+           << " degrees\n*ORIENTATION, NAME=" << set
+           << "_AXES, SYSTEM=RECTANGULAR\n"
+           << numbers_line({axes[0][0],
+                            axes[0][1],
+                            axes[0][2],
+                            axes[1][0],
+                            axes[1][1],
+                            axes[1][2]});
+    }
+  } // namespace
+
+
+
   void
   CalculixMesh::write_sections(std::ostream      &deck,
                                const unsigned int body) const
@@ -416,20 +442,10 @@ namespace lamella
             "Export sections of flat walls, or of isotropic "
             "materials.");
         if (!isotropic)
-          {
-            // The ply's axes 1 and 2 in the scene.
-            const Triad axes =
-              plies[ply].axes(Point<2>()) * scene.bodies[body].placement.axes;
-            deck << "** fibre at " << to_text(plies[ply].angle)
-                 << " degrees\n*ORIENTATION, NAME=" << set
-                 << "_AXES, SYSTEM=RECTANGULAR\n"
-                 << numbers_line({axes[0][0],
-                                  axes[0][1],
-                                  axes[0][2],
-                                  axes[1][0],
-                                  axes[1][1],
-                                  axes[1][2]});
-          }
+          write_orientation(deck,
+                            set,
+                            plies[ply],
+                            scene.bodies[body].placement.axes);
         deck << "*SOLID SECTION, ELSET=" << set << ", MATERIAL=" << material
              << (isotropic ? "" : ", ORIENTATION=" + set + "_AXES") << '\n';
       }

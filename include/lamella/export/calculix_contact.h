@@ -90,6 +90,9 @@ namespace lamella
     /// Adds the scene's contact @p k with its automatic K.
     void
     add(const unsigned int k, const CalculixMesh &mesh);
+    /// Makes @p layer the master of @p contact, in the next free numbers.
+    void
+    add_layer(ObstacleLayer layer, CalculixContact &contact);
     /// Nodes, elements and a material, which does not matter, of the obstacle
     /// of contact @p k: the sets OBSTACLE1, ...
     void
