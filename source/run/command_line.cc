@@ -151,6 +151,107 @@ by Ctrl-C, which says what stands in the folder and how to go on.
             return "results/" + name;
         }
     }
+
+
+
+    /// Reads words into a CommandLine: its options by their names, and what is
+    /// none, the scene.
+    class WordReader
+    {
+    public:
+      /// Refers to @p result.
+      explicit WordReader(CommandLine &result)
+        : result(result)
+        , texts{{"--output", &result.output},
+                {"--element", &result.element},
+                {"--kind", &result.kind},
+                {"--contact-stiffness", &result.contact_stiffness}}
+        , flags{{"--calculix", &calculix},
+                {"--resume", &result.resume},
+                {"--validate", &result.validate},
+                {"--print-parameters", &result.print_parameters},
+                {"--version", &result.version},
+                {"--help", &result.help}}
+      {}
+      WordReader(const WordReader &) = delete;
+
+      /// @p words from number @p i on.
+      void
+      read(const std::vector<std::string> &words, unsigned int i)
+      {
+        for (; i < words.size(); ++i)
+          {
+            const std::string &word = words[i];
+            if (flags.count(word) > 0)
+              *flags.at(word) = true;
+            else if (takes_value(word))
+              {
+                if (i + 1 == words.size())
+                  throw InputError(word + " needs a value after it.");
+                take(word, words[++i]);
+              }
+            else if (word.compare(0, 1, "-") == 0)
+              throw InputError("there is no option " + word +
+                               "; the nearest is " +
+                               nearest_name(word, options()) + ".");
+            else
+              take_scene(word);
+          }
+      }
+
+      bool
+      is_calculix() const
+      {
+        return calculix;
+      }
+
+    private:
+      bool
+      takes_value(const std::string &word) const
+      {
+        return texts.count(word) > 0 || word == "--set" || word == "--threads";
+      }
+
+      void
+      take(const std::string &option, const std::string &value)
+      {
+        if (option == "--set")
+          result.overrides.push_back(value);
+        else if (option == "--threads")
+          result.threads = n_threads(value);
+        else
+          *texts.at(option) = value;
+      }
+
+      void
+      take_scene(const std::string &word)
+      {
+        if (!result.scene.empty())
+          throw InputError(
+            std::string(result.task == CommandLine::Task::report ?
+                          "one folder" :
+                          "one scene") +
+            " at a time: both '" + result.scene + "' and '" + word +
+            "' are given.");
+        result.scene = word;
+      }
+
+      std::vector<std::string>
+      options() const
+      {
+        std::vector<std::string> names{"--set", "--threads"};
+        for (const auto &option : texts)
+          names.push_back(option.first);
+        for (const auto &option : flags)
+          names.push_back(option.first);
+        return names;
+      }
+
+      CommandLine                               &result;
+      bool                                       calculix = false;
+      const std::map<std::string, std::string *> texts;
+      const std::map<std::string, bool *>        flags;
+    };
   } // namespace
 
 
@@ -159,61 +260,15 @@ by Ctrl-C, which says what stands in the folder and how to go on.
   CommandLine::parse(const std::vector<std::string> &words)
   {
     CommandLine  result;
-    bool         calculix = false;
-    unsigned int i        = 0;
+    unsigned int first = 0;
     if (const auto task = named<Task>(words.empty() ? "" : words[0]))
       {
         result.task = *task;
-        ++i;
+        ++first;
       }
-
-    const std::map<std::string, std::string *> texts{
-      {"--output", &result.output},
-      {"--element", &result.element},
-      {"--kind", &result.kind},
-      {"--contact-stiffness", &result.contact_stiffness}};
-    const std::map<std::string, bool *> flags{{"--calculix", &calculix},
-                                              {"--resume", &result.resume},
-                                              {"--validate", &result.validate},
-                                              {"--print-parameters",
-                                               &result.print_parameters},
-                                              {"--version", &result.version},
-                                              {"--help", &result.help}};
-    std::vector<std::string>            options{"--set", "--threads"};
-    for (const auto &option : texts)
-      options.push_back(option.first);
-    for (const auto &option : flags)
-      options.push_back(option.first);
-
-    for (; i < words.size(); ++i)
-      {
-        const std::string &word  = words[i];
-        const auto         value = [&]() -> const std::string         &{
-          if (i + 1 == words.size())
-            throw InputError(word + " needs a value after it.");
-          return words[++i];
-        };
-        if (texts.count(word) > 0)
-          *texts.at(word) = value();
-        else if (flags.count(word) > 0)
-          *flags.at(word) = true;
-        else if (word == "--set")
-          result.overrides.push_back(value());
-        else if (word == "--threads")
-          result.threads = n_threads(value());
-        else if (word.compare(0, 1, "-") == 0)
-          throw InputError("there is no option " + word + "; the nearest is " +
-                           nearest_name(word, options) + ".");
-        else if (result.scene.empty())
-          result.scene = word;
-        else
-          throw InputError(std::string(result.task == Task::report ?
-                                         "one folder" :
-                                         "one scene") +
-                           " at a time: both '" + result.scene + "' and '" +
-                           word + "' are given.");
-      }
-    check_task(result, calculix);
+    WordReader reader(result);
+    reader.read(words, first);
+    check_task(result, reader.is_calculix());
     result.output_is_given = !result.output.empty();
     if (result.task == Task::new_scene && result.kind.empty())
       result.kind = kinds_of_new_scenes().front();

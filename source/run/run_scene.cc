@@ -73,6 +73,44 @@ namespace lamella
               built.scene().write_vtu,
               built.structure().is_heated() ? nullptr : built.strength()};
     }
+
+
+
+    /// Solves what is left of @p simulation and has @p writer write each step;
+    /// also the end of the results, where the numerics fail after some steps.
+    void
+    solve_steps(Simulation        &simulation,
+                ResultsWriter     &writer,
+                const std::string &directory)
+    {
+      const Results &found = simulation.results();
+      // Steps of an earlier run, which are not looked at again.
+      const std::size_t earlier = found.steps.size();
+      keep_ready_for_interruption(directory, earlier, found.load_steps);
+      try
+        {
+          simulation.solve([&](const Results &results) {
+            writer.write_step(results);
+            keep_ready_for_interruption(directory,
+                                        results.steps.size(),
+                                        results.load_steps);
+          });
+        }
+      catch (const NumericsError &error)
+        {
+          if (found.steps.size() > earlier)
+            {
+              simulation.count_costs();
+              writer.write_end(found);
+              print_results(simulation, directory, simulation.output());
+            }
+          if (writer.folder().has_earlier_results())
+            throw NumericsError(std::string(error.what()) +
+                                " (The results in " + directory +
+                                " are of an earlier run.)");
+          throw;
+        }
+    }
   } // namespace
 
 
@@ -107,31 +145,7 @@ namespace lamella
         out << "Going on after load step " << found.steps.size() << " of "
             << found.load_steps << std::endl;
       }
-    // Steps of an earlier run, which are not looked at again.
-    const std::size_t earlier = found.steps.size();
-    keep_ready_for_interruption(directory, earlier, found.load_steps);
-    try
-      {
-        simulation.solve([&](const Results &results) {
-          writer.write_step(results);
-          keep_ready_for_interruption(directory,
-                                      results.steps.size(),
-                                      results.load_steps);
-        });
-      }
-    catch (const NumericsError &error)
-      {
-        if (found.steps.size() > earlier)
-          {
-            simulation.count_costs();
-            writer.write_end(found);
-            print_results(simulation, directory, out);
-          }
-        if (writer.folder().has_earlier_results())
-          throw NumericsError(std::string(error.what()) + " (The results in " +
-                              directory + " are of an earlier run.)");
-        throw;
-      }
+    solve_steps(simulation, writer, directory);
     if (afterwards)
       afterwards();
     writer.write_end(found);
