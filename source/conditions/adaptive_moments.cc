@@ -1,15 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include <lamella/base/arithmetic.h>
-#include <lamella/base/gauss_lobatto_basis.h>
 #include <lamella/conditions/adaptive_moments.h>
-
-#include <deal.II/base/polynomial.h>
-#include <deal.II/base/quadrature_lib.h>
+#include <lamella/conditions/midpoint_grid.h>
+#include <lamella/conditions/moment_rule.h>
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 
 namespace lamella
 {
@@ -24,49 +20,8 @@ namespace lamella
     constexpr double most_evaluations = 1e6;
     // Of one parameter: what doubles can tell apart.
     constexpr unsigned int most_bisections = 45;
-    // Of the grid that looks for what the rule misses: points in all, and at
-    // least along each parameter of a cell.
-    constexpr double       grid_points = 2e4;
-    constexpr unsigned int least_grid = 4, most_grid = 4000;
-    // Values this share of their range beyond it are new: between Gauss points
-    // and the edges of their cell a polynomial goes on.
-    constexpr double new_value = 0.25;
     // What the grid's sum may be off by before it is asked how sure it is.
     constexpr double little = 0.01;
-
-
-
-    template <int dim>
-    struct Box
-    {
-      Point<dim>                    low, high;
-      std::array<unsigned int, dim> bisections{};
-
-      double
-      volume() const
-      {
-        double v = 1.;
-        for (unsigned int d = 0; d < dim; ++d)
-          v *= high[d] - low[d];
-        return v;
-      }
-
-      Point<dim>
-      centre() const
-      {
-        return low + 0.5 * (high - low);
-      }
-
-      std::array<Box, 2>
-      halves(const unsigned int d) const
-      {
-        std::array<Box, 2> both{{*this, *this}};
-        both[0].high[d] = both[1].low[d] = centre()[d];
-        for (Box &half : both)
-          ++half.bisections[d];
-        return both;
-      }
-    };
 
 
 
@@ -76,7 +31,7 @@ namespace lamella
     struct Piece
     {
       unsigned int       cell = 0;
-      Box<dim>           box;
+      ParameterBox<dim>  box;
       std::vector<Force> moments;
       double             error     = 0.;
       unsigned int       direction = 0;
@@ -109,7 +64,6 @@ namespace lamella
                   const bool                                      constant)
         : cells(cells)
         , constant(constant)
-        , grids(cells.size())
       {}
 
       Moments<dim>
@@ -118,70 +72,13 @@ namespace lamella
     private:
       using Cell = typename Moments<dim>::Cell;
 
-      /// The smallest and the largest value of each component.
-      struct Range
-      {
-        Force low, high;
-        bool  empty = true;
-
-        void
-        add(const Force &f)
-        {
-          for (unsigned int c = 0; c < 3; ++c)
-            {
-              low[c]  = empty ? f[c] : std::min(low[c], f[c]);
-              high[c] = empty ? f[c] : std::max(high[c], f[c]);
-            }
-          empty = false;
-        }
-
-        /// How far @p f is from what is known.
-        double
-        beyond(const Force &f) const
-        {
-          double most = 0.;
-          for (unsigned int c = 0; c < 3; ++c)
-            {
-              const double margin =
-                new_value * (high[c] - low[c]) +
-                arithmetic::rounding_of_solutions *
-                  std::max(std::abs(low[c]), std::abs(high[c]));
-              most = std::max(
-                {most, low[c] - margin - f[c], f[c] - high[c] - margin});
-            }
-          return most;
-        }
-      };
-
-      /// Values at the midpoints of a grid over a cell.
-      struct Grid
-      {
-        std::array<unsigned int, dim> n{};
-        std::vector<Force>            values;
-      };
-
-      /// Points along each parameter of a cell: as many on each cell, more
-      /// along its longer side, @p finer times those of the grid.
-      std::array<unsigned int, dim>
-      points_along(const Cell &cell, const double finer) const;
-      /// Calls @p use with the value at the midpoint of each part, and their
-      /// number.
-      template <typename Use>
       void
-      for_each_midpoint(const Cell                          &cell,
-                        const std::array<unsigned int, dim> &n,
-                        const Use                           &use);
-      void
-      make_grid(const unsigned int cell);
+      make_grid(const Cell &cell);
       /// The sum of all f on a grid of its own.
       Force
       sum_on_grid(const double finer);
       void
       judge_grid();
-      double
-      unseen(const unsigned int cell,
-             const Box<dim>    &box,
-             const Range       &range) const;
       /// How far values at the edges of a box are beyond those inside, and how
       /// much they vary from the middle along each parameter.
       struct Edges
@@ -190,87 +87,52 @@ namespace lamella
         std::array<double, dim> variation{};
       };
       Edges
-      look_at_edges(const Cell &cell, const Box<dim> &box, const Range &range);
+      look_at_edges(const Cell              &cell,
+                    const ParameterBox<dim> &box,
+                    const ForceRange        &range);
+      /// The moments over a box by Gauss' rule, see MomentRule.
       std::vector<Force>
-      rule(const Cell        &cell,
-           const Box<dim>    &box,
-           const unsigned int more,
-           Range             &range);
+      rule(const Cell              &cell,
+           const ParameterBox<dim> &box,
+           const unsigned int       more,
+           ForceRange              &range);
+      /// How far the halves of a piece are from the whole, along the parameter
+      /// where they are furthest, which becomes its direction.
+      double
+      disagreement_of_halves(Piece<dim> &piece);
+      /// Of a piece whose halves see nothing: the parameter that it varies
+      /// with, else the longer way.
+      unsigned int
+      direction_by(const Edges &edges, const Piece<dim> &piece) const;
       Piece<dim>
-      piece(const unsigned int cell, const Box<dim> &box);
+      piece(const unsigned int cell, const ParameterBox<dim> &box);
       void
       add(std::vector<Piece<dim>> &heap, Piece<dim> &&piece);
       void
       bisect_worst(std::vector<Piece<dim>> &heap);
 
-      const std::vector<Cell> &cells;
-      const bool               constant;
-      std::vector<Grid>        grids;
-      double                   evaluations = 0.;
-      Moments<dim>             result;
+      const std::vector<Cell>       &cells;
+      const bool                     constant;
+      std::vector<MidpointGrid<dim>> grids;
+      double                         evaluations = 0.;
+      Moments<dim>                   result;
     };
 
 
 
     template <int dim>
-    std::array<unsigned int, dim>
-    Integration<dim>::points_along(const Cell &cell, const double finer) const
-    {
-      const double each = std::pow(grid_points / cells.size(), 1. / dim);
-      double       mean = 1.;
-      for (unsigned int d = 0; d < dim; ++d)
-        mean *= std::pow(cell.extent[d], 1. / dim);
-      std::array<unsigned int, dim> n{};
-      for (unsigned int d = 0; d < dim; ++d)
-        n[d] =
-          finer * std::min<double>(
-                    most_grid,
-                    std::max<double>(least_grid,
-                                     each * std::sqrt(cell.extent[d] / mean)));
-      return n;
-    }
-
-
-
-    template <int dim>
-    template <typename Use>
     void
-    Integration<dim>::for_each_midpoint(const Cell &cell,
-                                        const std::array<unsigned int, dim> &n,
-                                        const Use &use)
+    Integration<dim>::make_grid(const Cell &cell)
     {
-      unsigned int n_points = 1;
-      for (unsigned int d = 0; d < dim; ++d)
-        n_points *= n[d];
-      for (unsigned int k = 0; k < n_points; ++k)
+      grids.emplace_back(cell, cells.size(), 1.);
+      const std::vector<Force> &values   = grids.back().values();
+      const unsigned int        n_points = values.size();
+      for (const Force &f : values)
         {
-          Point<dim>   x;
-          unsigned int rest = k;
-          for (unsigned int d = 0; d < dim; ++d)
-            {
-              x[d] = (rest % n[d] + 0.5) / n[d];
-              rest /= n[d];
-            }
-          use(cell.f(x), n_points);
+          result.size += f.norm() / n_points;
+          result.independent += f / n_points;
         }
       evaluations += n_points;
-    }
-
-
-
-    template <int dim>
-    void
-    Integration<dim>::make_grid(const unsigned int number)
-    {
-      Grid &grid = grids[number];
-      grid.n     = points_along(cells[number], 1.);
-      for_each_midpoint(cells[number],
-                        grid.n,
-                        [&](const Force &f, const unsigned int n_points) {
-                          grid.values.push_back(f);
-                          result.size += f.norm() / n_points;
-                          result.independent += f / n_points;
-                        });
     }
 
 
@@ -281,11 +143,13 @@ namespace lamella
     {
       Force sum;
       for (const Cell &cell : cells)
-        for_each_midpoint(cell,
-                          points_along(cell, finer),
-                          [&sum](const Force &f, const unsigned int n_points) {
-                            sum += f / n_points;
-                          });
+        {
+          const MidpointGrid<dim> grid(cell, cells.size(), finer);
+          const unsigned int      n_points = grid.values().size();
+          for (const Force &f : grid.values())
+            sum += f / n_points;
+          evaluations += n_points;
+        }
       return sum;
     }
 
@@ -311,39 +175,13 @@ namespace lamella
 
 
 
-    /// How far values of the grid in @p box are beyond @p range.
-    template <int dim>
-    double
-    Integration<dim>::unseen(const unsigned int cell,
-                             const Box<dim>    &box,
-                             const Range       &range) const
-    {
-      const Grid                   &grid = grids[cell];
-      std::array<unsigned int, dim> begin, end;
-      for (unsigned int d = 0; d < dim; ++d)
-        {
-          begin[d] = std::ceil(box.low[d] * grid.n[d] - 0.5);
-          end[d]   = std::min<double>(grid.n[d],
-                                    std::ceil(box.high[d] * grid.n[d] - 0.5));
-        }
-      double most = 0.;
-      for (unsigned int j = dim == 2 ? begin[dim - 1] : 0;
-           j < (dim == 2 ? end[dim - 1] : 1);
-           ++j)
-        for (unsigned int i = begin[0]; i < end[0]; ++i)
-          most = std::max(most, range.beyond(grid.values[j * grid.n[0] + i]));
-      return most;
-    }
-
-
-
-    /// Likewise of values at the edges of @p box, which no Gauss point is on:
-    /// at the middles of its sides and at its corners.
+    /// The edges of @p box, which no Gauss point is on: the middles of its
+    /// sides and its corners.
     template <int dim>
     typename Integration<dim>::Edges
-    Integration<dim>::look_at_edges(const Cell     &cell,
-                                    const Box<dim> &box,
-                                    const Range    &range)
+    Integration<dim>::look_at_edges(const Cell              &cell,
+                                    const ParameterBox<dim> &box,
+                                    const ForceRange        &range)
     {
       // Just inside: the edge itself may be another element's.
       constexpr double inside = 1e-7;
@@ -376,71 +214,70 @@ namespace lamella
 
     template <int dim>
     std::vector<Force>
-    Integration<dim>::rule(const Cell        &cell,
-                           const Box<dim>    &box,
-                           const unsigned int more,
-                           Range             &range)
+    Integration<dim>::rule(const Cell              &cell,
+                           const ParameterBox<dim> &box,
+                           const unsigned int       more,
+                           ForceRange              &range)
     {
-      // Points and functions of each parameter, once.
-      std::array<std::vector<double>, dim> x, w, phi;
-      unsigned int                         n_points = 1, n_functions = 1;
+      const MomentRule<dim> gauss(cell, box, more);
+      evaluations += gauss.n_points();
+      return gauss.integrate(range);
+    }
+
+
+
+    template <int dim>
+    double
+    Integration<dim>::disagreement_of_halves(Piece<dim> &piece)
+    {
+      double most = -1.;
       for (unsigned int d = 0; d < dim; ++d)
         {
-          const QGauss<1> gauss(cell.degree[d] + 3 + more);
-          for (unsigned int q = 0; q < gauss.size(); ++q)
+          std::vector<Force> sum(piece.moments.size());
+          for (const ParameterBox<dim> &half : piece.box.halves(d))
             {
-              const double h = box.high[d] - box.low[d];
-              x[d].push_back(box.low[d] + gauss.point(q)[0] * h);
-              w[d].push_back(gauss.weight(q) * h);
-              const std::size_t known = phi[d].size();
-              phi[d].resize(known + cell.degree[d] + 1);
-              GaussLobattoBasis::of_degree(cell.degree[d])
-                .evaluate(x[d].back(), phi[d].data() + known, nullptr);
+              ForceRange               range;
+              const std::vector<Force> one =
+                rule(cells[piece.cell], half, 0, range);
+              for (unsigned int k = 0; k < sum.size(); ++k)
+                sum[k] += one[k];
             }
-          n_points *= x[d].size();
-          n_functions *= cell.degree[d] + 1;
-        }
-      std::vector<Force> moments(n_functions);
-      for (unsigned int q = 0; q < n_points; ++q)
-        {
-          std::array<unsigned int, dim> at;
-          Point<dim>                    point;
-          double                        weight = 1.;
-          unsigned int                  rest   = q;
-          for (unsigned int d = 0; d < dim; ++d)
+          const double gain = difference(piece.moments, sum);
+          if (gain > most)
             {
-              at[d] = rest % x[d].size();
-              rest /= x[d].size();
-              point[d] = x[d][at[d]];
-              weight *= w[d][at[d]];
-            }
-          const Force f = cell.f(point);
-          range.add(f);
-          for (unsigned int k = 0; k < n_functions; ++k)
-            {
-              double       value = weight;
-              unsigned int other = k;
-              for (unsigned int d = 0; d < dim; ++d)
-                {
-                  const unsigned int n = cell.degree[d] + 1;
-                  value *= phi[d][at[d] * n + other % n];
-                  other /= n;
-                }
-              moments[k] += value * f;
+              most            = gain;
+              piece.direction = d;
             }
         }
-      evaluations += n_points;
-      return moments;
+      return most;
+    }
+
+
+
+    template <int dim>
+    unsigned int
+    Integration<dim>::direction_by(const Edges      &edges,
+                                   const Piece<dim> &piece) const
+    {
+      const Cell              &cell = cells[piece.cell];
+      const ParameterBox<dim> &box  = piece.box;
+      const double             s = cell.extent[0] * (box.high[0] - box.low[0]);
+      const double             t =
+        cell.extent[dim - 1] * (box.high[dim - 1] - box.low[dim - 1]);
+      const double along_s = edges.variation[0];
+      const double along_t = edges.variation[dim - 1];
+      return along_s != along_t ? along_t > along_s : t > s;
     }
 
 
 
     template <int dim>
     Piece<dim>
-    Integration<dim>::piece(const unsigned int number, const Box<dim> &box)
+    Integration<dim>::piece(const unsigned int       number,
+                            const ParameterBox<dim> &box)
     {
       const Cell &cell = cells[number];
-      Range       range;
+      ForceRange  range;
       Piece<dim>  result;
       result.cell    = number;
       result.box     = box;
@@ -449,7 +286,7 @@ namespace lamella
         return result;
       const Edges  edges = look_at_edges(cell, box, range);
       const double missed =
-        std::max(unseen(number, box, range), edges.beyond) * box.volume();
+        std::max(grids[number].beyond(box, range), edges.beyond) * box.volume();
       const std::vector<Force> finer = rule(cell, box, 1, range);
       result.error                   = difference(result.moments, finer);
       if (missed <= 0. && result.error <= 0.01 * tolerance * this->result.size)
@@ -457,35 +294,11 @@ namespace lamella
           result.moments = finer;
           return result;
         }
-      // Which way to cut, and how wrong the whole is: what its halves say.
-      double most = -1.;
-      for (unsigned int d = 0; d < dim; ++d)
-        {
-          std::vector<Force> sum(result.moments.size());
-          for (const Box<dim> &half : box.halves(d))
-            {
-              const std::vector<Force> one = rule(cell, half, 0, range);
-              for (unsigned int k = 0; k < sum.size(); ++k)
-                sum[k] += one[k];
-            }
-          const double gain = difference(result.moments, sum);
-          if (gain > most)
-            {
-              most             = gain;
-              result.direction = d;
-            }
-        }
-      // What halves do not see, either: along the parameter that it varies
-      // with, else the longer way.
+      // Which way to cut, and how wrong the whole is: what its halves say,
+      // unless there is what they do not see, either.
+      const double most = disagreement_of_halves(result);
       if (dim == 2 && most < missed)
-        {
-          const double s = cell.extent[0] * (box.high[0] - box.low[0]),
-                       t = cell.extent[dim - 1] *
-                           (box.high[dim - 1] - box.low[dim - 1]),
-                       along_s = edges.variation[0],
-                       along_t = edges.variation[dim - 1];
-          result.direction = (along_s != along_t ? along_t > along_s : t > s);
-        }
+        result.direction = direction_by(edges, result);
       result.error = std::max({result.error, most, missed});
       return result;
     }
@@ -512,7 +325,7 @@ namespace lamella
       heap.pop_back();
       result.error -= worst.error;
       const auto halves = worst.box.halves(worst.direction);
-      for (const Box<dim> &half : halves)
+      for (const ParameterBox<dim> &half : halves)
         add(heap, piece(worst.cell, half));
       if (halves[0].bisections[worst.direction] > result.bisections)
         {
@@ -529,11 +342,12 @@ namespace lamella
     Integration<dim>::run()
     {
       std::vector<Piece<dim>> heap;
-      Box<dim>                unit;
+      ParameterBox<dim>       unit;
       for (unsigned int d = 0; d < dim; ++d)
         unit.high[d] = 1.;
-      for (unsigned int c = 0; c < cells.size() && !constant; ++c)
-        make_grid(c);
+      if (!constant)
+        for (const Cell &cell : cells)
+          make_grid(cell);
       for (unsigned int c = 0; c < cells.size(); ++c)
         add(heap, piece(c, unit));
       while (!heap.empty() && result.error > tolerance * result.size &&

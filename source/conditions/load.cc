@@ -132,6 +132,26 @@ namespace lamella
 
 
 
+    /// Adds @p moments, of the trace functions of @p facet, at their nodes.
+    void
+    add_moments(const Body                      &body,
+                const SurfaceFacet              &facet,
+                const std::vector<Tensor<1, 3>> &moments,
+                PointForces                     &result)
+    {
+      const QGaussLobatto<1> s(facet.trace_degree_s + 1),
+        t(facet.trace_degree_t + 1);
+      for (unsigned int j = 0; j < t.size(); ++j)
+        for (unsigned int i = 0; i < s.size(); ++i)
+          {
+            const Point<2> st(s.point(i)[0], t.point(j)[0]);
+            result.locations.push_back(body.surface_point(facet, st).location);
+            result.forces.push_back(moments[j * s.size() + i]);
+          }
+    }
+
+
+
     void
     LoadValues::at_points(const Region &region,
                           const Body   &body,
@@ -219,20 +239,7 @@ namespace lamella
       if (!is_constant)
         take(moments, result);
       for (unsigned int k = 0; k < facets.size(); ++k)
-        {
-          const QGaussLobatto<1> s(facets[k]->trace_degree_s + 1),
-            t(facets[k]->trace_degree_t + 1);
-          for (unsigned int j = 0; j < t.size(); ++j)
-            for (unsigned int i = 0; i < s.size(); ++i)
-              {
-                result.locations.push_back(
-                  body
-                    .surface_point(*facets[k],
-                                   Point<2>(s.point(i)[0], t.point(j)[0]))
-                    .location);
-                result.forces.push_back(moments.of_cells[k][j * s.size() + i]);
-              }
-        }
+        add_moments(body, *facets[k], moments.of_cells[k], result);
       if (!facets.empty())
         result.place =
           body.surface_point(*facets[moments.cell], moments.place).position;

@@ -242,6 +242,57 @@ namespace lamella
                         "', so the load would act twice there",
                       "Keep one of the two.");
     }
+
+
+
+    void
+    declare_place_of_load(ParameterHandler &prm)
+    {
+      prm.declare_entry("On",
+                        "",
+                        Anything(),
+                        "Where: BODY: point, line or a surface (left, right, "
+                        "bottom, top, start, end, ends); several between "
+                        "semicolons.");
+      prm.declare_entry("At",
+                        "",
+                        Anything(),
+                        "Scene positions x, y, z, as for a support [length].");
+    }
+
+
+
+    void
+    declare_forces(ParameterHandler &prm)
+    {
+      prm.declare_entry(
+        "Force",
+        "",
+        Anything(),
+        "Three scene components, expressions of x, y, z (muParser) "
+        "between commas: a force at a point [force], along a line "
+        "[force/length], on a surface [force/length^2].");
+      prm.declare_entry(
+        "Total force",
+        "",
+        patterns::numbers(),
+        "On surfaces or along a line: the three scene components "
+        "of the force that all of On carries, spread evenly over "
+        "its area or length [force].");
+      prm.declare_entry(
+        "Pressure",
+        "",
+        Anything(),
+        "On a surface, against its outward normal, an expression "
+        "of x, y, z [force/length^2].");
+      prm.declare_entry("Couple",
+                        "",
+                        patterns::numbers(),
+                        "On a surface, start or end say: the three scene "
+                        "components of a moment [force x length], as tractions "
+                        "that are linear over the surface, without a resultant "
+                        "force.");
+    }
   } // namespace
 
 
@@ -249,41 +300,8 @@ namespace lamella
   void
   LoadParameters::declare(ParameterHandler &prm)
   {
-    prm.declare_entry("On",
-                      "",
-                      Anything(),
-                      "Where: BODY: point, line or a surface (left, right, "
-                      "bottom, top, start, end, ends); several between "
-                      "semicolons.");
-    prm.declare_entry("At",
-                      "",
-                      Anything(),
-                      "Scene positions x, y, z, as for a support [length].");
-    prm.declare_entry(
-      "Force",
-      "",
-      Anything(),
-      "Three scene components, expressions of x, y, z (muParser) "
-      "between commas: a force at a point [force], along a line "
-      "[force/length], on a surface [force/length^2].");
-    prm.declare_entry("Total force",
-                      "",
-                      patterns::numbers(),
-                      "On surfaces or along a line: the three scene components "
-                      "of the force that all of On carries, spread evenly over "
-                      "its area or length [force].");
-    prm.declare_entry("Pressure",
-                      "",
-                      Anything(),
-                      "On a surface, against its outward normal, an expression "
-                      "of x, y, z [force/length^2].");
-    prm.declare_entry("Couple",
-                      "",
-                      patterns::numbers(),
-                      "On a surface, start or end say: the three scene "
-                      "components of a moment [force x length], as tractions "
-                      "that are linear over the surface, without a resultant "
-                      "force.");
+    declare_place_of_load(prm);
+    declare_forces(prm);
     prm.declare_entry("Temperature",
                       "",
                       Anything(),

@@ -108,6 +108,24 @@ namespace lamella
         }
       return result;
     }
+
+
+
+    /// What the points of @p body do in each of the motions @p free.
+    std::vector<PointMotion>
+    motions_of(const std::vector<FreeMotion> &free,
+               const std::vector<Point<3>>   &points,
+               const Body                    &body)
+    {
+      std::vector<PointMotion> motions;
+      for (const FreeMotion &one : free)
+        {
+          motions.emplace_back();
+          for (const Point<3> &x : points)
+            motions.back().push_back(one.at(x, body));
+        }
+      return motions;
+    }
   } // namespace
 
 
@@ -132,14 +150,8 @@ namespace lamella
           points.push_back(point.position);
           locations.push_back(point.location);
         }
-    std::vector<PointMotion> motions;
-    for (const FreeMotion &one : free)
-      {
-        motions.emplace_back();
-        for (const Point<3> &x : points)
-          motions.back().push_back(one.at(x, body));
-      }
-    motions = orthonormal(motions);
+    const std::vector<PointMotion> motions =
+      orthonormal(motions_of(free, points, body));
 
     const double        stiffness = stabilisation.share * axial_stiffness(body);
     const auto          u = body.rows(locations, Quantity::displacement);

@@ -64,6 +64,39 @@ namespace lamella
                           places[i].position});
         }
     }
+
+
+
+    /// The rows of the components of u that @p support, number @p number,
+    /// prescribes on @p region.
+    void
+    add_component_rows(const Body                 &body,
+                       const Region               &region,
+                       const Support              &support,
+                       const unsigned int          number,
+                       std::vector<PrescribedRow> &rows)
+    {
+      const std::vector<Location> places =
+        region_locations(body,
+                         region,
+                         "Support " + support.name +
+                           (region.at.empty() ? "/On" : "/At"));
+      auto all = body.rows(places, Quantity::displacement);
+      // The place of a given point comes out of its position, with rounding:
+      // without what that leaves at other nodes the rows of a node stay its
+      // own.
+      for (std::vector<Row> &components : all)
+        for (Row &row : components)
+          row.drop_below(arithmetic::rounding_of_sums);
+      for (unsigned int i = 0; i < places.size(); ++i)
+        for (unsigned int c = 0; c < 3; ++c)
+          if (support.u[c])
+            rows.push_back({{region.body, all[i][c]},
+                            *support.u[c],
+                            number,
+                            scene_axis(c),
+                            places[i].position});
+    }
   } // namespace
 
 
@@ -83,30 +116,9 @@ namespace lamella
             const std::string path = "Support " + supports[s].name;
             const Body       &body = *bodies[region.body];
             if (supports[s].normal)
-              {
-                add_normal_rows(
-                  body, region, *supports[s].normal, s, path, rows);
-                continue;
-              }
-            const std::vector<Location> places =
-              region_locations(body,
-                               region,
-                               path + (region.at.empty() ? "/On" : "/At"));
-            auto all = body.rows(places, Quantity::displacement);
-            // The place of a given point comes out of its position, with
-            // rounding: without what that leaves at other nodes the rows of a
-            // node stay its own.
-            for (std::vector<Row> &components : all)
-              for (Row &row : components)
-                row.drop_below(arithmetic::rounding_of_sums);
-            for (unsigned int i = 0; i < places.size(); ++i)
-              for (unsigned int c = 0; c < 3; ++c)
-                if (supports[s].u[c])
-                  rows.push_back({{region.body, all[i][c]},
-                                  *supports[s].u[c],
-                                  s,
-                                  scene_axis(c),
-                                  places[i].position});
+              add_normal_rows(body, region, *supports[s].normal, s, path, rows);
+            else
+              add_component_rows(body, region, supports[s], s, rows);
           }
     return rows;
   }

@@ -3,13 +3,12 @@
 #ifndef lamella_conditions_row_reduction_h
 #define lamella_conditions_row_reduction_h
 
+#include <lamella/conditions/row_elimination.h>
 #include <lamella/conditions/support.h>
 
-#include <deal.II/lac/sparse_direct.h>
-
 #include <functional>
-#include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace lamella
@@ -100,50 +99,19 @@ namespace lamella
     influence(const std::function<double(const unsigned int)> &weight) const;
 
   private:
-    /// The independent rows of a group and the DoFs that they eliminate. Groups
-    /// share no DoF, so each is solved for by itself.
-    struct Group
-    {
-      /// Numbers in the constructor's list.
-      std::vector<unsigned int> rows;
-      /// The DoF that rows[k] eliminates.
-      std::vector<DofIndex> pivots;
-      /// The factorised transpose of the rows in the pivots' columns; groups
-      /// that are the same but for a shift share it.
-      std::shared_ptr<const dealii::SparseDirectUMFPACK> transposed;
-    };
-
-    struct Equation;
-    struct Elimination;
-    class GaussJordan;
-
-    /// Eliminates one group of rows (numbers in the constructor's list), given
-    /// as @p functionals of the DoFs that the theory leaves independent, which
-    /// have the sizes @p sizes.
-    static Elimination
-    eliminate(const Body                       &body,
-              const std::vector<unsigned int>  &group,
-              const std::vector<Row>           &functionals,
-              const std::vector<PrescribedRow> &rows,
-              const std::vector<double>        &sizes);
-
     /// Keeps what is left of a group as constraints. Throws InputError if
     /// nothing but a value is left of one of its rows.
     void
-    keep(const Elimination                &elimination,
+    keep(const RowElimination             &elimination,
          const Body                       &body,
          const std::vector<PrescribedRow> &rows,
          const std::vector<std::string>   &support_names);
 
-    /// Factorises the rows of @p independent, for multipliers().
-    static void
-    factorise(Group &independent, const std::vector<Row> &functionals);
-
     /// Of the body; then supports and these together, and u_p for all its DoFs.
-    const Constraints &kinematic;
-    Constraints        homogeneous;
-    Vector             particular_solution;
-    std::vector<Group> groups;
+    const Constraints           &kinematic;
+    Constraints                  homogeneous;
+    Vector                       particular_solution;
+    std::vector<IndependentRows> groups;
   };
 } // namespace lamella
 
