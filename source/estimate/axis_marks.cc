@@ -52,6 +52,36 @@ namespace lamella
 
 
 
+  namespace
+  {
+    /// Those of @p elements that are to become better, by their errors for each
+    /// DoF, until the others have no more than @p left of the error together,
+    /// and no more than 1 - @p share of all.
+    std::vector<ElementError>
+    worst_elements(std::vector<ElementError> elements,
+                   const double              share,
+                   const double              left)
+    {
+      std::sort(elements.begin(),
+                elements.end(),
+                [](const ElementError &a, const ElementError &b) {
+                  return std::abs(a.error) * b.dofs >
+                         std::abs(b.error) * a.dofs;
+                });
+      double sum = 0.;
+      for (const ElementError &element : elements)
+        sum += std::abs(element.error);
+      const double most = std::min((1. - share) * sum, left);
+      std::size_t  n    = 0;
+      for (; n < elements.size() && !(sum <= most); ++n)
+        sum -= std::abs(elements[n].error);
+      elements.resize(n);
+      return elements;
+    }
+  } // namespace
+
+
+
   std::optional<std::vector<ElementError>>
   marked_elements(const Scene                   &scene,
                   const std::vector<GoalResult> &goals,
@@ -75,26 +105,12 @@ namespace lamella
           continue;
         if (!goal.local)
           return std::nullopt;
-        std::vector<ElementError> elements = goal.local->elements;
-        std::sort(elements.begin(),
-                  elements.end(),
-                  [](const ElementError &a, const ElementError &b) {
-                    return std::abs(a.error) * b.dofs >
-                           std::abs(b.error) * a.dofs;
-                  });
-        double sum = 0.;
-        for (const ElementError &element : elements)
-          sum += std::abs(element.error);
-        const double most =
-          std::min((1. - share) * sum, left * *goal.tolerance * goal.scale);
-        for (const ElementError &element : elements)
-          {
-            if (sum <= most)
-              break;
-            sum -= std::abs(element.error);
-            if (!is_marked(element))
-              marked.push_back(element);
-          }
+        for (const ElementError &element :
+             worst_elements(goal.local->elements,
+                            share,
+                            left * *goal.tolerance * goal.scale))
+          if (!is_marked(element))
+            marked.push_back(element);
       }
     return marked;
   }

@@ -8,6 +8,29 @@
 
 namespace lamella
 {
+  namespace
+  {
+    /// What speaks against the changes @p first and @p second from one
+    /// refinement to the next.
+    std::string
+    why_not_trusted(const double first, const double second, const double scale)
+    {
+      // What has a limit changes less from one refinement to the next.
+      constexpr double growth = 0.9;
+      if (first * second > growth * first * first)
+        return "it grows from one refinement to the next, by " +
+               to_text(100. * std::abs(first) / scale, 2) + " and then by " +
+               to_text(100. * std::abs(second) / scale, 2) +
+               " %, as at a point load, at the edge of a clamp or at the "
+               "corner of a punch. Ask for it at some distance from there";
+      return "two refinements do not agree: one changes it by " +
+             to_text(100. * first / scale, 2) + " %, the next by " +
+             to_text(100. * second / scale, 2) + " %. Refine theory or mesh";
+    }
+  } // namespace
+
+
+
   ErrorBar
   error_bar(const Refinements &values)
   {
@@ -15,8 +38,6 @@ namespace lamella
     // enough to be summed up, and the share of the scale below which all that
     // the values do is taken for their error.
     constexpr double most_left = 2. / 3., small = 1e-2;
-    // What has a limit changes less from one refinement to the next.
-    constexpr double growth = 0.9;
     // Agreement beyond these of the scale is not told from rounding.
     constexpr double digits = 1e-8;
 
@@ -37,18 +58,8 @@ namespace lamella
         result.trusted = true;
         result.bar     = std::max(result.bar, 2. * spread);
       }
-    else if (first * second > growth * first * first)
-      result.why = "it grows from one refinement to the next, by " +
-                   to_text(100. * std::abs(first) / values.scale, 2) +
-                   " and then by " +
-                   to_text(100. * std::abs(second) / values.scale, 2) +
-                   " %, as at a point load, at the edge of a clamp or at the "
-                   "corner of a punch. Ask for it at some distance from there";
     else
-      result.why =
-        "two refinements do not agree: one changes it by " +
-        to_text(100. * first / values.scale, 2) + " %, the next by " +
-        to_text(100. * second / values.scale, 2) + " %. Refine theory or mesh";
+      result.why = why_not_trusted(first, second, values.scale);
     return result;
   }
 

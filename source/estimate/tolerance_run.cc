@@ -301,6 +301,8 @@ namespace lamella
   {
     simulation->set_goals(passes.back().goals);
     write_run(*simulation, directory);
+    if (is_speaker())
+      write_file(directory + "/passes.csv", table());
   }
 
 
@@ -311,8 +313,17 @@ namespace lamella
     passes.back().goals =
       Estimation(*simulation, out, cache, Estimation::Effort::full).goals();
     write_pass(directory);
-    if (is_speaker())
-      write_file(directory + "/passes.csv", table());
+  }
+
+
+
+  void
+  ToleranceRun::print_end(const std::string &reason) const
+  {
+    out << (all_met(passes.back().goals) ? "\nDone in " :
+                                           "\nNot all goals are met after ")
+        << passes.size() << (passes.size() == 1 ? " pass: " : " passes: ")
+        << reason << "." << std::endl;
   }
 
 
@@ -340,13 +351,10 @@ namespace lamella
           }
         write_pass(directory);
         if (is_speaker())
-          {
-            write_file(directory + "/passes.csv", table());
-            say_if_interrupted("interrupted. " + directory +
-                               " has the results of pass " +
-                               std::to_string(passes.size()) +
-                               ". A run to a Tolerance begins anew.");
-          }
+          say_if_interrupted("interrupted. " + directory +
+                             " has the results of pass " +
+                             std::to_string(passes.size()) +
+                             ". A run to a Tolerance begins anew.");
         print_pass();
         reason = reason_to_stop();
         if (!reason.empty())
@@ -358,9 +366,6 @@ namespace lamella
       end_with_bars(directory);
     say_if_interrupted("");
     print_results(*simulation, directory, out);
-    out << (all_met(passes.back().goals) ? "\nDone in " :
-                                           "\nNot all goals are met after ")
-        << passes.size() << (passes.size() == 1 ? " pass: " : " passes: ")
-        << reason << "." << std::endl;
+    print_end(reason);
   }
 } // namespace lamella

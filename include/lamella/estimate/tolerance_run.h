@@ -83,7 +83,8 @@ namespace lamella
     /// Whether the budget of seconds is spent.
     bool
     is_late() const;
-    /// The results of the last pass into the folder @p directory.
+    /// The results of the last pass, and the table of all, into the folder
+    /// @p directory.
     void
     write_pass(const std::string &directory);
     /// Makes the bars of the last pass with both refinements, and writes them.
@@ -98,6 +99,9 @@ namespace lamella
     reason_to_stop() const;
     void
     print_pass() const;
+    /// That the run has ended, and for what @p reason.
+    void
+    print_end(const std::string &reason) const;
     /// passes.csv, a line for each pass and goal.
     std::string
     table() const;
