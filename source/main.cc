@@ -45,6 +45,17 @@ namespace
 
 
 
+  void
+  run_to_tolerance(const CommandLine &command, const Scene &scene)
+  {
+    if (command.resume)
+      throw InputError("--resume goes on with load steps; a run to a "
+                       "Tolerance (subsection Goals) begins anew.");
+    ToleranceRun(scene, output()).run(command.output);
+  }
+
+
+
   /// What @p command asks of @p scene.
   void
   run(const CommandLine &command, const SceneText &text, const Scene &scene)
@@ -71,12 +82,7 @@ namespace
         return;
       }
     if (!scene.goals.tolerances.empty() && !command.validate)
-      {
-        if (command.resume)
-          throw InputError("--resume goes on with load steps; a run to a "
-                           "Tolerance (subsection Goals) begins anew.");
-        return ToleranceRun(scene, output()).run(command.output);
-      }
+      return run_to_tolerance(command, scene);
     const auto simulation = make_simulation(scene, text, output());
     if (command.validate)
       print_validation(*simulation,
@@ -145,6 +151,22 @@ namespace
     while (arrived == 0 && std::chrono::steady_clock::now() - start < patience);
     return arrived != 0;
   }
+
+
+
+  /// Ends all processes if this one alone has met the fault.
+  void
+  tell_fault(const int status, const std::string &message, MPI_Comm arrivals)
+  {
+    // As a rule all processes meet the same fault and one of them tells it.
+    // What only this one has met (a full disk, say) the others do not know,
+    // and they wait for it.
+    const bool common = n_processes() == 1 || all_arrive(arrivals);
+    if (!common || is_speaker())
+      std::cerr << "lamella: " << message << std::endl;
+    if (!common)
+      MPI_Abort(communicator(), status);
+  }
 } // namespace
 
 
@@ -179,16 +201,7 @@ main(int argc, char **argv)
 
   const auto [status, message] = outcome_of(all);
   if (status != 0)
-    {
-      // As a rule all processes meet the same fault and one of them tells it.
-      // What only this one has met (a full disk, say) the others do not know,
-      // and they wait for it.
-      const bool common = n_processes() == 1 || all_arrive(arrivals);
-      if (!common || is_speaker())
-        std::cerr << "lamella: " << message << std::endl;
-      if (!common)
-        MPI_Abort(communicator(), status);
-    }
+    tell_fault(status, message, arrivals);
   MPI_Comm_free(&arrivals);
   return status;
 }

@@ -178,6 +178,17 @@ namespace lamella
 
 
 
+    /// The column @p name of what is found at a point.
+    double
+    field_named(const std::string &name, const FieldSample &sample)
+    {
+      const auto &names = field_names();
+      const auto  place = std::find(names.begin(), names.end(), name);
+      return field_values(sample)[place - names.begin()];
+    }
+
+
+
     /// Of stresses by equilibrium.
     void
     print_closures(std::ostream &out, const Results &results)
@@ -203,20 +214,14 @@ namespace lamella
                    const Results        &results,
                    const ReferenceLists &references)
   {
-    const StepResults &step  = results.last();
-    const auto        &names = field_names();
+    const StepResults &step = results.last();
     Table table{{"quantity", "Lamella", "reference", "difference", "source"}};
     for (unsigned int p = 0; p < step.probes.size(); ++p)
       for (const Reference &reference : references.probes[p])
-        {
-          const auto place =
-            std::find(names.begin(), names.end(), reference.quantity);
-          add_row(table,
-                  results.probes[p],
-                  field_values(
-                    step.probes[p].front().sample)[place - names.begin()],
-                  reference);
-        }
+        add_row(table,
+                results.probes[p],
+                field_named(reference.quantity, step.probes[p].front().sample),
+                reference);
     for (unsigned int m = 0; m < step.measures.size(); ++m)
       for (const Reference &reference : references.measures[m])
         add_row(table,

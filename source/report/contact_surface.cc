@@ -63,6 +63,42 @@ namespace lamella
         }
       return result;
     }
+
+
+
+    /// Of all points, one after the other.
+    using NamedArrays = std::map<std::string, std::vector<double>>;
+
+    void
+    append_vector(std::vector<double> &to, const Tensor<1, 3> &v)
+    {
+      for (unsigned int c = 0; c < 3; ++c)
+        to.push_back(v[c]);
+    }
+
+
+
+    void
+    append_scalars(const ContactRow &row, NamedArrays &scalars)
+    {
+      scalars["area"].push_back(row.point.area);
+      scalars["initial_gap"].push_back(row.initial_gap);
+      scalars["gap"].push_back(row.gap);
+      scalars["force"].push_back(row.force);
+      scalars["pressure"].push_back(row.force / row.point.area);
+      scalars["status"].push_back(row.touches() ? 1. : 0.);
+    }
+
+
+
+    void
+    add_arrays(const NamedArrays &arrays,
+               const unsigned int n_components,
+               VtuGrid           &grid)
+    {
+      for (const auto &[name, values] : arrays)
+        grid.at_points.push_back({name, n_components, values});
+    }
   } // namespace
 
 
@@ -118,13 +154,9 @@ namespace lamella
     for (const unsigned int k : alone)
       grid.add_cell(VtuGrid::vertex, std::array<unsigned int, 1>{{k}});
 
-    const Bodies                              &bodies = structure.bodies();
-    std::vector<double>                        positions;
-    std::map<std::string, std::vector<double>> vectors, scalars;
-    const auto append = [](std::vector<double> &to, const Tensor<1, 3> &v) {
-      for (unsigned int c = 0; c < 3; ++c)
-        to.push_back(v[c]);
-    };
+    const Bodies       &bodies = structure.bodies();
+    std::vector<double> positions;
+    NamedArrays         vectors, scalars;
     for (unsigned int k = 0; k < rows.size(); ++k)
       {
         const ContactInterface::Point &point     = rows[k].point;
@@ -135,27 +167,20 @@ namespace lamella
         const Tensor<1, 3> shift =
           displaced(contact.first_body, first_places[k]);
         const Point<3> position = point.first + shift;
-        append(positions, position);
-        append(vectors["displacement"], shift);
-        append(vectors["normal"], point.normal);
-        append(vectors["separation"],
-               contact.second_body ?
-                 point.second +
-                   displaced(*contact.second_body, second_places[k]) -
-                   position :
-                 rows[k].gap * point.normal);
-        scalars["area"].push_back(point.area);
-        scalars["initial_gap"].push_back(rows[k].initial_gap);
-        scalars["gap"].push_back(rows[k].gap);
-        scalars["force"].push_back(rows[k].force);
-        scalars["pressure"].push_back(rows[k].force / point.area);
-        scalars["status"].push_back(rows[k].touches() ? 1. : 0.);
+        append_vector(positions, position);
+        append_vector(vectors["displacement"], shift);
+        append_vector(vectors["normal"], point.normal);
+        append_vector(vectors["separation"],
+                      contact.second_body ?
+                        point.second +
+                          displaced(*contact.second_body, second_places[k]) -
+                          position :
+                        rows[k].gap * point.normal);
+        append_scalars(rows[k], scalars);
       }
     grid.points.values = positions;
-    for (const auto &[name, values] : vectors)
-      grid.at_points.push_back({name, 3, values});
-    for (const auto &[name, values] : scalars)
-      grid.at_points.push_back({name, 1, values});
+    add_arrays(vectors, 3, grid);
+    add_arrays(scalars, 1, grid);
     return grid;
   }
 

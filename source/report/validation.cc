@@ -103,6 +103,22 @@ namespace lamella
 
 
     std::string
+    listed(const EngineeringConstants &c)
+    {
+      return listed({{"E1", c.E1},
+                     {"E2", c.E2},
+                     {"E3", c.E3},
+                     {"G12", c.G12},
+                     {"G13", c.G13},
+                     {"G23", c.G23},
+                     {"nu12", c.nu12},
+                     {"nu13", c.nu13},
+                     {"nu23", c.nu23}});
+    }
+
+
+
+    std::string
     listed(const Strengths &s)
     {
       return listed({{"Xt", s.Xt},
@@ -125,19 +141,9 @@ namespace lamella
                  const Material    &material,
                  const Units       &units)
   {
-    const EngineeringConstants &c = material.elastic;
     out << "Material " << name
         << (units.stress.empty() ? "" : " [" + units.stress + "]") << ": "
-        << listed({{"E1", c.E1},
-                   {"E2", c.E2},
-                   {"E3", c.E3},
-                   {"G12", c.G12},
-                   {"G13", c.G13},
-                   {"G23", c.G23},
-                   {"nu12", c.nu12},
-                   {"nu13", c.nu13},
-                   {"nu23", c.nu23}})
-        << "\n";
+        << listed(material.elastic) << "\n";
     if (material.strengths)
       out << "  strengths " << listed(*material.strengths) << "\n";
     if (material.ultimate_strains)

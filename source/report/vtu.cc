@@ -268,6 +268,16 @@ namespace lamella
       std::vector<std::int32_t>       plies, bodies;
       std::vector<std::uint8_t>       degrees;
     };
+
+
+
+    /// The file that @p process writes of the picture @p name.
+    std::string
+    part_of_picture(const std::string &name, const unsigned int process)
+    {
+      return n_processes() == 1 ? name + ".vtu" :
+                                  name + "." + std::to_string(process) + ".vtu";
+    }
   } // namespace
 
 
@@ -286,25 +296,21 @@ namespace lamella
     VtuGrid grid = picture.take();
     grid.time    = {factor, step};
 
-    const std::string name = "solution_" + Utilities::int_to_string(step, 4);
-    const auto        part = [&name](const unsigned int process) {
-      return n_processes() == 1 ? name + ".vtu" :
-                                         name + "." + std::to_string(process) + ".vtu";
-    };
-    const auto write = [&directory](const std::string &file_name,
+    const std::string name  = "solution_" + Utilities::int_to_string(step, 4);
+    const auto        write = [&directory](const std::string &file_name,
                                     const auto        &content) {
       OutputFile file(directory + "/" + file_name);
       content(file.stream());
       return file.put_in_place();
     };
-    bool written = write(part(this_process()), [&grid](std::ostream &file) {
-      write_vtu_file(file, grid);
-    });
+    bool written =
+      write(part_of_picture(name, this_process()),
+            [&grid](std::ostream &file) { write_vtu_file(file, grid); });
     if (n_processes() > 1 && is_speaker())
       {
         std::vector<std::string> parts;
         for (unsigned int p = 0; p < n_processes(); ++p)
-          parts.push_back(part(p));
+          parts.push_back(part_of_picture(name, p));
         written = write(name + ".pvtu",
                         [&](std::ostream &file) {
                           write_pvtu_file(file, grid, parts);

@@ -128,6 +128,46 @@ namespace lamella
              "header_type=\"UInt32\""
           << attributes << ">\n";
     }
+
+
+
+    /// The load factor, which ParaView takes for a time, and the step.
+    void
+    write_time(std::ostream &out, const double time, const unsigned int step)
+    {
+      out << "<FieldData>\n<DataArray type=\"Float32\" Name=\"CYCLE\" "
+             "NumberOfTuples=\"1\" format=\"ascii\">"
+          << step
+          << "</DataArray>\n<DataArray type=\"Float32\" Name=\"TIME\" "
+             "NumberOfTuples=\"1\" format=\"ascii\">"
+          << time << "</DataArray>\n</FieldData>\n";
+    }
+
+
+
+    /// All arrays, in the order of for_each_group(), each on a thread of its
+    /// own as far as there are any.
+    std::vector<std::string>
+    all_compressed(const VtuGrid &grid, const std::vector<VtuArray> &cells)
+    {
+      std::vector<const VtuArray *> arrays;
+      for_each_group(grid,
+                     cells,
+                     "",
+                     [&arrays](const auto &, const auto &, const auto &part) {
+                       arrays.insert(arrays.end(), part.begin(), part.end());
+                     });
+      std::vector<std::string> packed(arrays.size());
+      parallel::apply_to_subranges(
+        std::size_t(0),
+        arrays.size(),
+        [&](const std::size_t begin, const std::size_t end) {
+          for (std::size_t k = begin; k < end; ++k)
+            packed[k] = compressed(*arrays[k]);
+        },
+        1);
+      return packed;
+    }
   } // namespace
 
 
@@ -135,37 +175,17 @@ namespace lamella
   void
   write_vtu_file(std::ostream &out, const VtuGrid &grid)
   {
-    const std::vector<VtuArray>   cells{{"connectivity", 1, grid.connectivity},
+    const std::vector<VtuArray>    cells{{"connectivity", 1, grid.connectivity},
                                       {"offsets", 1, grid.offsets},
                                       {"types", 1, grid.types}};
-    std::vector<const VtuArray *> arrays;
-    for_each_group(grid,
-                   cells,
-                   "",
-                   [&arrays](const auto &, const auto &, const auto &part) {
-                     arrays.insert(arrays.end(), part.begin(), part.end());
-                   });
-    std::vector<std::string> packed(arrays.size());
-    parallel::apply_to_subranges(
-      std::size_t(0),
-      arrays.size(),
-      [&](const std::size_t begin, const std::size_t end) {
-        for (std::size_t k = begin; k < end; ++k)
-          packed[k] = compressed(*arrays[k]);
-      },
-      1);
+    const std::vector<std::string> packed = all_compressed(grid, cells);
 
     write_start(out,
                 "UnstructuredGrid",
                 " compressor=\"vtkZLibDataCompressor\"");
     out << "<UnstructuredGrid>\n";
     if (grid.time)
-      out << "<FieldData>\n<DataArray type=\"Float32\" Name=\"CYCLE\" "
-             "NumberOfTuples=\"1\" format=\"ascii\">"
-          << grid.time->second
-          << "</DataArray>\n<DataArray type=\"Float32\" Name=\"TIME\" "
-             "NumberOfTuples=\"1\" format=\"ascii\">"
-          << grid.time->first << "</DataArray>\n</FieldData>\n";
+      write_time(out, grid.time->first, grid.time->second);
     const std::size_t n_points =
       std::visit([](const auto &v) { return v.size(); }, grid.points.values) /
       3;

@@ -21,8 +21,9 @@ namespace lamella
 
   namespace
   {
+    /// What is solved, beside the subsections.
     void
-    declare_scene(ParameterHandler &prm)
+    declare_model(ParameterHandler &prm)
     {
       prm.declare_entry("Title", "", Anything(), "Printed with the results.");
       prm.declare_entry("Units",
@@ -47,6 +48,27 @@ namespace lamella
                         "[length/s^2], 0, 0, -9.81 in m: the weight of all "
                         "bodies, whose materials then need a Density. A load, "
                         "times the load factor.");
+    }
+
+
+
+    void
+    declare_lists(ParameterHandler &prm)
+    {
+      for (const SubsectionKind &kind : subsection_kinds())
+        prm.declare_entry(kind.list,
+                          "",
+                          Anything(),
+                          "Names between commas; each has a subsection '" +
+                            kind.kind + " NAME'.");
+    }
+
+
+
+    void
+    declare_scene(ParameterHandler &prm)
+    {
+      declare_model(prm);
       SolveParameters::declare(prm);
       prm.declare_entry(
         "Write VTU",
@@ -61,12 +83,7 @@ namespace lamella
         "What is sought after the load factors: `first failure`, the load "
         "factor at which the smallest reserve factor of subsection Strength is "
         "1, to 0.1 %, contact solved anew at each trial.");
-      for (const SubsectionKind &kind : subsection_kinds())
-        prm.declare_entry(kind.list,
-                          "",
-                          Anything(),
-                          "Names between commas; each has a subsection '" +
-                            kind.kind + " NAME'.");
+      declare_lists(prm);
     }
 
 

@@ -183,6 +183,46 @@ namespace lamella
                        "subsection; '#' begins a comment.")
         .at(here);
     }
+
+
+
+    /// The subsections that are open at a line: their names, and the lines
+    /// where they were opened.
+    struct OpenSubsections
+    {
+      std::vector<std::string>  names;
+      std::vector<unsigned int> lines;
+
+      /// Of an entry or a subsection @p name in the innermost.
+      std::string
+      path_of(const std::string &name) const
+      {
+        return joined(names, "/") + (names.empty() ? "" : "/") + name;
+      }
+
+      void
+      open(const std::string &name, const unsigned int line)
+      {
+        names.push_back(name);
+        lines.push_back(line);
+      }
+
+      void
+      close()
+      {
+        names.pop_back();
+        lines.pop_back();
+      }
+
+      /// Throws InputError if one is open at the end of @p file.
+      void
+      check_end(const std::string &file) const
+      {
+        if (!names.empty())
+          throw InputError("subsection " + names.back() + " has no 'end'.")
+            .at(place_in(file, lines.back()));
+      }
+    };
   } // namespace
 
 
@@ -193,14 +233,10 @@ namespace lamella
                   std::vector<Item> &entries,
                   std::vector<Item> &subsections)
   {
-    std::istringstream        lines(text);
-    std::string               line;
-    std::vector<std::string>  path;
-    std::vector<unsigned int> opened;
-    unsigned int              number = 0;
-    const auto                full   = [&path](const std::string &name) {
-      return joined(path, "/") + (path.empty() ? "" : "/") + name;
-    };
+    std::istringstream lines(text);
+    std::string        line;
+    OpenSubsections    inside;
+    unsigned int       number = 0;
     while (std::getline(lines, line))
       {
         const unsigned int first       = ++number;
@@ -213,20 +249,16 @@ namespace lamella
         check_slashes(line, word, rest, here);
         if (word == "subsection" && !rest.empty())
           {
-            subsections.push_back({full(rest), "", first});
-            path.push_back(rest);
-            opened.push_back(first);
+            subsections.push_back({inside.path_of(rest), "", first});
+            inside.open(rest, first);
           }
-        else if (word == "end" && rest.empty() && !path.empty())
-          {
-            path.pop_back();
-            opened.pop_back();
-          }
+        else if (word == "end" && rest.empty() && !inside.names.empty())
+          inside.close();
         else if (const auto equals = rest.find('=');
                  word == "set" && equals != std::string::npos &&
                  !trimmed(rest.substr(0, equals)).empty())
           {
-            entries.push_back({full(trimmed(rest.substr(0, equals))),
+            entries.push_back({inside.path_of(trimmed(rest.substr(0, equals))),
                                trimmed(rest.substr(equals + 1)),
                                first});
             check_value(entries.back(), has_comment, here);
@@ -234,8 +266,6 @@ namespace lamella
         else
           refuse_scene_line(line, here);
       }
-    if (!path.empty())
-      throw InputError("subsection " + path.back() + " has no 'end'.")
-        .at(place_in(file, opened.back()));
+    inside.check_end(file);
   }
 } // namespace lamella

@@ -13,50 +13,71 @@ namespace lamella
   using dealii::ParameterHandler;
   using dealii::Patterns::Anything;
 
+  namespace
+  {
+    void
+    declare_ladder(ParameterHandler &prm)
+    {
+      prm.declare_entry(
+        "Ladder",
+        "EBBT | TBT | TE-1 | TE-2 | TE-3 | TE-4 | "
+        "SV | SV-3 | SV-6 | SV-10 | LE-1 | "
+        "LE-2, axis 0.5, section 0.5 | LE-2, axis 0.5 | LE-2 | "
+        "LE-3, section 0.5 | LE-2, section 2 | LE-3 | solid-1 | solid-2 | solid-2, axis 2 | "
+        "LE-3, axis 2",
+        Anything(),
+        "Rungs between '|', cheap ones first and the finest last. A rung is a "
+        "theory and what else it changes between commas: axis FACTOR (on the "
+        "numbers of axis elements), section FACTOR (on the numbers of section "
+        "cells in each direction), PATH = VALUE (as of --set). In place of a "
+        "theory tolerance PERCENT: a run that chooses theory and mesh until the "
+        "error bars of the Quantities are within.");
+      prm.declare_entry(
+        "Bodies",
+        "",
+        Anything(),
+        "Whose theory and meshes the rungs change; all bodies by "
+        "default.");
+    }
+
+
+
+    /// What the rungs are compared by.
+    void
+    declare_comparison(ParameterHandler &prm)
+    {
+      prm.declare_entry(
+        "Quantities",
+        "",
+        Anything(),
+        "What is compared, between '|': PROBE: COLUMN (of probes.csv; PROBE/PLY "
+        "on an interface), SUPPORT: fx (fy, fz, mx, my, mz), CONTACT: fx (and so "
+        "on, pressure, width, width x), or of a strip of a contact CONTACT: fx "
+        "in AXIS FROM TO. By default those that Goals names, else what the scene "
+        "gives References for, and of probes without any the largest "
+        "displacement and stress.");
+      prm.declare_entry(
+        "Reference",
+        "finest",
+        Anything(),
+        "What errors are taken against: finest (the last rung that succeeds), "
+        "solid (the last such hexahedra), given (the first of the scene's "
+        "References of each quantity), or the name of a rung.");
+      prm.declare_entry("Tolerance",
+                        "1",
+                        patterns::numbers(),
+                        "Errors, in per cent, that the cheapest rung is sought "
+                        "for; one or more between commas.");
+    }
+  } // namespace
+
+
+
   void
   TradeParameters::declare(ParameterHandler &prm)
   {
-    prm.declare_entry(
-      "Ladder",
-      "EBBT | TBT | TE-1 | TE-2 | TE-3 | TE-4 | "
-      "SV | SV-3 | SV-6 | SV-10 | LE-1 | "
-      "LE-2, axis 0.5, section 0.5 | LE-2, axis 0.5 | LE-2 | "
-      "LE-3, section 0.5 | LE-2, section 2 | LE-3 | solid-1 | solid-2 | solid-2, axis 2 | "
-      "LE-3, axis 2",
-      Anything(),
-      "Rungs between '|', cheap ones first and the finest last. A rung is a "
-      "theory and what else it changes between commas: axis FACTOR (on the "
-      "numbers of axis elements), section FACTOR (on the numbers of section "
-      "cells in each direction), PATH = VALUE (as of --set). In place of a "
-      "theory tolerance PERCENT: a run that chooses theory and mesh until the "
-      "error bars of the Quantities are within.");
-    prm.declare_entry("Bodies",
-                      "",
-                      Anything(),
-                      "Whose theory and meshes the rungs change; all bodies by "
-                      "default.");
-    prm.declare_entry(
-      "Quantities",
-      "",
-      Anything(),
-      "What is compared, between '|': PROBE: COLUMN (of probes.csv; PROBE/PLY "
-      "on an interface), SUPPORT: fx (fy, fz, mx, my, mz), CONTACT: fx (and so "
-      "on, pressure, width, width x), or of a strip of a contact CONTACT: fx "
-      "in AXIS FROM TO. By default those that Goals names, else what the scene "
-      "gives References for, and of probes without any the largest "
-      "displacement and stress.");
-    prm.declare_entry(
-      "Reference",
-      "finest",
-      Anything(),
-      "What errors are taken against: finest (the last rung that succeeds), "
-      "solid (the last such hexahedra), given (the first of the scene's "
-      "References of each quantity), or the name of a rung.");
-    prm.declare_entry("Tolerance",
-                      "1",
-                      patterns::numbers(),
-                      "Errors, in per cent, that the cheapest rung is sought "
-                      "for; one or more between commas.");
+    declare_ladder(prm);
+    declare_comparison(prm);
     prm.declare_entry("Error bars",
                       "false",
                       dealii::Patterns::Bool(),
