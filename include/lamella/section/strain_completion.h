@@ -116,10 +116,8 @@ namespace lamella
     /**
      * From @p points with @p weights, the integration points of the section
      * with the strains of @p n_fields fields, not yet completed.
-     * K is scaled to a unit diagonal before it is inverted: modes across a thin
-     * section are stiffer than those along it by orders of magnitude. The
-     * arguments are not needed any more afterwards but for the mesh, which is
-     * shared.
+     * The arguments are not needed any more afterwards but for the mesh, which
+     * is shared.
      */
     ContractionModes(std::shared_ptr<const SectionMesh> mesh,
                      const std::vector<SectionPoint>   &points,
