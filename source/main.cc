@@ -5,6 +5,7 @@
 #include <lamella/base/mpi_session.h>
 #include <lamella/base/processes.h>
 #include <lamella/base/version.h>
+#include <lamella/estimate/goal_bars.h>
 #include <lamella/estimate/tolerance_run.h>
 #include <lamella/export/calculix_deck.h>
 #include <lamella/report/page.h>
@@ -89,10 +90,8 @@ namespace
                        command.output_is_given ? command.output : "");
     else
       run_scene(*simulation, command.output, command.resume, [&] {
-        ModelCache                    cache;
-        Estimation                    estimation(*simulation, output(), cache);
-        const std::vector<GoalResult> goals = estimation.goals();
-        simulation->set_goals(goals, estimation.reason_for_none());
+        GoalBars bars = bars_of(*simulation, output());
+        simulation->set_goals(std::move(bars.goals), bars.why_none);
       });
   }
 

@@ -10,6 +10,15 @@ namespace lamella
 {
   namespace
   {
+    // The largest ratio of two successive changes that still converges fast
+    // enough to be summed up, and the share of the scale below which all that
+    // the values do is taken for their error.
+    constexpr double most_left = 2. / 3., small = 1e-2;
+    // Agreement beyond these of the scale is not told from rounding.
+    constexpr double digits = 1e-8;
+
+
+
     /// What speaks against the changes @p first and @p second from one
     /// refinement to the next.
     std::string
@@ -34,13 +43,6 @@ namespace lamella
   ErrorBar
   error_bar(const Refinements &values)
   {
-    // The largest ratio of two successive changes that still converges fast
-    // enough to be summed up, and the share of the scale below which all that
-    // the values do is taken for their error.
-    constexpr double most_left = 2. / 3., small = 1e-2;
-    // Agreement beyond these of the scale is not told from rounding.
-    constexpr double digits = 1e-8;
-
     const double first  = values.richer - values.run,
                  second = values.richest - values.richer;
     ErrorBar result;
@@ -83,6 +85,37 @@ namespace lamella
     if (last > 0.)
       result.bar =
         std::max(result.bar, 2. * change * (1. + std::min(1., change / last)));
+    return result;
+  }
+
+
+
+  ErrorBar
+  error_bar_from_below(const std::vector<Levels> &sources,
+                       const double               scale,
+                       const double               rounding)
+  {
+    ErrorBar result;
+    result.trusted = true;
+    for (const Levels &levels : sources)
+      {
+        const double d = std::abs(levels.last), e = std::abs(levels.before);
+        if (e > 0. && d <= most_left * e)
+          {
+            const double left = (d / e) / (1. - d / e);
+            result.estimate += levels.last * left;
+            result.bar += std::max({d, 2. * d * left, levels.least});
+            continue;
+          }
+        result.estimate += levels.last;
+        result.bar += std::max(2. * std::max(d, e), levels.least);
+        if (std::max(d, e) > small * scale)
+          {
+            result.trusted = false;
+            result.why     = why_not_trusted(e, d, scale);
+          }
+      }
+    result.bar = std::max({result.bar, rounding, digits * scale});
     return result;
   }
 } // namespace lamella

@@ -21,12 +21,6 @@ namespace lamella
     /// mattering, and those of what all sources do where there is none.
     constexpr double least_of_tolerance = 0.1, least_of_all = 0.02;
 
-    /// Values below this share of the largest of their kind have that for a
-    /// scale.
-    constexpr double near_zero = 1e-3;
-
-
-
     /// What models of one scene differ in.
     std::string
     key_of(const Scene &scene)
@@ -97,10 +91,8 @@ namespace lamella
   Estimation::reason_for_none() const
   {
     const GoalParameters &goals = run.model().scene().goals;
-    if (goals.quantities.empty() && goals.whole_probes.empty())
-      return "the scene has neither Quantities in Goals nor probes";
-    if (goals.bars == ErrorBars::never)
-      return "Error bars = false, in Goals";
+    if (const std::string none = RunGoals::reason_for_none(run); !none.empty())
+      return none;
     if (goals.bars == ErrorBars::automatic &&
         !(operations_of_bars(run) <= most_of_run * operations(run)))
       return "they would cost more than half of what the run does; --set "
@@ -110,25 +102,11 @@ namespace lamella
 
 
 
-  std::vector<NamedQuantity>
-  Estimation::quantities() const
-  {
-    const GoalParameters      &goals = run.model().scene().goals;
-    std::vector<NamedQuantity> all   = goals.quantities;
-    for (const std::string &probe : goals.whole_probes)
-      for (const NamedQuantity &quantity :
-           models.front().numbers.largest_at(probe))
-        all.push_back(quantity);
-    return all;
-  }
-
-
-
   Model
   Estimation::first_model() const
   {
     return {for_estimates(run.model().scene()),
-            ResultNumbers(run.results()),
+            of_run->numbers(),
             sizes_of(run.model())};
   }
 
@@ -168,7 +146,7 @@ namespace lamella
       return;
     const ResultNumbers numbers(finer.results());
     const Localisation  localisation(run, finer);
-    for (const NamedQuantity &quantity : quantities())
+    for (const NamedQuantity &quantity : of_run->quantities())
       local.push_back(
         localisation.errors(quantity,
                             numbers.value(quantity) -
@@ -191,9 +169,9 @@ namespace lamella
   {
     double       weight = 0.;
     unsigned int number = 0;
-    for (const NamedQuantity &quantity : quantities())
+    for (const NamedQuantity &quantity : of_run->quantities())
       {
-        const GoalResult bare = goal_without_bar(quantity, number++);
+        const GoalResult bare = of_run->bare(number++);
         const double     most =
           bare.tolerance ? least_of_tolerance * *bare.tolerance * bare.scale :
                                least_of_all * first_refinement(quantity).shares;
@@ -216,12 +194,8 @@ namespace lamella
         values.richer += share_of(step, quantity);
         values.shares += std::abs(share_of(step, quantity));
       }
-    const double largest = models[0].numbers.largest_of_kind(quantity);
-    const State &state   = run.results().last().state;
-    values.scale         = scale_of(quantity);
-    values.rounding      = largest * (state.contact_corrections.empty() ?
-                                        state.free_corrections.back() :
-                                        state.contact_corrections.back());
+    values.scale    = of_run->scale_of(quantity);
+    values.rounding = of_run->rounding_of(quantity);
     return values;
   }
 
@@ -232,7 +206,7 @@ namespace lamella
   {
     if (!poorer)
       return false;
-    const auto all = quantities();
+    const auto all = of_run->quantities();
     return std::all_of(all.begin(), all.end(), [this](const auto &quantity) {
       return error_bar_after(poorer->value(quantity),
                              first_refinement(quantity))
@@ -246,9 +220,9 @@ namespace lamella
   Estimation::is_far_off() const
   {
     unsigned int number = 0;
-    for (const NamedQuantity &quantity : quantities())
+    for (const NamedQuantity &quantity : of_run->quantities())
       {
-        const GoalResult  bare   = goal_without_bar(quantity, number++);
+        const GoalResult  bare   = of_run->bare(number++);
         const Refinements values = first_refinement(quantity);
         if (std::max(2. * std::abs(values.richer - values.run),
                      0.5 * values.shares) > *bare.tolerance * bare.scale)
@@ -347,34 +321,6 @@ namespace lamella
 
 
 
-  double
-  Estimation::scale_of(const NamedQuantity &quantity) const
-  {
-    const double value   = std::abs(models[0].numbers.value(quantity)),
-                 largest = models[0].numbers.largest_of_kind(quantity);
-    return value > near_zero * largest ? value : largest;
-  }
-
-
-
-  GoalResult
-  Estimation::goal_without_bar(const NamedQuantity &quantity,
-                               const unsigned int   number) const
-  {
-    const GoalParameters &goals = run.model().scene().goals;
-    GoalResult            result;
-    result.name  = quantity.label();
-    result.value = models[0].numbers.value(quantity);
-    result.scale = scale_of(quantity);
-    if (!goals.tolerances.empty())
-      result.tolerance = goals.tolerances.size() == 1 ?
-                           goals.tolerances[0] :
-                           goals.tolerances.at(number);
-    return result;
-  }
-
-
-
   ErrorBar
   Estimation::bar_of(const NamedQuantity &quantity) const
   {
@@ -401,7 +347,7 @@ namespace lamella
   Estimation::goal(const NamedQuantity &quantity,
                    const unsigned int   number) const
   {
-    GoalResult result = goal_without_bar(quantity, number);
+    GoalResult result = of_run->bare(number);
     if (!local.empty())
       result.local = local.at(number);
     if (!failure.empty())
@@ -429,6 +375,7 @@ namespace lamella
     if (!reason_for_none().empty())
       return {};
     out << "Error bars, from richer models of the scene:" << std::endl;
+    of_run = std::make_unique<RunGoals>(run);
     models = {first_model()};
     // The run has its numbers: no model beside it takes them away.
     if (const Outcome outcome = outcome_of([this] { climb(); });
@@ -436,12 +383,12 @@ namespace lamella
       {
         failure =
           "a richer model has no result (" + trimmed(outcome.message) + ")";
-        if (local.size() != quantities().size())
+        if (local.size() != of_run->quantities().size())
           local.clear();
         out << "failed" << std::endl;
       }
     std::vector<GoalResult> results;
-    for (const NamedQuantity &quantity : quantities())
+    for (const NamedQuantity &quantity : of_run->quantities())
       results.push_back(goal(quantity, results.size()));
     return results;
   }

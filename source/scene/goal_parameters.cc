@@ -33,9 +33,9 @@ namespace lamella
     prm.declare_entry("Error bars",
                       name_of(ErrorBars::automatic),
                       selection<ErrorBars>(),
-                      "Whether errors are estimated, by richer models of the "
-                      "same scene. auto: where they cost at most half of what "
-                      "the run does.");
+                      "Whether errors are estimated: true, auto where that is "
+                      "cheap, by what the run itself has if it can, else by "
+                      "richer models of the scene; richer: by these.");
     prm.declare_entry("Budget DoFs",
                       "0",
                       patterns::number(),

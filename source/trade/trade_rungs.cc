@@ -7,7 +7,7 @@
 #include <lamella/base/mpi_session.h>
 #include <lamella/base/text.h>
 #include <lamella/base/version.h>
-#include <lamella/estimate/estimation.h>
+#include <lamella/estimate/goal_bars.h>
 #include <lamella/estimate/tolerance_run.h>
 #include <lamella/run/run_scene.h>
 #include <lamella/trade/trade.h>
@@ -222,8 +222,7 @@ namespace lamella
       if (!job.bars)
         return;
       const dealii::Timer wall;
-      ModelCache          cache;
-      simulation->set_goals(Estimation(*simulation, std::cout, cache).goals());
+      simulation->set_goals(bars_of(*simulation, std::cout).goals);
       seconds_of_bars = wall.wall_time();
     });
     return {{"values", RungValues(simulation->results()).to_json()},

@@ -4,6 +4,7 @@
 #define lamella_estimate_error_bar_h
 
 #include <string>
+#include <vector>
 
 namespace lamella
 {
@@ -64,6 +65,34 @@ namespace lamella
    */
   ErrorBar
   error_bar_after(const double poorer, const Refinements &values);
+
+  /// What the last two levels below a run, poorer in one source of error, have
+  /// changed a quantity by, in its unit: the last change and the one before it,
+  /// signed.
+  struct Levels
+  {
+    double last = 0., before = 0.;
+    /// What the error of this source is held to be at least: sizes of what may
+    /// cancel in the changes.
+    double least = 0.;
+  };
+
+  /**
+   * The bar of a value from what is poorer than its model. With d = |last| and
+   * e = |before| of a source, q = d / e and an error that goes on to fall by q,
+   * it is off by at most
+   *   max(d, 2 d q / (1 - q), least)
+   * by this source, where the first holds a q that is small by accident and
+   * `least` such a d. With q above 2/3 there is no bar if d or e are a
+   * hundredth of @p scale or more, else twice the larger counts. The bar is the
+   * sum over @p sources, at least @p rounding and 1e-8 of the scale; the
+   * estimate sums last q / (1 - q): no promise, as the next level was not
+   * looked at.
+   */
+  ErrorBar
+  error_bar_from_below(const std::vector<Levels> &sources,
+                       const double               scale,
+                       const double               rounding = 0.);
 } // namespace lamella
 
 #endif

@@ -1,23 +1,25 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-// The room `estimate`: how far a run's numbers are off. It owns the richer
-// models that a run is compared with, the bars made of their differences, and
-// the loop that goes on until a tolerance is reached. It never makes a
-// factorisation nor solves a model itself: a richer model is a scene like any
-// other, and Simulation solves it; the duals that tell which elements an error
-// comes from (local_errors.cc) ask the solver that this leaves behind.
+// The room `estimate`: how far a run's numbers are off. It owns the surpluses
+// of a run and the richer models that it is compared with, the bars made of
+// them, and the loop that goes on until a tolerance is reached. It never makes
+// a factorisation of a body nor solves a model itself: a richer model is a
+// scene like any other, and Simulation solves it; duals (goal_dual.h) ask the
+// solver that this leaves behind.
 
 #ifndef lamella_estimate_estimation_h
 #define lamella_estimate_estimation_h
 
 #include <lamella/estimate/enrichment.h>
 #include <lamella/estimate/error_bar.h>
+#include <lamella/estimate/run_goals.h>
 #include <lamella/recover/named_quantity.h>
 #include <lamella/run/simulation.h>
 
 #include <functional>
 #include <iosfwd>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -158,25 +160,15 @@ namespace lamella
     /// LocalErrors of all quantities, from the model with shorter elements.
     void
     localise(const Simulation &finer);
-    /// |value| of @p quantity, or the largest of its kind where that is near
-    /// zero.
-    double
-    scale_of(const NamedQuantity &quantity) const;
-    /// Name, value, scale and tolerance of @p quantity, the goal @p number.
-    GoalResult
-    goal_without_bar(const NamedQuantity &quantity,
-                     const unsigned int   number) const;
     /// What the models say of it.
     GoalResult
     goal(const NamedQuantity &quantity, const unsigned int number) const;
-    /// The quantities of the scene, those of whole probes among them.
-    std::vector<NamedQuantity>
-    quantities() const;
-
     const Simulation &run;
     std::ostream     &out;
     ModelCache       &cache;
     Effort            effort;
+    /// From goals() on.
+    std::unique_ptr<const RunGoals> of_run;
     /// The run first, and M_r last if it was made.
     std::vector<Model> models;
     std::vector<Step>  steps;

@@ -3,6 +3,7 @@
 #ifndef lamella_estimate_local_errors_h
 #define lamella_estimate_local_errors_h
 
+#include <lamella/estimate/goal_dual.h>
 #include <lamella/recover/named_quantity.h>
 #include <lamella/run/simulation.h>
 
@@ -48,36 +49,9 @@ namespace lamella
     errors(const NamedQuantity &goal, const double change) const;
 
   private:
-    /// J'_u, and J'_lambda of the active rows.
-    struct Derivative
-    {
-      BlockVector u;
-      Vector      force;
-    };
-
-    std::optional<Derivative>
-    derivative(const NamedQuantity &goal) const;
-    Derivative
-    zero() const;
-    /// Of a column of a probe.
-    std::optional<Derivative>
-    at_probe(const NamedQuantity &goal) const;
-    /// Of a component of what a support does: w (f_int - t f - B^T lambda)
-    /// with the displacement w that is 1 where the support holds.
-    std::optional<Derivative>
-    of_support(const NamedQuantity &goal) const;
-    std::optional<Derivative>
-    of_contact(const NamedQuantity &goal) const;
-    std::optional<Derivative>
-    of_measure(const NamedQuantity &goal) const;
-
     /// The elements' part of the errors, r . (z - I z).
     LocalErrors
     of_elements(const BlockVector &z) const;
-
-    /// z and nu, refined once against what the strains say.
-    Derivative
-    dual(const Derivative &derivative) const;
 
     /// Displacements of one model on the nodes of the other.
     BlockVector
@@ -92,10 +66,10 @@ namespace lamella
                  const Vector      &share,
                  LocalErrors       &result) const;
 
-    const Simulation         &coarse, &fine;
-    double                    factor;
-    std::vector<unsigned int> active;
-    BlockVector               residual;
+    const Simulation &coarse, &fine;
+    double            factor;
+    GoalDual          dual;
+    BlockVector       residual;
     /// s of the active rows.
     Vector mismatch;
   };

@@ -20,6 +20,7 @@ namespace lamella
     undefined,
     automatic, ///< where that costs at most half of what the run does
     always,
+    richer, ///< always, from richer models
     never
   };
 
@@ -28,6 +29,7 @@ namespace lamella
   {
     static constexpr NameOf<ErrorBars> all[] = {{ErrorBars::automatic, "auto"},
                                                 {ErrorBars::always, "true"},
+                                                {ErrorBars::richer, "richer"},
                                                 {ErrorBars::never, "false"}};
   };
 

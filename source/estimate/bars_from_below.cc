@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <lamella/estimate/bars_from_below.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace lamella
+{
+  std::string
+  BarsFromBelow::reason_for_none(const Simulation &run)
+  {
+    return Surpluses::reason_for_none(run, BelowRules().least_degree);
+  }
+
+
+
+  BarsFromBelow::BarsFromBelow(const Simulation &run)
+    : run(run)
+    , of_run(run)
+    , dual(run)
+    , surpluses(run)
+  {}
+
+
+
+  bool
+  BarsFromBelow::is_complete() const
+  {
+    const auto &all = of_run.quantities();
+    return std::all_of(all.begin(), all.end(), [this](const auto &quantity) {
+      return dual.derivative(quantity).has_value();
+    });
+  }
+
+
+
+  GoalResult
+  BarsFromBelow::goal(const unsigned int number) const
+  {
+    const NamedQuantity &quantity   = of_run.quantities()[number];
+    GoalResult           result     = of_run.bare(number);
+    const auto           derivative = dual.derivative(quantity);
+    if (!derivative)
+      {
+        result.why = "it has no derivative to tell its error by; Error bars = "
+                     "richer compares it with richer models";
+        return result;
+      }
+    const auto [section, axis] = surpluses.of(dual.solve(*derivative).u);
+    const ErrorBar bar         = error_bar_from_below(
+      {{section.last,
+                section.before,
+                std::max(rules.least_of_before * std::abs(section.before),
+                 rules.least_of_sizes * section.by_nodes)},
+               {axis.last, axis.before, rules.least_of_sizes * axis.by_nodes}},
+      result.scale,
+      of_run.rounding_of(quantity));
+    result.estimate = bar.estimate;
+    result.bar      = bar.bar;
+    result.trusted  = bar.trusted;
+    result.why      = bar.why;
+    result.shares   = {{"axis", axis.last}, {"section", section.last}};
+    return result;
+  }
+
+
+
+  std::vector<GoalResult>
+  BarsFromBelow::goals() const
+  {
+    std::vector<GoalResult> results;
+    for (unsigned int k = 0; k < of_run.quantities().size(); ++k)
+      results.push_back(goal(k));
+    return results;
+  }
+} // namespace lamella

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <lamella/estimate/run_goals.h>
+
+#include <cmath>
+
+namespace lamella
+{
+  namespace
+  {
+    /// Values below this share of the largest of their kind have that for a
+    /// scale.
+    constexpr double near_zero = 1e-3;
+  } // namespace
+
+
+
+  std::string
+  RunGoals::reason_for_none(const Simulation &run)
+  {
+    const GoalParameters &goals = run.model().scene().goals;
+    if (goals.quantities.empty() && goals.whole_probes.empty())
+      return "the scene has neither Quantities in Goals nor probes";
+    if (goals.bars == ErrorBars::never)
+      return "Error bars = false, in Goals";
+    return "";
+  }
+
+
+
+  RunGoals::RunGoals(const Simulation &run)
+    : run(run)
+    , values(run.results())
+  {
+    const GoalParameters &goals = run.model().scene().goals;
+    all                         = goals.quantities;
+    for (const std::string &probe : goals.whole_probes)
+      for (const NamedQuantity &quantity : values.largest_at(probe))
+        all.push_back(quantity);
+  }
+
+
+
+  double
+  RunGoals::scale_of(const NamedQuantity &quantity) const
+  {
+    const double value   = std::abs(values.value(quantity)),
+                 largest = values.largest_of_kind(quantity);
+    return value > near_zero * largest ? value : largest;
+  }
+
+
+
+  double
+  RunGoals::rounding_of(const NamedQuantity &quantity) const
+  {
+    const State &state = run.results().last().state;
+    return values.largest_of_kind(quantity) *
+           (state.contact_corrections.empty() ?
+              state.free_corrections.back() :
+              state.contact_corrections.back());
+  }
+
+
+
+  GoalResult
+  RunGoals::bare(const unsigned int number) const
+  {
+    const std::vector<double> &tolerances =
+      run.model().scene().goals.tolerances;
+    const NamedQuantity &quantity = all[number];
+    GoalResult           result;
+    result.name  = quantity.label();
+    result.value = values.value(quantity);
+    result.scale = scale_of(quantity);
+    if (!tolerances.empty())
+      result.tolerance =
+        tolerances.size() == 1 ? tolerances[0] : tolerances.at(number);
+    return result;
+  }
+} // namespace lamella
