@@ -10,6 +10,9 @@ namespace lamella
   std::string
   BarsFromBelow::reason_for_none(const Simulation &run)
   {
+    if (!run.results().last().state.active.empty())
+      return "bodies touch, and that the rows which are active are not the "
+             "right ones shows on other meshes only";
     return Surpluses::reason_for_none(run, BelowRules().least_degree);
   }
 

@@ -206,6 +206,9 @@ BOOST_AUTO_TEST_CASE(who_has_none_says_why)
   BOOST_TEST(BarsFromBelow::reason_for_none(laminate("LE-3").run).empty());
   for (const char *const theory : {"LE-2", "TE-4", "SV", "EBBT"})
     BOOST_TEST(!BarsFromBelow::reason_for_none(laminate(theory).run).empty());
+  const Solved touching("/tests/scenes/crossed_beams.prm", {"Theory=LE-3"});
+  BOOST_TEST(BarsFromBelow::reason_for_none(touching.run).find("touch") !=
+             std::string::npos);
 }
 
 

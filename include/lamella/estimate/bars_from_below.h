@@ -30,7 +30,8 @@ namespace lamella
    * functions do to a goal, seen through the dual on its own factor
    * (Surpluses), is about the change from the poorer model, and two such levels
    * make a bar (error_bar_from_below(), BelowRules). No other model is solved,
-   * and the active set is that of the run.
+   * so whether the active set is right would not be seen: there are none where
+   * bodies touch.
    */
   class BarsFromBelow
   {
