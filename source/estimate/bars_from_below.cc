@@ -22,28 +22,30 @@ namespace lamella
     : run(run)
     , of_run(run)
     , dual(run)
-    , surpluses(run)
-  {}
+  {
+    for (const NamedQuantity &quantity : of_run.quantities())
+      derivatives.push_back(dual.derivative(quantity));
+  }
 
 
 
   bool
   BarsFromBelow::is_complete() const
   {
-    const auto &all = of_run.quantities();
-    return std::all_of(all.begin(), all.end(), [this](const auto &quantity) {
-      return dual.derivative(quantity).has_value();
-    });
+    return std::all_of(derivatives.begin(),
+                       derivatives.end(),
+                       [](const auto &one) { return one.has_value(); });
   }
 
 
 
   GoalResult
-  BarsFromBelow::goal(const unsigned int number) const
+  BarsFromBelow::goal(const unsigned int number,
+                      const Surpluses   &surpluses) const
   {
     const NamedQuantity &quantity   = of_run.quantities()[number];
     GoalResult           result     = of_run.bare(number);
-    const auto           derivative = dual.derivative(quantity);
+    const auto          &derivative = derivatives[number];
     if (!derivative)
       {
         result.why = "it has no derivative to tell its error by; Error bars = "
@@ -72,9 +74,10 @@ namespace lamella
   std::vector<GoalResult>
   BarsFromBelow::goals() const
   {
+    const Surpluses         surpluses(run);
     std::vector<GoalResult> results;
     for (unsigned int k = 0; k < of_run.quantities().size(); ++k)
-      results.push_back(goal(k));
+      results.push_back(goal(k, surpluses));
     return results;
   }
 } // namespace lamella

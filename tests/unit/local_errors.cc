@@ -7,6 +7,7 @@
 #include <lamella/estimate/enrichment.h>
 #include <lamella/estimate/local_errors.h>
 
+#include "quantities.h"
 #include <boost/test/unit_test.hpp>
 
 #include <cmath>
@@ -60,20 +61,6 @@ namespace
                            [](const double sum, const ElementError &element) {
                              return sum + element.error;
                            });
-  }
-
-
-
-  NamedQuantity
-  quantity_of(const NamedQuantity::Of of,
-              const std::string      &name,
-              const std::string      &column)
-  {
-    NamedQuantity quantity;
-    quantity.of     = of;
-    quantity.name   = name;
-    quantity.column = column;
-    return quantity;
   }
 
 

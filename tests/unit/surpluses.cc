@@ -11,6 +11,7 @@
 #include <lamella/estimate/surpluses.h>
 #include <lamella/scene/scene_text.h>
 
+#include "quantities.h"
 #include <boost/test/unit_test.hpp>
 
 #include <cmath>
@@ -60,20 +61,6 @@ namespace
              "Body beam/Kinematics/Axis elements=" + axis,
              "Body beam/Kinematics/Axis breaks=9",
              "Load patch/Pressure=1 + x + 0.1 * y"}};
-  }
-
-
-
-  NamedQuantity
-  quantity_of(const NamedQuantity::Of of,
-              const std::string      &name,
-              const std::string      &column)
-  {
-    NamedQuantity quantity;
-    quantity.of     = of;
-    quantity.name   = name;
-    quantity.column = column;
-    return quantity;
   }
 
 

@@ -8,6 +8,7 @@
 #include <lamella/estimate/run_goals.h>
 #include <lamella/estimate/surpluses.h>
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -56,13 +57,14 @@ namespace lamella
 
   private:
     GoalResult
-    goal(const unsigned int number) const;
+    goal(const unsigned int number, const Surpluses &surpluses) const;
 
     const Simulation &run;
     BelowRules        rules;
     RunGoals          of_run;
     GoalDual          dual;
-    Surpluses         surpluses;
+    /// Of each goal, if it has one.
+    std::vector<std::optional<GoalDual::Pair>> derivatives;
   };
 } // namespace lamella
 
