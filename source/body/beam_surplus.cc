@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <lamella/base/arithmetic.h>
 #include <lamella/base/gauss_lobatto_basis.h>
 #include <lamella/body/beam_surplus.h>
+
+#include <algorithm>
+#include <cmath>
 
 namespace lamella
 {
@@ -9,7 +13,7 @@ namespace lamella
   BeamSurplus::is_possible(const Beam &beam)
   {
     if (!HierarchicalSurplus::is_possible(beam.section()) ||
-        beam.fields().n_modes() > 0 || beam.axis().degree() < 2)
+        beam.fields().n_modes() > 0)
       return false;
     for (unsigned int node = 0; node < beam.axis().n_nodes(); ++node)
       if (beam.dofs().fields(node).size() != beam.section().n_fields())
@@ -45,41 +49,67 @@ namespace lamella
 
 
 
-  Vector
-  BeamSurplus::along_axis(const Vector &u, const unsigned int q) const
+  void
+  BeamSurplus::take_interpolation(const AxisSpan &span,
+                                  const Vector   &u,
+                                  Vector         &result) const
   {
-    const GaussLobattoBasis &basis = GaussLobattoBasis::of_degree(q);
+    const GaussLobattoBasis &basis = GaussLobattoBasis::of_degree(span.degree);
     const Axis              &axis  = beam.axis();
     const unsigned int       n     = beam.section().n_fields();
-    Vector                   result(u.size());
-    std::vector<double>      weights(basis.size());
-    for (unsigned int cell = 0; cell < axis.n_cells(); ++cell)
+    const double             size  = span.end - span.begin,
+                 near              = arithmetic::same_in_element * size;
+    // The fields of u at the points of the span.
+    std::vector<Vector> at_points(basis.size(), Vector(n));
+    for (unsigned int m = 0; m < basis.size(); ++m)
       {
-        std::vector<AxisPoint> coarse;
-        for (unsigned int m = 0; m < basis.size(); ++m)
-          coarse.push_back(axis.evaluate(cell, basis.point(m)));
-        const auto  &nodes = axis.nodes_of_cell(cell);
-        const double begin = axis.cell_begin(cell),
-                     size  = axis.cell_end(cell) - begin;
-        // The first two are the ends, where nothing is left.
-        for (unsigned int i = 2; i < nodes.size(); ++i)
+        const auto [cell, place] =
+          axis.locate(span.begin + basis.point(m) * size, near).front();
+        const AxisPoint point = axis.evaluate(cell, place);
+        for (unsigned int j = 0; j < point.N.size(); ++j)
+          for (unsigned int k = 0; k < n; ++k)
+            at_points[m][k] +=
+              point.N[j] *
+              u[beam.dofs().first(axis.nodes_of_cell(cell)[j]) + k];
+      }
+    std::vector<double> weights(basis.size());
+    for (unsigned int node = 0; node < axis.n_nodes(); ++node)
+      {
+        const double y = axis.nodes()[node];
+        // At its ends nothing is left.
+        if (y > span.begin + near && y < span.end - near)
           {
-            basis.evaluate((axis.nodes()[nodes[i]] - begin) / size,
-                           weights.data(),
-                           nullptr);
-            const DofIndex to = beam.dofs().first(nodes[i]);
-            for (unsigned int k = 0; k < n; ++k)
-              result[to + k] = u[to + k];
+            basis.evaluate((y - span.begin) / size, weights.data(), nullptr);
             for (unsigned int m = 0; m < basis.size(); ++m)
-              for (unsigned int j = 0; j < nodes.size(); ++j)
-                {
-                  const double   weight = weights[m] * coarse[m].N[j];
-                  const DofIndex from   = beam.dofs().first(nodes[j]);
-                  for (unsigned int k = 0; k < n; ++k)
-                    result[to + k] -= weight * u[from + k];
-                }
+              for (unsigned int k = 0; k < n; ++k)
+                result[beam.dofs().first(node) + k] -=
+                  weights[m] * at_points[m][k];
           }
       }
+  }
+
+
+
+  Vector
+  BeamSurplus::along_axis(const Vector                &u,
+                          const std::vector<AxisSpan> &spans) const
+  {
+    const Axis        &axis = beam.axis();
+    const unsigned int n    = beam.section().n_fields();
+    Vector             result(u);
+    for (const AxisSpan &span : spans)
+      take_interpolation(span, u, result);
+    // Ends of spans are nodes of both axes: what is there is kept whole.
+    const double near = arithmetic::same_place * axis.length();
+    const auto   ends = [&](const double y) {
+      return std::any_of(spans.begin(), spans.end(), [&](const auto &span) {
+        return std::abs(y - span.begin) < near || std::abs(y - span.end) < near;
+      });
+    };
+    for (unsigned int node = 0; node < axis.n_nodes(); ++node)
+      if (ends(axis.nodes()[node]))
+        for (unsigned int k = 0; k < n; ++k)
+          result[beam.dofs().first(node) + k] = 0.;
     return result;
   }
 } // namespace lamella

@@ -1,71 +1,178 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <lamella/estimate/bars_from_below.h>
+#include <lamella/estimate/poorer.h>
 
 #include <algorithm>
 #include <cmath>
+#include <ostream>
 
 namespace lamella
 {
+  namespace
+  {
+    /// Whether all of @p body is LE of @p degree or more.
+    bool
+    is_layerwise(const BodyDescription &body, const unsigned int degree)
+    {
+      const auto is = [degree](const Theory &theory) {
+        return theory.is_layerwise() && theory.order >= degree;
+      };
+      return body.pieces.empty() ? is(body.theory) :
+                                   std::all_of(body.pieces.theories.begin(),
+                                               body.pieces.theories.end(),
+                                               is);
+    }
+  } // namespace
+
+
+
   std::string
   BarsFromBelow::reason_for_none(const Simulation &run)
   {
-    if (!run.results().last().state.active.empty())
-      return "bodies touch, and that the rows which are active are not the "
-             "right ones shows on other meshes only";
-    return Surpluses::reason_for_none(run, BelowRules().least_degree);
+    const unsigned int degree = BelowRules().least_degree;
+    for (const BodyDescription &body : run.model().scene().bodies)
+      if (!is_layerwise(body, degree))
+        return "body " + body.name + " is no beam of LE-" +
+               std::to_string(degree) + " or more";
+    return "";
   }
 
 
 
-  BarsFromBelow::BarsFromBelow(const Simulation &run)
+  BarsFromBelow::BarsFromBelow(const Simulation &run,
+                               std::ostream     &out,
+                               ModelCache       &cache)
     : run(run)
     , of_run(run)
     , dual(run)
   {
     for (const NamedQuantity &quantity : of_run.quantities())
       derivatives.push_back(dual.derivative(quantity));
+    if (Surpluses::reason_for_none(run, rules.least_degree).empty())
+      surpluses = std::make_unique<const Surpluses>(run);
+    if (has_source(run.model().scene(), Source::contact))
+      penalties = std::make_unique<const PenaltyShare>(run);
+    bool compares = false;
+    for (unsigned int k = 0; k < derivatives.size(); ++k)
+      compares = compares || wants_models_of(k);
+    if (compares)
+      solve_poorer_models(out, cache);
   }
 
 
 
   bool
-  BarsFromBelow::is_complete() const
+  BarsFromBelow::wants_models_of(const unsigned int number) const
   {
-    return std::all_of(derivatives.begin(),
-                       derivatives.end(),
-                       [](const auto &one) { return one.has_value(); });
+    return !run.model().scene().contacts.empty() || surpluses == nullptr ||
+           !derivatives[number];
+  }
+
+
+
+  void
+  BarsFromBelow::solve_poorer_models(std::ostream &out, ModelCache &cache)
+  {
+    OtherModels others(run, out, cache);
+    const auto  poorer = [](const Scene &scene) {
+      return of_one_degree_less(on_half_the_axis(scene));
+    };
+    const Scene one = poorer(for_estimates(run.model().scene()));
+    half = others.solved(one, "one degree less, half the axis").numbers;
+    quarter =
+      others.solved(poorer(one), "two degrees less, a quarter of it").numbers;
+    const bool knows_all =
+      std::all_of(derivatives.begin(), derivatives.end(), [](const auto &one) {
+        return one.has_value();
+      });
+    if (penalties != nullptr && !knows_all)
+      exact = others
+                .solved(enriched(one, Source::contact, {}),
+                        "half the axis, no penetration")
+                .numbers;
+  }
+
+
+
+  ErrorBar
+  BarsFromBelow::by_surpluses(const NamedQuantity   &goal,
+                              const SurplusBySource &own) const
+  {
+    const auto &[section, axis] = own;
+    return error_bar_from_below(
+      {{section.last,
+        section.before,
+        std::max(rules.least_of_before * std::abs(section.before),
+                 rules.least_of_sizes * section.by_nodes)},
+       {axis.last, axis.before, rules.least_of_sizes * axis.by_nodes}},
+      of_run.scale_of(goal),
+      of_run.rounding_of(goal));
+  }
+
+
+
+  double
+  BarsFromBelow::share_of_contact(const NamedQuantity &goal) const
+  {
+    if (penalties == nullptr)
+      return 0.;
+    const auto own = penalties->of(goal);
+    return own ? *own : exact->value(goal) - half->value(goal);
+  }
+
+
+
+  ErrorBar
+  BarsFromBelow::by_models(const NamedQuantity                  &goal,
+                           const std::optional<SurplusBySource> &own,
+                           const double of_contact) const
+  {
+    const double change = of_run.numbers().value(goal) - half->value(goal),
+                 before = half->value(goal) - quarter->value(goal);
+    const double by_source =
+      own ? std::abs(own->section.last) + std::abs(own->axis.last) : 0.;
+    const double last =
+      std::copysign(std::max(std::abs(change), by_source), change);
+    ErrorBar bar = error_bar_from_below(
+      {{last, before, rules.least_of_before * std::abs(before)}},
+      of_run.scale_of(goal),
+      of_run.rounding_of(goal));
+    // Whatever the penalty does comes with all of its size.
+    bar.estimate += of_contact;
+    bar.bar += 2. * std::abs(of_contact);
+    return bar;
   }
 
 
 
   GoalResult
-  BarsFromBelow::goal(const unsigned int number,
-                      const Surpluses   &surpluses) const
+  BarsFromBelow::goal(const unsigned int number) const
   {
-    const NamedQuantity &quantity   = of_run.quantities()[number];
-    GoalResult           result     = of_run.bare(number);
-    const auto          &derivative = derivatives[number];
-    if (!derivative)
-      {
-        result.why = "it has no derivative to tell its error by; Error bars = "
-                     "richer compares it with richer models";
-        return result;
-      }
-    const auto [section, axis] = surpluses.of(dual.solve(*derivative).u);
-    const ErrorBar bar         = error_bar_from_below(
-      {{section.last,
-                section.before,
-                std::max(rules.least_of_before * std::abs(section.before),
-                 rules.least_of_sizes * section.by_nodes)},
-               {axis.last, axis.before, rules.least_of_sizes * axis.by_nodes}},
-      result.scale,
-      of_run.rounding_of(quantity));
-    result.estimate = bar.estimate;
-    result.bar      = bar.bar;
-    result.trusted  = bar.trusted;
-    result.why      = bar.why;
-    result.shares   = {{"axis", axis.last}, {"section", section.last}};
+    const NamedQuantity &quantity = of_run.quantities()[number];
+    GoalResult           result   = of_run.bare(number);
+
+    std::optional<SurplusBySource> own;
+    if (derivatives[number] && surpluses != nullptr)
+      own = surpluses->of(dual.solve(*derivatives[number]).u);
+    const double of_contact = share_of_contact(quantity);
+
+    const ErrorBar bar = wants_models_of(number) ?
+                           by_models(quantity, own, of_contact) :
+                           by_surpluses(quantity, *own);
+    result.estimate    = bar.estimate;
+    result.bar         = bar.bar;
+    result.trusted     = bar.trusted;
+    result.why         = bar.why;
+    if (own)
+      result.shares = {{"axis", own->axis.last},
+                       {"section", own->section.last}};
+    else
+      result.shares = {
+        {"axis and section",
+         of_run.numbers().value(quantity) - half->value(quantity)}};
+    if (penalties != nullptr)
+      result.shares.emplace_back(name_of(Source::contact), of_contact);
     return result;
   }
 
@@ -74,10 +181,9 @@ namespace lamella
   std::vector<GoalResult>
   BarsFromBelow::goals() const
   {
-    const Surpluses         surpluses(run);
     std::vector<GoalResult> results;
     for (unsigned int k = 0; k < of_run.quantities().size(); ++k)
-      results.push_back(goal(k, surpluses));
+      results.push_back(goal(k));
     return results;
   }
 } // namespace lamella

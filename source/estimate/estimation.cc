@@ -20,50 +20,7 @@ namespace lamella
     /// The shares of a tolerance that a source of error has to have for
     /// mattering, and those of what all sources do where there is none.
     constexpr double least_of_tolerance = 0.1, least_of_all = 0.02;
-
-    /// What models of one scene differ in.
-    std::string
-    key_of(const Scene &scene)
-    {
-      std::string key;
-      for (const BodyDescription &body : scene.bodies)
-        {
-          key += body.theory.name() + "/" +
-                 std::to_string(body.theory.section_order) + "/" +
-                 std::to_string(body.axis.degree) + "/" +
-                 std::to_string(body.refinement.everywhere);
-          for (const Theory &theory : body.pieces.theories)
-            key += " " + theory.name();
-          for (const unsigned int n : body.axis.elements)
-            key += " " + std::to_string(n);
-          for (const double y : body.axis.breaks)
-            key += " " + to_text(y, 15);
-          key += "; ";
-        }
-      for (const auto &[section, times] : scene.divisions)
-        key += section + "/" + std::to_string(times) + " ";
-      for (const ContactPair &contact : scene.contacts)
-        key += name_of(contact.enforcement);
-      return key;
-    }
   } // namespace
-
-
-
-  const Model *
-  ModelCache::find(const Scene &scene) const
-  {
-    const auto place = models.find(key_of(scene));
-    return place == models.end() ? nullptr : &place->second;
-  }
-
-
-
-  void
-  ModelCache::keep(const Model &model)
-  {
-    models[key_of(model.scene)] = model;
-  }
 
 
 
@@ -74,6 +31,7 @@ namespace lamella
     : run(run)
     , out(out)
     , cache(cache)
+    , others(run, out, cache)
     , effort(effort)
   {}
 
@@ -108,33 +66,6 @@ namespace lamella
     return {for_estimates(run.model().scene()),
             of_run->numbers(),
             sizes_of(run.model())};
-  }
-
-
-
-  Model
-  Estimation::solved(const Scene                                   &scene,
-                     const std::string                             &what,
-                     const std::function<void(const Simulation &)> &look)
-  {
-    if (const Model *known = cache.find(scene); known != nullptr && !look)
-      return *known;
-    std::ostream nowhere(nullptr);
-    out << "  " << what << ": " << std::flush;
-    // Whether the linear model will do is a question to the run itself.
-    Scene compared           = scene;
-    compared.solve.is_judged = false;
-    Simulation     simulation(compared, nowhere, run.model().rules());
-    const Results &results = simulation.solve();
-    const Model    model{simulation.model().scene(),
-                      ResultNumbers(results),
-                      sizes_of(simulation.model())};
-    out << results.n_dofs() << " DoFs, "
-        << to_text(results.seconds.at("total"), 2) << " s" << std::endl;
-    cache.keep(model);
-    if (look)
-      look(simulation);
-    return model;
   }
 
 
@@ -259,14 +190,14 @@ namespace lamella
     const auto look     = [this](const Simulation &finer) { localise(finer); };
     const bool is_first = source == Source::axis && base == 0;
     const bool is_known = cache.find(scene) != nullptr;
-    models.push_back(is_first && !is_known ? solved(scene, what, look) :
-                                             solved(scene, what));
+    models.push_back(is_first && !is_known ? others.solved(scene, what, look) :
+                                             others.solved(scene, what));
     const Step step{source, base, static_cast<unsigned int>(models.size() - 1)};
     steps.push_back(step);
     const bool matters =
       run.model().scene().goals.tolerances.empty() || weight_of(step) >= 1.;
     if (is_first && is_known && matters)
-      solved(scene, what + " (again, for where)", look);
+      others.solved(scene, what + " (again, for where)", look);
     if (matters)
       base = step.to;
   }
@@ -315,7 +246,7 @@ namespace lamella
         scene = enriched(scene, source, models[before_richest].sizes);
         what += std::string(what.empty() ? "" : ", ") + name_of(source);
       }
-    models.push_back(solved(scene, "once more in " + what));
+    models.push_back(others.solved(scene, "once more in " + what));
     has_richest = true;
   }
 

@@ -3,9 +3,12 @@
 #include <lamella/base/exceptions.h>
 #include <lamella/base/text.h>
 #include <lamella/estimate/bars_from_below.h>
+#include <lamella/estimate/bars_from_half.h>
 #include <lamella/estimate/estimation.h>
 #include <lamella/estimate/goal_bars.h>
+#include <lamella/estimate/operations.h>
 
+#include <algorithm>
 #include <optional>
 #include <ostream>
 
@@ -13,28 +16,47 @@ namespace lamella
 {
   namespace
   {
-    /// The goals of @p run with bars from below; none if these are not wanted,
-    /// the run has not enough for them, or they fail.
-    std::optional<std::vector<GoalResult>>
-    goals_from_below(const Simulation &run, std::ostream &out)
+    /// How @p run is compared with models on less of its axis, if it can be;
+    /// where nobody has asked for it, if that costs little.
+    std::optional<HalfPlan>
+    plan_of(const Simulation &run)
     {
-      const ErrorBars wanted = run.model().scene().goals.bars;
-      if (wanted == ErrorBars::richer ||
-          !RunGoals::reason_for_none(run).empty() ||
-          !BarsFromBelow::reason_for_none(run).empty())
+      if (!BarsFromHalf::reason_for_none(run).empty())
         return {};
+      if (run.model().scene().goals.bars != ErrorBars::automatic)
+        return HalfPlan();
+      const HalfRules rules;
+      return BarsFromHalf::plan(run,
+                                std::max(rules.most_of_run * operations(run),
+                                         rules.free_operations));
+    }
+
+
+
+    /// The goals of @p run with bars that need no richer model on the whole
+    /// axis; none if these are not wanted, are not to be had, cost too much or
+    /// fail.
+    std::optional<std::vector<GoalResult>>
+    cheap_goals(const Simulation &run, std::ostream &out, ModelCache &cache)
+    {
+      const bool below = BarsFromBelow::reason_for_none(run).empty();
+      if (run.model().scene().goals.bars == ErrorBars::richer ||
+          !RunGoals::reason_for_none(run).empty())
+        return {};
+      const std::optional<HalfPlan> plan = below ? HalfPlan() : plan_of(run);
+      if (!plan)
+        return {};
+      out << "Error bars, from "
+          << (below ? "poorer models" : "models on coarser axes") << ":"
+          << std::endl;
       std::optional<std::vector<GoalResult>> goals;
       // The run has its numbers: nothing beside it takes them away.
       const Outcome outcome = outcome_of([&] {
-        const BarsFromBelow below(run);
-        if (wanted == ErrorBars::automatic || below.is_complete())
-          goals = below.goals();
+        goals = below ? BarsFromBelow(run, out, cache).goals() :
+                        BarsFromHalf(run, *plan, out, cache).goals();
       });
       if (outcome.status != 0)
-        out << "No error bars from the highest functions of the run: "
-            << trimmed(outcome.message) << std::endl;
-      else if (goals)
-        out << "Error bars, from the highest functions of the run" << std::endl;
+        out << "  failed: " << trimmed(outcome.message) << std::endl;
       return goals;
     }
   } // namespace
@@ -44,9 +66,9 @@ namespace lamella
   GoalBars
   bars_of(const Simulation &run, std::ostream &out)
   {
-    if (const auto goals = goals_from_below(run, out))
-      return {*goals, ""};
     ModelCache cache;
+    if (const auto goals = cheap_goals(run, out, cache))
+      return {*goals, ""};
     Estimation estimation(run, out, cache);
     return {estimation.goals(), estimation.reason_for_none()};
   }

@@ -54,6 +54,14 @@ namespace lamella
 
 
 
+  GoalDual::GoalDual(const Simulation &model, std::vector<unsigned int> rows)
+    : GoalDual(model)
+  {
+    active = std::move(rows);
+  }
+
+
+
   BlockVector
   GoalDual::influence_of_support(const Structure   &structure,
                                  const unsigned int support,

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <lamella/estimate/poorer.h>
 #include <lamella/estimate/surpluses.h>
 
 #include <cmath>
@@ -8,10 +9,10 @@ namespace lamella
 {
   namespace
   {
-    /// Sum over the nodes of all beams of the size of what each has of the
+    /// Sum over the nodes of all @p beams of the size of what each has of the
     /// product of @p v and @p w.
     double
-    sum_of_sizes(const std::vector<const Beam *> &beams,
+    sum_by_nodes(const std::vector<const Beam *> &beams,
                  const BlockVector               &v,
                  const BlockVector               &w)
     {
@@ -44,7 +45,7 @@ namespace lamella
         if (beam == nullptr || !BeamSurplus::is_possible(*beam) ||
             beam->section().element().degree() < least_degree)
           return "body " + bodies[b]->name() + " is no beam of LE-" +
-                 std::to_string(least_degree) + " or more on elements B3 or B4";
+                 std::to_string(least_degree) + " or more";
       }
     return "";
   }
@@ -56,13 +57,55 @@ namespace lamella
   {
     for (const Beam *const beam : beams_of(run.model().structure().bodies()))
       of_beams.push_back(std::make_unique<const BeamSurplus>(*beam));
-    forces                       = parts_of(run.results().last().state.u);
-    const Linearisation &tangent = run.contact_solver().tangent();
-    for (BlockVector *part : {&forces.section,
-                              &forces.section_before,
-                              &forces.axis,
-                              &forces.axis_before})
-      *part = tangent.apply(*part);
+    const Parts parts = parts_of(run.results().last().state.u);
+    for (const auto &[answer, part] :
+         {std::make_pair(&section, &parts.section),
+          std::make_pair(&section_before, &parts.section_before),
+          std::make_pair(&axis, &parts.axis),
+          std::make_pair(&axis_before, &parts.axis_before)})
+      *answer = std::make_unique<const Answer>(answer_to(*part));
+  }
+
+
+
+  Vector
+  Surpluses::openings(const BlockVector &v) const
+  {
+    const auto &active = run.results().last().state.active;
+    Vector      result(active.size());
+    for (unsigned int k = 0; k < active.size(); ++k)
+      result[k] = run.model().rows()[active[k]].opening(v);
+    return result;
+  }
+
+
+
+  Surpluses::Answer
+  Surpluses::answer_to(const BlockVector &v) const
+  {
+    const BlockVector zero = run.model().structure().zero();
+    Answer      answer{run.contact_solver().tangent().apply(v), openings(v)};
+    const auto &active = run.results().last().state.active;
+    if (active.empty())
+      return answer;
+    Vector opened = answer.rows;
+    opened *= -1.;
+    BlockVector unused = zero;
+    run.contact_solver().solve_linear(
+      active, zero, opened, unused, answer.rows);
+    return answer;
+  }
+
+
+
+  double
+  Surpluses::work(const Answer &answer, const BlockVector &z) const
+  {
+    double       sum    = answer.bodies * z;
+    const Vector opened = openings(z);
+    for (unsigned int k = 0; k < opened.size(); ++k)
+      sum -= answer.rows[k] * opened[k];
+    return sum;
   }
 
 
@@ -75,21 +118,34 @@ namespace lamella
     for (unsigned int b = 0; b < of_beams.size(); ++b)
       {
         const BeamSurplus &surplus = *of_beams[b];
-        const unsigned int p       = surplus.section_degree(),
-                           r       = surplus.axis_degree();
-        Vector rest                = v.block(b);
+        const AxisMesh    &axis    = run.model().scene().bodies[b].axis;
+        const unsigned int p       = surplus.section_degree();
+        Vector             rest    = v.block(b);
         parts.section.block(b)     = surplus.in_section(rest, p - 1);
         rest -= parts.section.block(b);
         parts.section_before.block(b) = surplus.in_section(rest, p - 2);
 
         rest                = v.block(b);
-        parts.axis.block(b) = surplus.along_axis(rest, r - 1);
+        parts.axis.block(b) = surplus.along_axis(rest, coarser_spans(axis, 1));
         rest -= parts.axis.block(b);
-        // The space of one degree has no functions inside of elements to drop.
-        if (r > 2)
-          parts.axis_before.block(b) = surplus.along_axis(rest, r - 2);
+        parts.axis_before.block(b) =
+          surplus.along_axis(rest, coarser_spans(axis, 2));
       }
     return parts;
+  }
+
+
+
+  double
+  Surpluses::sizes(const Answer &answer, const BlockVector &z) const
+  {
+    double       sum = sum_by_nodes(beams_of(run.model().structure().bodies()),
+                              answer.bodies,
+                              z);
+    const Vector opened = openings(z);
+    for (unsigned int k = 0; k < opened.size(); ++k)
+      sum += std::abs(answer.rows[k] * opened[k]);
+    return sum;
   }
 
 
@@ -98,12 +154,11 @@ namespace lamella
   Surpluses::of(const BlockVector &z) const
   {
     const Parts parts = parts_of(z);
-    const auto  beams = beams_of(run.model().structure().bodies());
-    return {{forces.section * parts.section,
-             forces.section_before * parts.section_before,
-             sum_of_sizes(beams, forces.section, parts.section)},
-            {forces.axis * parts.axis,
-             forces.axis_before * parts.axis_before,
-             sum_of_sizes(beams, forces.axis, parts.axis)}};
+    return {{work(*section, parts.section),
+             work(*section_before, parts.section_before),
+             sizes(*section, parts.section)},
+            {work(*axis, parts.axis),
+             work(*axis_before, parts.axis_before),
+             sizes(*axis, parts.axis)}};
   }
 } // namespace lamella

@@ -5,9 +5,12 @@
 
 #include <lamella/estimate/error_bar.h>
 #include <lamella/estimate/goal_dual.h>
+#include <lamella/estimate/other_models.h>
+#include <lamella/estimate/penalty_share.h>
 #include <lamella/estimate/run_goals.h>
 #include <lamella/estimate/surpluses.h>
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -19,20 +22,31 @@ namespace lamella
   {
     /// Of the section's expansion: LE-1 to LE-2 says nothing of LE-2.
     unsigned int least_degree = 3;
-    /// Of the change before: what the section's last change is taken for where
-    /// it is small by accident, as of odd and even degrees.
+    /// Of the change before: what the last change is taken for where it is
+    /// small by accident, as of odd and even degrees.
     double least_of_before = 1. / 8.;
     /// Of the sizes by nodes, which may cancel.
     double least_of_sizes = 1. / 4.;
   };
 
   /**
-   * The errors of a run's goals from what the run itself has: what its highest
-   * functions do to a goal, seen through the dual on its own factor
+   * The errors of a run's goals from what is poorer than the run.
+   *
+   * Where no bodies may touch, of goals with a derivative: what the run's
+   * highest functions do to a goal, seen through the dual on its own factor
    * (Surpluses), is about the change from the poorer model, and two such levels
-   * make a bar (error_bar_from_below(), BelowRules). No other model is solved,
-   * so whether the active set is right would not be seen: there are none where
-   * bodies touch.
+   * of section and axis make a bar (error_bar_from_below(), BelowRules).
+   *
+   * Else from two poorer models, on half of the elements with one degree less
+   * and on a quarter with two: with the run's J_0 and theirs, J_1 and J_2, and
+   * the surpluses s of the goals that have any,
+   *   d = max(|s_section| + |s_axis|, |J_0 - J_1|),   e = |J_1 - J_2|.
+   * Each has gap rows of its own mesh and its own active set: what the run's
+   * frozen one cannot see, that it is wrong, these see.
+   *
+   * The penalties of contacts come with what they change (PenaltyShare), or of
+   * goals without a derivative with what exact contact changes on half of the
+   * elements.
    */
   class BarsFromBelow
   {
@@ -43,21 +57,34 @@ namespace lamella
     reason_for_none(const Simulation &run);
 
     /// @p run, whose last step is solved, is referred to. reason_for_none() has
-    /// to be empty. Collective, as is goals().
-    explicit BarsFromBelow(const Simulation &run);
+    /// to be empty. @p out is told of poorer models, a line each, which
+    /// @p cache keeps. Throws what Simulation throws. Collective, as is
+    /// goals().
+    BarsFromBelow(const Simulation &run, std::ostream &out, ModelCache &cache);
 
-    /// The goals of the scene with their bars; those that have no derivative
-    /// say so and have none.
+    /// The goals of the scene with their bars.
     std::vector<GoalResult>
     goals() const;
 
-    /// Whether all goals have a derivative.
-    bool
-    is_complete() const;
-
   private:
+    /// Whether the goal @p number is compared with poorer models.
+    bool
+    wants_models_of(const unsigned int number) const;
+    void
+    solve_poorer_models(std::ostream &out, ModelCache &cache);
+    /// The bar by surpluses alone.
+    ErrorBar
+    by_surpluses(const NamedQuantity &goal, const SurplusBySource &own) const;
+    /// The bar by poorer models, and by surpluses where there are @p own.
+    ErrorBar
+    by_models(const NamedQuantity                  &goal,
+              const std::optional<SurplusBySource> &own,
+              const double                          of_contact) const;
+    /// What the penalties of contacts do to @p goal.
+    double
+    share_of_contact(const NamedQuantity &goal) const;
     GoalResult
-    goal(const unsigned int number, const Surpluses &surpluses) const;
+    goal(const unsigned int number) const;
 
     const Simulation &run;
     BelowRules        rules;
@@ -65,6 +92,13 @@ namespace lamella
     GoalDual          dual;
     /// Of each goal, if it has one.
     std::vector<std::optional<GoalDual::Pair>> derivatives;
+    /// Null where the run has none.
+    std::unique_ptr<const Surpluses> surpluses;
+    /// Null without penalties.
+    std::unique_ptr<const PenaltyShare> penalties;
+    /// On half and a quarter of the elements, and on half of them without
+    /// penetration.
+    std::optional<ResultNumbers> half, quarter, exact;
   };
 } // namespace lamella
 

@@ -12,13 +12,12 @@
 
 #include <lamella/estimate/enrichment.h>
 #include <lamella/estimate/error_bar.h>
+#include <lamella/estimate/other_models.h>
 #include <lamella/estimate/run_goals.h>
 #include <lamella/recover/named_quantity.h>
 #include <lamella/run/simulation.h>
 
-#include <functional>
 #include <iosfwd>
-#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -26,30 +25,6 @@
 
 namespace lamella
 {
-  /// A model that was solved: its scene, its numbers, and how large its bodies
-  /// are.
-  struct Model
-  {
-    Scene                 scene;
-    ResultNumbers         numbers;
-    std::vector<BodySize> sizes;
-  };
-
-  /// Models of one scene that were solved, by what they differ in (theories,
-  /// axes, refinements and enforcements): one that is asked for again is known.
-  class ModelCache
-  {
-  public:
-    /// That of @p scene, or null.
-    const Model *
-    find(const Scene &scene) const;
-    void
-    keep(const Model &model);
-
-  private:
-    std::map<std::string, Model> models;
-  };
-
   /**
    * The errors of a run's goals, from richer models of the same scene:
    *   M_0          the run
@@ -119,12 +94,6 @@ namespace lamella
       unsigned int from = 0, to = 0;
     };
 
-    /// Solves @p scene and tells @p what it is, unless it is known. What solved
-    /// it is handed to @p look before it goes; then it is solved in any case.
-    Model
-    solved(const Scene                                   &scene,
-           const std::string                             &what,
-           const std::function<void(const Simulation &)> &look = {});
     /// M_1 .. M_k, and M_r.
     void
     climb();
@@ -166,6 +135,7 @@ namespace lamella
     const Simulation &run;
     std::ostream     &out;
     ModelCache       &cache;
+    OtherModels       others;
     Effort            effort;
     /// From goals() on.
     std::unique_ptr<const RunGoals> of_run;

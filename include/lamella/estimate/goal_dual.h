@@ -36,6 +36,9 @@ namespace lamella
     /// @p model is solved and referred to. @p influence is its own unless
     /// another one is given. Collective, as all that follows.
     explicit GoalDual(const Simulation &model, Influence influence = {});
+    /// The derivatives with respect to the forces of @p rows; solve() is not
+    /// to be called.
+    GoalDual(const Simulation &model, std::vector<unsigned int> rows);
 
     /// J'_u, and J'_lambda of the active rows; none for what has no derivative
     /// here: a jump, a moment, pressure, width and strips of a contact. Where
@@ -47,7 +50,7 @@ namespace lamella
     Pair
     solve(const Pair &derivative) const;
 
-    /// The rows that are active at the last step.
+    /// The rows that are active at the last step, or those that were given.
     const std::vector<unsigned int> &
     active_rows() const
     {

@@ -16,11 +16,12 @@ namespace lamella
   /// unit, signed.
   struct Surplus
   {
-    /// From one degree less of this source to the run, and from two degrees
-    /// less to one.
+    /// From what is poorer in this source to the run, and from what is poorer
+    /// still to that: one and two degrees less of the section, halves and
+    /// quarters of the elements along the axis (coarser_spans()).
     double last = 0., before = 0.;
-    /// The sum over the nodes of the size of what each has of `last`: parts of
-    /// the axis that cancel do not here.
+    /// The sum over nodes and active rows of the size of what each has of
+    /// `last`: parts of the axis that cancel do not here.
     double by_nodes = 0.;
   };
 
@@ -42,16 +43,22 @@ namespace lamella
    * J. Numer. Anal. 30 (1993) 921-935; Deuflhard, Leinen and Yserentant, IMPACT
    * Comput. Sci. Eng. 1 (1989) 3-35).
    *
-   * Costs a solution with its refinement a goal, eight products with the
-   * stiffness in all. The active set is the run's: that it is wrong is not
-   * seen. Refers to the run, whose last step is solved. Collective.
+   * Where rows are active, (1 - L) u opens them by B (1 - L) u, which the
+   * change of u does not: rows B, their compliance C and softness a held, it
+   * answers with the forces phi = -(C + a)^-1 B (1 - L) u,   which adds   -phi
+   * . B (1 - L) z to the surplus: all that a force which two bodies exert on
+   * each other at a few places changes by.
+   *
+   * Costs a solution with its refinement a goal; four solutions and products
+   * with the stiffness in all. The active set is the run's: that it is wrong is
+   * not seen. Refers to the run, whose last step is solved. Collective.
    */
   class Surpluses
   {
   public:
     /// Why there are none of @p run: a sentence without a full stop, empty if
     /// there are. Every body has to be a beam of LE-N, N at least @p
-    /// least_degree and 2, on elements B3 or B4.
+    /// least_degree and 2, with all fields of the section at all nodes.
     static std::string
     reason_for_none(const Simulation &run, const unsigned int least_degree);
 
@@ -71,11 +78,30 @@ namespace lamella
     Parts
     parts_of(const BlockVector &v) const;
 
+    /// What answers a part of the displacements, v: K v in the bodies and phi
+    /// in the active rows.
+    struct Answer
+    {
+      BlockVector bodies;
+      Vector      rows;
+    };
+    Answer
+    answer_to(const BlockVector &v) const;
+    /// What @p answer does along @p z.
+    double
+    work(const Answer &answer, const BlockVector &z) const;
+    /// The same by the sizes of what nodes and rows have of it.
+    double
+    sizes(const Answer &answer, const BlockVector &z) const;
+    /// How far @p v opens the active rows.
+    Vector
+    openings(const BlockVector &v) const;
+
     const Simulation &run;
     /// A body each.
     std::vector<std::unique_ptr<const BeamSurplus>> of_beams;
-    /// Of the displacements, times the stiffness.
-    Parts forces;
+    /// To the parts of the displacements.
+    std::unique_ptr<const Answer> section, section_before, axis, axis_before;
   };
 } // namespace lamella
 

@@ -212,6 +212,13 @@ namespace lamella
       return *linearisation;
     }
 
+    /// The same for another solver, of other rows on the same stiffness.
+    std::shared_ptr<const Linearisation>
+    shared_tangent() const
+    {
+      return linearisation;
+    }
+
     /// What the user should know of penalties and arithmetic, a sentence each.
     std::vector<std::string>
     warnings() const

@@ -1,0 +1,326 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <lamella/base/text.h>
+#include <lamella/estimate/bars_from_half.h>
+#include <lamella/estimate/poorer.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace lamella
+{
+  namespace
+  {
+    template <typename Is>
+    bool
+    any_body(const Scene &scene, const Is &is)
+    {
+      return std::any_of(scene.bodies.begin(), scene.bodies.end(), is);
+    }
+
+
+
+    bool
+    has_responses(const BodyDescription &body)
+    {
+      return body.theory.is_of_solutions() && body.theory.order > 0;
+    }
+
+
+
+    bool
+    is_of_layers(const BodyDescription &body)
+    {
+      return body.theory.is_layerwise() && body.pieces.empty();
+    }
+
+
+
+    /// @p scene on axes that are halved so often.
+    Scene
+    on_coarser_axis(Scene scene, const unsigned int times)
+    {
+      for (unsigned int time = 0; time < times; ++time)
+        scene = on_half_the_axis(scene);
+      return scene;
+    }
+
+
+
+    /// H_r of the scene of H_p, with LE-@p degree for others than LE.
+    Scene
+    richer_in_section(Scene scene, const unsigned int degree)
+    {
+      for (BodyDescription &body : scene.bodies)
+        if (is_of_layers(body))
+          ++body.theory.order;
+        else
+          {
+            const unsigned int order  = body.theory.section_order;
+            body.theory               = Theory::layerwise(degree);
+            body.theory.section_order = order;
+            // B2 and B3 with assumed shear strains are for theories that lock.
+            body.axis.degree        = 3;
+            body.axis.assumed_shear = false;
+          }
+      return scene;
+    }
+
+
+
+    /// @p scene with fewer wave numbers for SV-N, by @p fewer, but 1 at least.
+    Scene
+    of_fewer_waves(Scene scene, const unsigned int fewer)
+    {
+      for (BodyDescription &body : scene.bodies)
+        if (has_responses(body))
+          body.theory.order -= std::min(fewer, body.theory.order - 1);
+      return scene;
+    }
+
+
+
+    Scene
+    of_lower_section(Scene scene)
+    {
+      for (BodyDescription &body : scene.bodies)
+        if (body.theory.is_of_solutions() && body.theory.section_order > 1)
+          --body.theory.section_order;
+      return of_one_degree_less(scene);
+    }
+  } // namespace
+
+
+
+  std::string
+  BarsFromHalf::reason_for_none(const Simulation &run)
+  {
+    const Scene &scene = run.model().scene();
+    for (const BodyDescription &body : scene.bodies)
+      {
+        if (body.theory.is_solid())
+          return "body " + body.name + " is a solid";
+        if (!body.pieces.empty())
+          return "body " + body.name + " is made of pieces";
+        if (any_body(scene, has_responses) && !has_responses(body) &&
+            !is_of_layers(body))
+          return "body " + body.name + " is of " + body.theory.name() +
+                 " beside bodies of SV-N";
+      }
+    return "";
+  }
+
+
+
+  double
+  BarsFromHalf::operations(const Simulation &run, const HalfPlan &plan)
+  {
+    const Scene                &scene = run.model().scene();
+    const std::vector<BodySize> sizes = sizes_of(run.model());
+    const Scene                 rich  = richer_in_section(scene, plan.degree);
+    double                      sum   = 0.;
+    for (unsigned int b = 0; b < sizes.size(); ++b)
+      {
+        const double nodes = sizes[b].nodes * std::pow(0.5, plan.times);
+        const auto   take  = [&](const unsigned int degree) {
+          const double m = dofs_of_layers(sizes[b], degree) / sizes[b].nodes;
+          return HalfRules().of_block * nodes * m * m * m;
+        };
+        // H_r, and what is one degree less: H_p or H_l.
+        const unsigned int degree = rich.bodies[b].theory.order;
+        sum += take(degree) + (degree > 1 ? take(degree - 1) : 0.);
+      }
+    return sum;
+  }
+
+
+
+  std::optional<HalfPlan>
+  BarsFromHalf::plan(const Simulation &run, const double most)
+  {
+    // They share the run's end fields, and take about half of its seconds.
+    if (any_body(run.model().scene(), has_responses))
+      return HalfPlan();
+    for (const HalfPlan &plan :
+         {HalfPlan{1, 2}, HalfPlan{2, 2}, HalfPlan{1, 1}, HalfPlan{2, 1}})
+      if (operations(run, plan) <= most)
+        return plan;
+    return std::nullopt;
+  }
+
+
+
+  BarsFromHalf::BarsFromHalf(const Simulation &run,
+                             const HalfPlan   &plan,
+                             std::ostream     &out,
+                             ModelCache       &cache)
+    : run(run)
+    , chosen(plan)
+    , of_run(run)
+  {
+    const Scene scene = for_estimates(run.model().scene());
+    layerwise =
+      std::all_of(scene.bodies.begin(), scene.bodies.end(), is_of_layers);
+    OtherModels others(run, out, cache);
+    if (has_source(scene, Source::contact))
+      penalties = std::make_unique<const PenaltyShare>(run);
+    if (any_body(scene, has_responses))
+      solve_sources(others, scene);
+    else
+      solve_levels(others, scene);
+  }
+
+
+
+  void
+  BarsFromHalf::solve_levels(OtherModels &others, const Scene &scene)
+  {
+    const Scene half_scene = on_coarser_axis(scene, chosen.times);
+    const Scene rich       = richer_in_section(half_scene, chosen.degree);
+    const Scene low        = of_one_degree_less(layerwise ? half_scene : rich);
+    half                   = others.solved(half_scene, "coarser axis").numbers;
+    richer = others.solved(rich, "coarser axis, richer section").numbers;
+    if (any_body(layerwise ? half_scene : rich, [](const auto &body) {
+          return is_of_layers(body) && body.theory.order > 1;
+        }))
+      lower = others.solved(low, "coarser axis, poorer section").numbers;
+    if (penalties != nullptr)
+      exact = others
+                .solved(enriched(half_scene, Source::contact, {}),
+                        "coarser axis, no penetration")
+                .numbers;
+  }
+
+
+
+  void
+  BarsFromHalf::solve_sources(OtherModels &others, const Scene &scene)
+  {
+    const auto add = [&](const std::string &what, const Scene &poor) {
+      poorer.emplace_back(what,
+                          others.solved(poor, "poorer in " + what).numbers);
+    };
+    add(name_of(Source::axis), on_half_the_axis(scene));
+    add(name_of(Source::fields), of_fewer_waves(scene, rules.fewer_waves));
+    add(name_of(Source::section), of_lower_section(scene));
+    half = poorer.front().second;
+    if (penalties != nullptr)
+      exact = others
+                .solved(enriched(on_half_the_axis(scene), Source::contact, {}),
+                        "coarser axis, no penetration")
+                .numbers;
+  }
+
+
+
+  double
+  BarsFromHalf::share_of_contact(const NamedQuantity &goal) const
+  {
+    if (penalties == nullptr)
+      return 0.;
+    const auto own = penalties->of(goal);
+    return own ? *own : exact->value(goal) - half.value(goal);
+  }
+
+
+
+  ErrorBar
+  BarsFromHalf::by_levels(const NamedQuantity &goal) const
+  {
+    const double value  = of_run.numbers().value(goal),
+                 change = richer.value(goal) - half.value(goal),
+                 scale  = of_run.scale_of(goal);
+    ErrorBar bar;
+    bar.estimate = change;
+    bar.trusted  = true;
+    bar.bar      = 2. * std::abs(change) + std::abs(value - half.value(goal));
+    if (!lower)
+      return bar;
+    const double before =
+      (layerwise ? half : richer).value(goal) - lower->value(goal);
+    bar.bar =
+      std::max(bar.bar,
+               (layerwise ? rules.least_of_before : 1.) * std::abs(before));
+    if (layerwise && std::abs(change) > rules.most_left * std::abs(before) &&
+        std::abs(change) > rules.small * scale)
+      {
+        bar.trusted = false;
+        bar.why     = "the last degree of the section changes it by " +
+                  to_text(100. * before / scale, 2) +
+                  " % and the next one by " +
+                  to_text(100. * change / scale, 2) +
+                  " %: it grows, or the section is too coarse";
+      }
+    return bar;
+  }
+
+
+
+  ErrorBar
+  BarsFromHalf::by_sources(const NamedQuantity &goal) const
+  {
+    const double scale   = of_run.scale_of(goal);
+    double       changed = 0.;
+    ErrorBar     bar;
+    bar.trusted = true;
+    for (const auto &[source, numbers] : poorer)
+      {
+        const double change =
+          of_run.numbers().value(goal) - numbers.value(goal);
+        bar.estimate += change;
+        bar.bar +=
+          (source == name_of(Source::axis) ? rules.of_axis : rules.of_fields) *
+          std::abs(change);
+        changed += std::abs(change);
+      }
+    if (changed > rules.most_changed * scale)
+      {
+        bar.trusted = false;
+        bar.why     = "models that are a little poorer change it by " +
+                  to_text(100. * changed / scale, 2) +
+                  " %, as at a point load, at the edge of a clamp or at the "
+                  "corner of a punch. Ask for it at some distance from there, "
+                  "or refine theory and mesh";
+      }
+    return bar;
+  }
+
+
+
+  GoalResult
+  BarsFromHalf::goal(const unsigned int number) const
+  {
+    const NamedQuantity &quantity = of_run.quantities()[number];
+    const double         value    = of_run.numbers().value(quantity),
+                 of_contact       = share_of_contact(quantity);
+    const ErrorBar bar =
+      poorer.empty() ? by_levels(quantity) : by_sources(quantity);
+    GoalResult result = of_run.bare(number);
+    // Whatever the penalty does comes with all of its size.
+    result.estimate = bar.estimate + of_contact;
+    result.bar      = std::max(bar.bar + 2. * std::abs(of_contact),
+                          of_run.rounding_of(quantity));
+    result.trusted  = bar.trusted;
+    result.why      = bar.why;
+    if (poorer.empty())
+      result.shares = {{name_of(Source::axis), value - half.value(quantity)},
+                       {name_of(layerwise ? Source::section : Source::fields),
+                        richer.value(quantity) - half.value(quantity)}};
+    for (const auto &[source, numbers] : poorer)
+      result.shares.emplace_back(source, value - numbers.value(quantity));
+    if (penalties != nullptr)
+      result.shares.emplace_back(name_of(Source::contact), of_contact);
+    return result;
+  }
+
+
+
+  std::vector<GoalResult>
+  BarsFromHalf::goals() const
+  {
+    std::vector<GoalResult> results;
+    for (unsigned int k = 0; k < of_run.quantities().size(); ++k)
+      results.push_back(goal(k));
+    return results;
+  }
+} // namespace lamella

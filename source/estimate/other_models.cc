@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <lamella/base/names.h>
+#include <lamella/base/text.h>
+#include <lamella/estimate/other_models.h>
+
+#include <ostream>
+
+namespace lamella
+{
+  namespace
+  {
+    /// What models of one scene differ in.
+    std::string
+    key_of(const Scene &scene)
+    {
+      std::string key;
+      for (const BodyDescription &body : scene.bodies)
+        {
+          key += body.theory.name() + "/" +
+                 std::to_string(body.theory.section_order) + "/" +
+                 std::to_string(body.axis.degree) + "/" +
+                 std::to_string(body.refinement.everywhere);
+          for (const Theory &theory : body.pieces.theories)
+            key += " " + theory.name();
+          for (const unsigned int n : body.axis.elements)
+            key += " " + std::to_string(n);
+          for (const double y : body.axis.breaks)
+            key += " " + to_text(y, 15);
+          key += "; ";
+        }
+      for (const auto &[section, times] : scene.divisions)
+        key += section + "/" + std::to_string(times) + " ";
+      for (const ContactPair &contact : scene.contacts)
+        key += name_of(contact.enforcement);
+      return key;
+    }
+  } // namespace
+
+
+
+  const Model *
+  ModelCache::find(const Scene &scene) const
+  {
+    const auto place = models.find(key_of(scene));
+    return place == models.end() ? nullptr : &place->second;
+  }
+
+
+
+  void
+  ModelCache::keep(const Model &model)
+  {
+    models[key_of(model.scene)] = model;
+  }
+
+
+
+  OtherModels::OtherModels(const Simulation &run,
+                           std::ostream     &out,
+                           ModelCache       &cache)
+    : run(run)
+    , out(out)
+    , cache(cache)
+  {}
+
+
+
+  Model
+  OtherModels::solved(const Scene                                   &scene,
+                      const std::string                             &what,
+                      const std::function<void(const Simulation &)> &look)
+  {
+    if (const Model *known = cache.find(scene); known != nullptr && !look)
+      return *known;
+    std::ostream nowhere(nullptr);
+    out << "  " << what << ": " << std::flush;
+    // Whether the linear model will do is a question to the run itself.
+    Scene compared           = scene;
+    compared.solve.is_judged = false;
+    Simulation     simulation(compared, nowhere, run.model().rules());
+    const Results &results = simulation.solve();
+    const Model    model{simulation.model().scene(),
+                      ResultNumbers(results),
+                      sizes_of(simulation.model())};
+    out << results.n_dofs() << " DoFs, "
+        << to_text(results.seconds.at("total"), 2) << " s" << std::endl;
+    cache.keep(model);
+    if (look)
+      look(simulation);
+    return model;
+  }
+} // namespace lamella
