@@ -1,0 +1,226 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+// Bars from poorer models, from models on half of the axis and from exact rows
+// in the place of penalties, against models that are solved.
+
+#include <lamella/estimate/bars_from_below.h>
+#include <lamella/estimate/bars_from_half.h>
+#include <lamella/estimate/penalty_share.h>
+#include <lamella/estimate/poorer.h>
+#include <lamella/scene/scene_text.h>
+
+#include "quantities.h"
+#include <boost/test/unit_test.hpp>
+
+#include <cmath>
+#include <ostream>
+
+BOOST_AUTO_TEST_SUITE(poorer_models)
+
+using namespace lamella;
+
+namespace
+{
+  /// A scene that is solved.
+  struct Solved
+  {
+    Solved(const std::string &file, const std::vector<std::string> &overrides)
+      : nowhere(nullptr)
+      , run(read_scene(SceneText::read(LAMELLA_SOURCE_DIR + file, overrides)),
+            nowhere)
+    {
+      run.solve();
+    }
+
+    double
+    value(const NamedQuantity &goal) const
+    {
+      return ResultNumbers(run.results()).value(goal);
+    }
+
+    GoalResult
+    from_below()
+    {
+      return BarsFromBelow(run, nowhere, cache).goals().front();
+    }
+
+    GoalResult
+    from_half(const HalfPlan &plan = {})
+    {
+      return BarsFromHalf(run, plan, nowhere, cache).goals().front();
+    }
+
+    std::ostream nowhere;
+    Simulation   run;
+    ModelCache   cache;
+  };
+
+
+
+  AxisMesh
+  axis_of(const std::vector<double> &lengths)
+  {
+    AxisMesh axis;
+    for (const double length : lengths)
+      {
+        if (axis.length > 0.)
+          axis.breaks.push_back(axis.length);
+        axis.length += length;
+        axis.elements.push_back(1);
+      }
+    return axis;
+  }
+
+
+
+  Solved
+  crossed(const std::string &theory, const std::vector<std::string> &more = {})
+  {
+    std::vector<std::string> overrides{"Theory=" + theory,
+                                       "Goals/Quantities=cross: fz"};
+    overrides.insert(overrides.end(), more.begin(), more.end());
+    return {"/tests/scenes/crossed_beams.prm", overrides};
+  }
+
+
+
+  const NamedQuantity force =
+    quantity_of(NamedQuantity::Of::contact, "cross", "fz");
+} // namespace
+
+
+
+BOOST_AUTO_TEST_CASE(half_of_the_elements_has_the_same_ends)
+{
+  // Equal elements, and an odd one among them.
+  AxisMesh equal;
+  equal.length   = 7.;
+  equal.elements = {4, 3};
+  equal.breaks   = {4.};
+  BOOST_TEST(element_lengths(halved(equal)) ==
+               (std::vector<double>{2., 2., 1., 2.}),
+             boost::test_tools::per_element());
+  // Graded to a place in the middle and to one end: both stay.
+  const AxisMesh graded = axis_of({4., 2., 1., 1., 2., 4., 4., 2., 1.});
+  BOOST_TEST(element_lengths(halved(graded)) ==
+               (std::vector<double>{4., 3., 3., 4., 6., 1.}),
+             boost::test_tools::per_element());
+  BOOST_TEST(element_lengths(halved(axis_of({3.}))).size() == 1u);
+}
+
+
+
+BOOST_AUTO_TEST_CASE(an_element_without_a_partner_loses_a_degree)
+{
+  const std::vector<AxisSpan> once  = coarser_spans(axis_of({1., 1., 1.}), 1),
+                              twice = coarser_spans(axis_of({1., 1., 1.}), 2);
+  BOOST_TEST(once.size() == 2u);
+  BOOST_TEST(once[0].degree == 2u);
+  BOOST_TEST(once[1].degree == 3u);
+  BOOST_TEST(twice.size() == 1u);
+  BOOST_TEST(twice[0].degree == 3u);
+  BOOST_TEST(coarser_spans(axis_of({1.}), 2).front().degree == 1u);
+}
+
+
+
+BOOST_AUTO_TEST_CASE(rows_that_a_surplus_opens_answer_it)
+{
+  // What the two beams exert on each other changes by what the rows answer;
+  // the bodies alone do not tell it.
+  const Solved    rich = crossed("LE-3"), poor = crossed("LE-2");
+  const GoalDual  dual(rich.run);
+  const Surpluses surpluses(rich.run);
+  const double    change = rich.value(force) - poor.value(force);
+  const double    surplus =
+    surpluses.of(dual.solve(*dual.derivative(force)).u).section.last;
+  BOOST_TEST_CONTEXT(change << ' ' << surplus)
+  {
+    BOOST_TEST(surplus / change > 0.3);
+    BOOST_TEST(surplus / change < 3.);
+  }
+}
+
+
+
+BOOST_AUTO_TEST_CASE(exact_rows_on_the_run_s_own_stiffness)
+{
+  const std::string penalty = "Contact cross/Enforcement=penalty",
+                    soft    = "Contact cross/Penalty=200";
+  const Solved run = crossed("LE-2", {penalty, soft}), exact = crossed("LE-2");
+  const double change = exact.value(force) - run.value(force);
+  BOOST_TEST(std::abs(change) > 0.01 * std::abs(run.value(force)));
+  BOOST_TEST(*PenaltyShare(run.run).of(force) == change,
+             boost::test_tools::tolerance(1e-8));
+}
+
+
+
+BOOST_AUTO_TEST_CASE(bars_hold_where_bodies_touch)
+{
+  // The truth is richer in section and axis.
+  const double truth = crossed("LE-4",
+                               {"Body upper/Kinematics/Axis elements=3, 4, 3",
+                                "Body lower/Kinematics/Axis elements=3, 5, 3"})
+                         .value(force);
+  const GoalResult rich = crossed("LE-3").from_below(),
+                   poor = crossed("LE-2").from_half(),
+                   thin = crossed("EBBT").from_half();
+  for (const GoalResult &goal : {rich, poor, thin})
+    BOOST_TEST_CONTEXT(goal.value << " +- " << goal.bar << ", truth " << truth)
+    {
+      BOOST_TEST(goal.trusted);
+      BOOST_TEST(std::abs(truth - goal.value) <= goal.bar);
+      BOOST_TEST(goal.bar < 20. * std::abs(truth - goal.value));
+    }
+}
+
+
+
+BOOST_AUTO_TEST_CASE(a_theory_that_is_far_off_says_so_in_a_number)
+{
+  // 13 times the force of the sandwich, told for the price of LE-1 on a
+  // quarter of the axis.
+  Solved           run("/prm/sandwich.prm",
+             {"Theory=EBBT", "Goals/Quantities=indentation: fz"});
+  const HalfPlan   cheap{2, 1};
+  const GoalResult goal = run.from_half(cheap);
+  BOOST_TEST(goal.value > 9000.);
+  BOOST_TEST(goal.bar > 0.9 * goal.value);
+  BOOST_TEST(goal.value - goal.bar < 755.);
+  // That is what is taken where nobody asks for bars.
+  const auto plan = BarsFromHalf::plan(run.run, HalfRules().free_operations);
+  BOOST_REQUIRE(plan.has_value());
+  BOOST_TEST(plan->degree == cheap.degree);
+  BOOST_TEST(plan->times == cheap.times);
+  BOOST_TEST(!BarsFromHalf::plan(run.run, 1.).has_value());
+}
+
+
+
+BOOST_AUTO_TEST_CASE(bars_of_responses_hold)
+{
+  const std::string scene = "/tests/scenes/double_t.prm",
+                    goals = "Goals/Quantities=edge: uz";
+  Solved           run(scene, {"Theory=SV-6", goals});
+  const GoalResult goal = run.from_half();
+  // LE-6 on a mesh twice as fine (scripts/measure bars_below).
+  const double truth = -0.1304039;
+  BOOST_TEST(goal.trusted);
+  BOOST_TEST(std::abs(truth - goal.value) <= goal.bar);
+  BOOST_TEST(goal.bar < 0.02 * goal.scale);
+  BOOST_TEST(goal.shares.size() == 3u);
+}
+
+
+
+BOOST_AUTO_TEST_CASE(what_has_no_bars_of_either_kind_says_why)
+{
+  BOOST_TEST(BarsFromBelow::reason_for_none(crossed("LE-2").run).find("LE-3") !=
+             std::string::npos);
+  BOOST_TEST(
+    BarsFromHalf::reason_for_none(crossed("solid-1").run).find("solid") !=
+    std::string::npos);
+}
+
+BOOST_AUTO_TEST_SUITE_END()
