@@ -6,15 +6,6 @@
 
 namespace lamella
 {
-  namespace
-  {
-    /// Values below this share of the largest of their kind have that for a
-    /// scale.
-    constexpr double near_zero = 1e-3;
-  } // namespace
-
-
-
   std::string
   RunGoals::reason_for_none(const Simulation &run)
   {
@@ -28,8 +19,9 @@ namespace lamella
 
 
 
-  RunGoals::RunGoals(const Simulation &run)
+  RunGoals::RunGoals(const Simulation &run, const GoalRules &rules)
     : run(run)
+    , rules(rules)
     , values(run.results())
   {
     const GoalParameters &goals = run.model().scene().goals;
@@ -45,8 +37,10 @@ namespace lamella
   RunGoals::scale_of(const NamedQuantity &quantity) const
   {
     const double value   = std::abs(values.value(quantity)),
-                 largest = values.largest_of_kind(quantity);
-    return value > near_zero * largest ? value : largest;
+                 all     = values.largest_of_kind(quantity),
+                 own     = values.largest_in_material(quantity),
+                 largest = own > rules.nothing * all ? own : all;
+    return value > rules.near_zero * largest ? value : largest;
   }
 
 

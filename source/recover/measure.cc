@@ -59,17 +59,6 @@ namespace lamella
 
 
 
-    /// Columns of one kind have one unit: their first letters tell, those of
-    /// shear strains but for.
-    char
-    kind_of(const NamedQuantity &quantity)
-    {
-      const char letter = quantity.column[0];
-      return letter == 'g' ? 'e' : letter;
-    }
-
-
-
     /// What @p entry, Over, divides by, with @p distance between the probes.
     double
     parse_over(const Entry &entry, const double distance)
@@ -111,7 +100,7 @@ namespace lamella
         quantity.terms.push_back(term);
       }
     const NamedQuantity &a = quantity.terms[0], &b = quantity.terms[1];
-    if (kind_of(a) != kind_of(b))
+    if (a.kind() != b.kind())
       of.refuse(a.column + " and " + b.column +
                   " are of different kinds and have no difference",
                 "Take two displacements, two strains or two stresses.");
@@ -119,6 +108,7 @@ namespace lamella
       of.refuse("is zero whatever happens", "Name two probes, or two columns.");
     quantity.over =
       parse_over(in["Over"], places.front().distance(places.back()));
+    quantity.is_plain = quantity.over == 1. && in["Over"].text() != "distance";
     const std::vector<Reference> references =
       parse_references(in["References"], {quantity.column});
     if (!references.empty())

@@ -24,6 +24,46 @@ namespace lamella
 
 
 
+  char
+  kind_of_column(const std::string &column)
+  {
+    return column[0] == 'g' ? 'e' : column[0];
+  }
+
+
+
+  char
+  NamedQuantity::kind() const
+  {
+    return of == Of::measure ? terms[0].kind() : kind_of_column(column);
+  }
+
+
+
+  std::string
+  NamedQuantity::unit(const Units &units) const
+  {
+    if (!is_plain)
+      return "";
+    switch (kind())
+      {
+        case 'u':
+        case 'w':
+          return units.length;
+        case 's':
+        case 'p':
+          return units.stress;
+        case 'f':
+          return units.force;
+        case 'm':
+          return trimmed(units.force + " " + units.length);
+        default:
+          return "";
+      }
+  }
+
+
+
   namespace
   {
     /// The first of @p references of @p column.

@@ -29,6 +29,21 @@ namespace lamella
 
 
 
+  namespace
+  {
+    /// Empty of a mean over several plies.
+    std::string
+    material_of(const Results &results, const FieldRow &row)
+    {
+      for (const BodyFacts &body : results.bodies)
+        if (body.name == row.body && row.ply < body.materials.size())
+          return body.materials[row.ply];
+      return "";
+    }
+  } // namespace
+
+
+
   ResultNumbers::ResultNumbers(const Results &results)
   {
     const auto six = [](const Tensor<1, 3> &force, const Tensor<1, 3> &moment) {
@@ -51,7 +66,8 @@ namespace lamella
     for (unsigned int k = 0; k < results.probes.size(); ++k)
       for (const FieldRow &row : step.probes[k])
         {
-          probes.push_back({results.probes[k], row.ply + 1, {}});
+          probes.push_back(
+            {results.probes[k], row.ply + 1, material_of(results, row), {}});
           const std::vector<double> values = field_values(row.sample);
           for (unsigned int c = 0; c < values.size(); ++c)
             probes.back().columns[field_names()[c]] = values[c];
@@ -187,7 +203,10 @@ namespace lamella
     json.at("supports").get_to(supports);
     json.at("contacts").get_to(contacts);
     for (const auto &row : json.at("probes"))
-      probes.push_back({row.at("probe"), row.at("ply"), row.at("columns")});
+      probes.push_back({row.at("probe"),
+                        row.at("ply"),
+                        row.at("material"),
+                        row.at("columns")});
   }
 
 
@@ -197,8 +216,10 @@ namespace lamella
   {
     nlohmann::json rows = nlohmann::json::array();
     for (const ProbeRow &row : probes)
-      rows.push_back(
-        {{"probe", row.probe}, {"ply", row.ply}, {"columns", row.columns}});
+      rows.push_back({{"probe", row.probe},
+                      {"ply", row.ply},
+                      {"material", row.material},
+                      {"columns", row.columns}});
     nlohmann::json of_contacts = nlohmann::json::object();
     for (const auto &[name, traction] : tractions)
       of_contacts[name] = traction_json(traction);
@@ -308,16 +329,14 @@ namespace lamella
       return std::max(largest_of_kind(quantity.terms[0]),
                       largest_of_kind(quantity.terms[1])) /
              std::abs(quantity.over);
-    // Kinds are told by the first letter: u, e, s of a probe, f, m of a
-    // resultant, p and w of a contact.
-    const char kind    = quantity.column[0];
+    const char kind    = quantity.kind();
     double     largest = 0.;
-    for (const ProbeRow &row : probes)
-      for (const auto &[column, value] : row.columns)
-        if (quantity.of == NamedQuantity::Of::probe && column[0] == kind)
-          largest = std::max(largest, std::abs(value));
     if (quantity.of == NamedQuantity::Of::probe)
-      return largest;
+      {
+        for (const ProbeRow &row : probes)
+          largest = std::max(largest, largest_of(kind, row));
+        return largest;
+      }
     for (const auto *resultants : {&supports, &contacts})
       for (const auto &resultant : *resultants)
         for (unsigned int c = 0; c < 6; ++c)
@@ -333,5 +352,42 @@ namespace lamella
             largest = std::max(largest, patch.width(d));
       }
     return largest;
+  }
+
+
+
+  double
+  ResultNumbers::largest_of(const char kind, const ProbeRow &row)
+  {
+    double largest = 0.;
+    for (const auto &[column, value] : row.columns)
+      if (kind_of_column(column) == kind)
+        largest = std::max(largest, std::abs(value));
+    return largest;
+  }
+
+
+
+  double
+  ResultNumbers::largest_in_material(const NamedQuantity &quantity) const
+  {
+    if (quantity.of == NamedQuantity::Of::measure)
+      return std::max(largest_in_material(quantity.terms[0]),
+                      largest_in_material(quantity.terms[1])) /
+             std::abs(quantity.over);
+    const char kind = quantity.kind();
+    if (quantity.of != NamedQuantity::Of::probe || (kind != 's' && kind != 'e'))
+      return largest_of_kind(quantity);
+    std::optional<double> least;
+    for (const ProbeRow *own : rows_of(quantity.name))
+      if (quantity.ply == 0 || quantity.ply == own->ply)
+        {
+          double largest = largest_of(kind, *own);
+          for (const ProbeRow &row : probes)
+            if (!own->material.empty() && row.material == own->material)
+              largest = std::max(largest, largest_of(kind, row));
+          least = std::min(least.value_or(largest), largest);
+        }
+    return least.value_or(0.);
   }
 } // namespace lamella

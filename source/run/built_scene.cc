@@ -268,8 +268,12 @@ namespace lamella
     found.size       = whole->size();
     found.loads      = whole->load_resultants();
     for (const auto &body : whole->bodies())
-      found.bodies.push_back(
-        {body->name(), body->theory(), body->n_dofs(), {}});
+      {
+        found.bodies.push_back(
+          {body->name(), body->theory(), body->n_dofs(), {}});
+        for (const Ply &ply : body->plies())
+          found.bodies.back().materials.push_back(ply.material);
+      }
     for (unsigned int k = 0; k < contacts.size(); ++k)
       found.contacts.push_back(
         contact_facts(contacts[k], given.contacts[k].enforcement));

@@ -20,6 +20,7 @@
 #include <boost/test/unit_test.hpp>
 
 #include <ostream>
+#include <tuple>
 
 BOOST_AUTO_TEST_SUITE(goals)
 
@@ -517,6 +518,37 @@ BOOST_AUTO_TEST_CASE(tolerances)
   for (const std::string text :
        {"0", "-1", "nan", "one", "1e-7", "100.1", "1, 2, 3", "1, 0"})
     BOOST_CHECK_THROW(read(text), InputError);
+}
+
+
+
+BOOST_AUTO_TEST_CASE(units_of_quantities)
+{
+  const Units   units{"mm", "N", "MPa", 1e-6};
+  NamedQuantity quantity;
+  quantity.of = NamedQuantity::Of::probe;
+  for (const auto &[column, kind, unit] :
+       std::vector<std::tuple<std::string, char, std::string>>{
+         {"uy", 'u', "mm"},
+         {"gxz", 'e', ""},
+         {"s12", 's', "MPa"},
+         {"jump", 'j', ""},
+         {"fz", 'f', "N"},
+         {"mx", 'm', "N mm"},
+         {"pressure", 'p', "MPa"},
+         {"width x", 'w', "mm"}})
+    {
+      quantity.column = column;
+      BOOST_TEST(quantity.kind() == kind);
+      BOOST_TEST(quantity.unit(units) == unit);
+      BOOST_TEST(quantity.unit(Units{"", "", "", 1.}).empty());
+    }
+  NamedQuantity measure;
+  measure.of    = NamedQuantity::Of::measure;
+  measure.terms = {quantity, quantity};
+  BOOST_TEST(measure.unit(units) == "mm");
+  measure.is_plain = false;
+  BOOST_TEST(measure.unit(units).empty());
 }
 
 BOOST_AUTO_TEST_SUITE_END()

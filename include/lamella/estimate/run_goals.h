@@ -3,6 +3,7 @@
 #ifndef lamella_estimate_run_goals_h
 #define lamella_estimate_run_goals_h
 
+#include <lamella/base/arithmetic.h>
 #include <lamella/recover/named_quantity.h>
 #include <lamella/run/simulation.h>
 
@@ -11,6 +12,16 @@
 
 namespace lamella
 {
+  /// What decides which scale a goal has: shares of the largest of a kind.
+  struct GoalRules
+  {
+    /// Values below this have the largest of their kind for a scale.
+    double near_zero = 1e-3;
+    /// A material whose largest is below this of the scene's bears nothing but
+    /// rounding, which is no scale.
+    double nothing = arithmetic::negligible;
+  };
+
   /// The goals of a run that is solved: their values, and what errors of them
   /// are small against. Refers to the run.
   class RunGoals
@@ -21,7 +32,7 @@ namespace lamella
     static std::string
     reason_for_none(const Simulation &run);
 
-    explicit RunGoals(const Simulation &run);
+    explicit RunGoals(const Simulation &run, const GoalRules &rules = {});
 
     /// The quantities of the scene, those of whole probes among them.
     const std::vector<NamedQuantity> &
@@ -36,13 +47,15 @@ namespace lamella
       return values;
     }
 
-    /// |value| of @p quantity, or the largest of its kind where that is near
-    /// zero.
+    /// |value| of @p quantity, or where that is near zero the largest of its
+    /// kind, of strains and stresses that in its material
+    /// (ResultNumbers::largest_in_material()).
     double
     scale_of(const NamedQuantity &quantity) const;
 
     /// What the arithmetic leaves open of @p quantity: the last correction of
-    /// the displacements, as a share of the largest of its kind.
+    /// the displacements, as a share of the largest of its kind,
+    /// in whatever material: stresses of all come from the same solution.
     double
     rounding_of(const NamedQuantity &quantity) const;
 
@@ -52,6 +65,7 @@ namespace lamella
 
   private:
     const Simulation          &run;
+    GoalRules                  rules;
     ResultNumbers              values;
     std::vector<NamedQuantity> all;
   };

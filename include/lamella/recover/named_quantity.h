@@ -51,12 +51,31 @@ namespace lamella
     /// less the second, over a number that is not zero.
     std::vector<NamedQuantity> terms = {};
     double                     over  = 1.;
+    /// Whether that is 1 and no distance, so that the unit stays.
+    bool is_plain = true;
 
     /// `upper_top: uz`, with a ply `middle/2: syz`, with a strip `roller: fz in
     /// y 40 60`, as the scene says it.
     std::string
     label() const;
+
+    /// Numbers of one kind can be compared. Its letter: u displacement, e
+    /// strain, s stress, j jump of a probe, f force, m moment, p pressure, w
+    /// width. Of a measure that of its terms.
+    char
+    kind() const;
+
+    /// As @p units label it: `mm`, `MPa`, `N`, `N mm`. Empty of strains and
+    /// jumps, of measures that are over something, and in a scene without
+    /// units.
+    std::string
+    unit(const Units &units) const;
   };
+
+  /// NamedQuantity::kind() of the column @p column: its first letter, of shear
+  /// strains that of strains.
+  char
+  kind_of_column(const std::string &column);
 
   /// The difference of a column at two probes, over a number or over their
   /// distance: a twist, an indentation, an opening.
@@ -170,15 +189,34 @@ namespace lamella
     double
     largest_of_kind(const NamedQuantity &quantity) const;
 
+    /**
+     * The same of a strain or a stress among the probes in the material of its
+     * ply, in any body and at any angle, its own among them: what a stiff face
+     * bears says nothing of a soft core. So where no other probe is in the
+     * material, all six components at the place itself are what is compared. On
+     * an interface that names no ply the material with the least. A box that
+     * reaches into several plies is of no material, and is compared with
+     * itself alone. Of everything else largest_of_kind(): displacements and
+     * forces are continuous from one material to the next.
+     */
+    double
+    largest_in_material(const NamedQuantity &quantity) const;
+
   private:
     /// A row of a probe, of one ply (from 1 at the bottom).
     struct ProbeRow
     {
       std::string  probe;
       unsigned int ply = 0;
+      /// Of the ply; empty of a mean over several.
+      std::string material;
       /// By the names of probes.csv.
       std::map<std::string, double> columns;
     };
+
+    /// The largest magnitude of the columns of @p kind in @p row.
+    static double
+    largest_of(const char kind, const ProbeRow &row);
 
     /// Those of one probe, a ply each, from the bottom.
     std::vector<const ProbeRow *>

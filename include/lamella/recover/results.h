@@ -104,6 +104,8 @@ namespace lamella
     unsigned int dofs = 0;
     /// What solving it took; nothing under the `full` strategy.
     std::optional<SolverStatistics> solver;
+    /// Of each ply the name of its material.
+    std::vector<std::string> materials = {};
   };
 
   /// What a contact is to those who read results.
