@@ -105,10 +105,8 @@ namespace lamella
           continue;
         if (!goal.local)
           return std::nullopt;
-        for (const ElementError &element :
-             worst_elements(goal.local->elements,
-                            share,
-                            left * *goal.tolerance * goal.scale))
+        for (const ElementError &element : worst_elements(
+               goal.local->elements, share, left * goal.most_error()))
           if (!is_marked(element))
             marked.push_back(element);
       }
@@ -151,8 +149,7 @@ namespace lamella
               if (own == all.end())
                 return {};
               span.error =
-                std::max(span.error,
-                         std::abs(own->error) / (*goal.tolerance * goal.scale));
+                std::max(span.error, std::abs(own->error) / goal.most_error());
             }
           spans.push_back(span);
           begin += length;
@@ -221,7 +218,7 @@ namespace lamella
     const auto is_told = [left](const GoalResult &goal) {
       return goal.local &&
              std::abs(goal.local->contact) + std::abs(goal.local->remainder) <=
-               left * *goal.tolerance * goal.scale;
+               left * goal.most_error();
     };
     if (pairs_nodes(scene) || !std::all_of(goals.begin(), goals.end(), is_told))
       return scene;

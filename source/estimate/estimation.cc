@@ -103,9 +103,9 @@ namespace lamella
     for (const NamedQuantity &quantity : of_run->quantities())
       {
         const GoalResult bare = of_run->bare(number++);
-        const double     most =
-          bare.tolerance ? least_of_tolerance * *bare.tolerance * bare.scale :
-                               least_of_all * first_refinement(quantity).shares;
+        const double     most = bare.tolerance ?
+                                  least_of_tolerance * bare.most_error() :
+                                  least_of_all * first_refinement(quantity).shares;
         if (most > 0.)
           weight = std::max(weight, std::abs(share_of(step, quantity)) / most);
       }
@@ -156,7 +156,7 @@ namespace lamella
         const GoalResult  bare   = of_run->bare(number++);
         const Refinements values = first_refinement(quantity);
         if (std::max(2. * std::abs(values.richer - values.run),
-                     0.5 * values.shares) > *bare.tolerance * bare.scale)
+                     0.5 * values.shares) > bare.most_error())
           return true;
       }
     return false;

@@ -60,12 +60,13 @@ namespace lamella
   GoalResult
   RunGoals::bare(const unsigned int number) const
   {
-    const std::vector<double> &tolerances =
+    const std::vector<Tolerance> &tolerances =
       run.model().scene().goals.tolerances;
     const NamedQuantity &quantity = all[number];
     GoalResult           result;
     result.name  = quantity.label();
     result.value = values.value(quantity);
+    result.unit  = quantity.unit(run.model().scene().units);
     result.scale = scale_of(quantity);
     if (!tolerances.empty())
       result.tolerance =

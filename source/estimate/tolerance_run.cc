@@ -49,7 +49,7 @@ namespace lamella
       worst =
         std::max(worst,
                  (goal.trusted ? goal.bar : 2. * std::abs(goal.estimate)) /
-                   (*goal.tolerance * goal.scale));
+                   goal.most_error());
     return worst;
   }
 
@@ -152,9 +152,9 @@ namespace lamella
         {
           const GoalResult &now    = passes.back().goals[g],
                            &before = passes[passes.size() - 2].goals[g];
-          worst                    = std::max(worst,
-                           std::abs(now.value - before.value) /
-                             (*now.tolerance * now.scale));
+          worst =
+            std::max(worst,
+                     std::abs(now.value - before.value) / now.most_error());
         }
     return worst;
   }
@@ -171,7 +171,7 @@ namespace lamella
         if (!goal.met())
           for (const auto &[name, share] : goal.shares)
             if (name == name_of(source) &&
-                (std::abs(share) > small_share * *goal.tolerance * goal.scale ||
+                (std::abs(share) > small_share * goal.most_error() ||
                  name == largest_share(goal)) &&
                 std::find(sources.begin(), sources.end(), source) ==
                   sources.end())
@@ -265,7 +265,7 @@ namespace lamella
       {
         out << "  " << goal.name << " = " << to_text(goal.value, 6);
         if (goal.trusted)
-          out << " +- " << to_text(100. * goal.bar / goal.scale, 2) << " %"
+          out << " +- " << share_text(goal, goal.bar)
               << (goal.met() ? ", met" : "");
         else
           out << ", no bar yet";

@@ -84,6 +84,12 @@ namespace lamella
     private:
       std::vector<std::pair<std::string, std::vector<std::string>>> all;
     };
+    /// @p value to @p digits, with the unit of @p goal.
+    std::string
+    number_text(const GoalResult &goal, const double value, const int digits)
+    {
+      return trimmed(to_text(value, digits) + " " + goal.unit);
+    }
   } // namespace
 
 
@@ -92,8 +98,11 @@ namespace lamella
   share_text(const GoalResult &goal, const double value)
   {
     if (goal.scale == 0.)
-      return to_text(value, 2);
-    return to_text(100. * value / goal.scale, 2) + " %";
+      return number_text(goal, value, 2);
+    const std::string share = to_text(100. * value / goal.scale, 2) + " %";
+    return goal.is_near_zero() ?
+             number_text(goal, value, 2) + " (" + share + ")" :
+             share;
   }
 
 
@@ -126,8 +135,8 @@ namespace lamella
                 csv(goal.estimate) + "," + csv(goal.value + goal.estimate) +
                 "," + (goal.trusted ? csv(goal.bar) : "") + "," +
                 (goal.trusted ? "1" : "0") + "," +
-                (goal.tolerance ? csv(*goal.tolerance * goal.scale) : "") +
-                "," + (goal.tolerance ? (goal.met() ? "1" : "0") : "");
+                (goal.tolerance ? csv(goal.most_error()) : "") + "," +
+                (goal.tolerance ? (goal.met() ? "1" : "0") : "");
         for (const std::string &source : sources())
           text += "," + csv(share_of(goal, source));
         text += "," + csv(beyond.stiffening) + "," +
@@ -200,12 +209,15 @@ namespace lamella
          (goal.estimate > 0. ? "+" : "") + share_text(goal, goal.estimate),
          largest_share(goal)});
     print_table(out, table);
-    Sayings near_zero, no_bar, wanting;
+    Sayings near_zero, allowed, no_bar, wanting;
     for (const GoalResult &goal : goals)
       {
         constexpr double much = 0.01;
-        if (goal.scale != std::abs(goal.value))
-          near_zero.add(goal.name, to_text(goal.scale));
+        if (goal.is_near_zero())
+          near_zero.add(goal.name, number_text(goal, goal.scale, 4));
+        if (goal.tolerance &&
+            (goal.is_near_zero() || goal.tolerance->is_absolute))
+          allowed.add(goal.name, number_text(goal, goal.most_error(), 3));
         if (!goal.trusted)
           no_bar.add(goal.name, goal.why);
         else if (const std::string source = largest_share(goal);
@@ -217,6 +229,7 @@ namespace lamella
                     " is near zero: per cent are of the largest of its kind, ",
                     " are near zero: per cent are of the largest of their "
                     "kind, ");
+    allowed.print(out, "", " may be off by ", " may be off by ");
     no_bar.print(out, "No bar for ", " yet: ", " yet: ");
     wanting.print(out, "", " wants ", " want ");
     print_what_no_refinement_mends(out, results);

@@ -135,7 +135,7 @@ namespace lamella
         json["shares"][source] = share;
       if (goal.tolerance)
         {
-          json["tolerance"] = *goal.tolerance * goal.scale;
+          json["tolerance"] = goal.most_error();
           json["met"]       = goal.met();
         }
       return json;

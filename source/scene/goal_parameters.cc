@@ -21,15 +21,17 @@ namespace lamella
       "of a contact CONTACT: fx in AXIS FROM TO, as in roller: fz in y 40 60. "
       "By default those of Trade, else what the scene gives References for, "
       "and of probes without any the largest displacement and stress.");
-    prm.declare_entry("Tolerance",
-                      "",
-                      patterns::numbers(),
-                      "In per cent of the value (of the largest of its kind "
-                      "in the scene where it is below a thousandth of that), "
-                      "one for all quantities or one each: the "
-                      "run refines its theory and its meshes until all errors "
-                      "are estimated to be below. Empty: what the scene says "
-                      "is run, and nothing else.");
+    prm.declare_entry(
+      "Tolerance",
+      "",
+      Anything(),
+      "One for all quantities, or one each between commas. In per cent (1 or "
+      "1 %) of the value, or of the largest of its kind in the scene, of "
+      "strains and stresses in the material, where it is below a thousandth "
+      "of that; or in the unit of the quantity (0.5 MPa, 0.01 mm; 1e-6 abs of "
+      "what has none). The run refines its theory and its meshes until all "
+      "errors are estimated to be below. Empty: what the scene says is run, "
+      "and nothing else.");
     prm.declare_entry("Error bars",
                       name_of(ErrorBars::automatic),
                       selection<ErrorBars>(),
@@ -52,27 +54,117 @@ namespace lamella
 
   namespace
   {
-    /// As shares of 1, one for each of @p n quantities or one for all.
-    std::vector<double>
-    parse_tolerances(const Entry &entry, const unsigned int n)
+    /// The share of 1 that @p per_cent, in a piece of @p entry, is.
+    double
+    share_of_one(const Entry &entry, const double per_cent)
     {
       // The floor of every bar (error_bar.h), in per cent.
-      constexpr double    of_rounding = 1e-6;
-      std::vector<double> tolerances;
-      for (const double per_cent : entry.numbers())
+      constexpr double of_rounding = 1e-6;
+      if (!(per_cent > 0. && per_cent <= 100.))
+        entry.refuse("must be more than 0 and at most 100 per cent");
+      if (per_cent < of_rounding)
+        entry.refuse("is below what the arithmetic leaves of any number, 1e-6 "
+                     "per cent",
+                     "Give 1e-6 or more; 0.1 is a small tolerance.");
+      return per_cent / 100.;
+    }
+
+
+
+    /// What stands behind the number that @p piece begins with; the whole of
+    /// it where there is none.
+    std::size_t
+    end_of_number(const std::string &piece)
+    {
+      const std::size_t end = piece.find_first_not_of("+-.0123456789eE");
+      return end == 0 ? std::string::npos : end;
+    }
+
+
+
+    /// Throws unless @p quantities all are in @p unit, which stands in a piece
+    /// of @p entry, or for `abs` are of one kind.
+    void
+    check_unit(const Entry                      &entry,
+               const std::string                &unit,
+               const std::vector<NamedQuantity> &quantities,
+               const Units                      &units)
+    {
+      for (const NamedQuantity &quantity : quantities)
         {
-          if (!(per_cent > 0. && per_cent <= 100.))
-            entry.refuse("must be more than 0 and at most 100 per cent");
-          if (per_cent < of_rounding)
-            entry.refuse("is below what the arithmetic leaves of any number, "
-                         "1e-6 per cent",
-                         "Give 1e-6 or more; 0.1 is a small tolerance.");
-          tolerances.push_back(per_cent / 100.);
+          const std::string label = "'" + quantity.label() + "'",
+                            own   = quantity.unit(units);
+          if (unit != "abs" && unit != own)
+            entry.refuse(label +
+                           (own.empty() ? " has no unit, and so not '" :
+                                          " is in " + own + ", not in '") +
+                           unit + "'",
+                         "Write a number of per cent, or one with " +
+                           (own.empty() ? "" : own + " or with ") +
+                           "abs, as in 0.5 " + (own.empty() ? "abs" : own) +
+                           ".");
+          if (unit == "abs" && quantity.kind() != quantities[0].kind())
+            entry.refuse("'" + quantities[0].label() + "' and " + label +
+                           " are of different kinds and have no unit in common",
+                         "Give one for each, or per cent.");
         }
-      if (tolerances.size() > 1 && tolerances.size() != n)
+    }
+
+
+
+    /// What @p piece of @p entry says of @p quantities of @p goals: a number of
+    /// per cent, or with their unit, or with `abs`.
+    Tolerance
+    parse_tolerance(const Entry                      &entry,
+                    const std::string                &piece,
+                    const std::vector<NamedQuantity> &quantities,
+                    const GoalParameters             &goals,
+                    const Units                      &units)
+    {
+      const std::size_t end    = end_of_number(piece);
+      const double      number = entry.number(trimmed(piece.substr(0, end)));
+      const std::string unit =
+        end == std::string::npos ? "" : trimmed(piece.substr(end));
+      if (unit.empty() || unit == "%")
+        return {share_of_one(entry, number), false};
+      if (!(number > 0.))
+        entry.refuse("must be more than 0");
+      if (!goals.whole_probes.empty())
+        entry.refuse("displacements and stresses of probes have no unit in "
+                     "common",
+                     "Name Quantities, or give per cent.");
+      check_unit(entry, unit, quantities, units);
+      return {number, true};
+    }
+
+
+
+    /// One for each of the @p n quantities that @p goals name or one for all.
+    std::vector<Tolerance>
+    parse_tolerances(const Entry          &entry,
+                     const unsigned int    n,
+                     const GoalParameters &goals,
+                     const Units          &units)
+    {
+      if (entry.text().find_first_of("|;") != std::string::npos)
+        entry.refuse("between tolerances stands ','",
+                     "Write them as in 1, 0.5 MPa.");
+      const std::vector<std::string> pieces = entry.items();
+      const bool                     is_one = pieces.size() <= 1;
+      if (!is_one && pieces.size() != n)
         entry.refuse("there are " + std::to_string(n) + " quantities and " +
-                       std::to_string(tolerances.size()) + " tolerances",
+                       std::to_string(pieces.size()) + " tolerances",
                      "Give one for all, or one for each in Quantities.");
+      std::vector<Tolerance> tolerances;
+      for (const std::string &piece : pieces)
+        tolerances.push_back(
+          parse_tolerance(entry,
+                          piece,
+                          is_one ? goals.quantities :
+                                   std::vector<NamedQuantity>{
+                                     goals.quantities[tolerances.size()]},
+                          goals,
+                          units));
       return tolerances;
     }
 
@@ -94,17 +186,18 @@ namespace lamella
   GoalParameters
   GoalParameters::parse(const Entries                    &in,
                         const QuantityNames              &names,
-                        const std::vector<NamedQuantity> &of_trade)
+                        const std::vector<NamedQuantity> &of_trade,
+                        const Units                      &units)
   {
     GoalParameters goals;
-    const Entry    quantities = in["Quantities"];
-    goals.quantities          = parse_quantities(quantities, names);
-    goals.tolerances =
-      parse_tolerances(in["Tolerance"], goals.quantities.size());
+    const Entry    quantities  = in["Quantities"];
+    goals.quantities           = parse_quantities(quantities, names);
+    const unsigned int n_named = goals.quantities.size();
     if (goals.quantities.empty())
       goals.quantities = of_trade;
     if (goals.quantities.empty())
       goals.quantities = quantities_with_references(names, goals.whole_probes);
+    goals.tolerances = parse_tolerances(in["Tolerance"], n_named, goals, units);
 
     goals.bars           = in["Error bars"].choice<ErrorBars>();
     goals.budget_dofs    = parse_budget(in["Budget DoFs"], 1e9);

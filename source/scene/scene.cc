@@ -225,7 +225,8 @@ namespace lamella
       scene.goals = GoalParameters::parse(Entries(prm, "Goals"),
                                           names,
                                           named ? scene.trade.quantities :
-                                                  std::vector<NamedQuantity>());
+                                                  std::vector<NamedQuantity>(),
+                                          scene.units);
       prm.leave_subsection();
     }
 

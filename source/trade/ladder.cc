@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <set>
 
 namespace lamella
@@ -219,13 +220,14 @@ namespace lamella
       std::vector<std::string> overrides{"Goals/Error bars=true",
                                          "Goals/Quantities=" +
                                            quantities_of(scene.trade)};
-      // One for each of other quantities would not do.
-      const std::vector<double> &tolerances = scene.goals.tolerances;
-      if (!tolerances.empty())
+      // One for each of other quantities would not do, nor one in their units.
+      std::optional<double> least;
+      for (const Tolerance &tolerance : scene.goals.tolerances)
+        if (!tolerance.is_absolute)
+          least = std::min(least.value_or(tolerance.size), tolerance.size);
+      if (!scene.goals.tolerances.empty())
         overrides.push_back("Goals/Tolerance=" +
-                            to_text(100. * *std::min_element(tolerances.begin(),
-                                                             tolerances.end()),
-                                    15));
+                            (least ? to_text(100. * *least, 15) : ""));
       return overrides;
     }
   } // namespace

@@ -509,14 +509,23 @@ BOOST_AUTO_TEST_CASE(tolerances)
                                   {{"Quantities", "clamp: fx | clamp: fz"},
                                    {"Tolerance", tolerance}},
                                   names,
-                                  std::vector<NamedQuantity>())
+                                  std::vector<NamedQuantity>(),
+                                  Units{"mm", "N", "MPa", 1e-6})
       .tolerances;
   };
   BOOST_TEST(read("1").size() == 1u);
-  BOOST_TEST(read("1, 2")[1] == 0.02);
-  BOOST_TEST(read("1e-6")[0] == 1e-8);
+  BOOST_TEST(read("1, 2 %")[1].size == 0.02);
+  BOOST_TEST(read("1e-6%")[0].size == 1e-8);
+  for (const std::string text : {"1, 2.5e2 N", "1, 250N", "1 %, 250 abs"})
+    {
+      BOOST_TEST(!read(text)[0].is_absolute);
+      BOOST_TEST(read(text)[1].is_absolute);
+      BOOST_TEST(read(text)[1].size == 250.);
+    }
   for (const std::string text :
-       {"0", "-1", "nan", "one", "1e-7", "100.1", "1, 2, 3", "1, 0"})
+       {"0",     "-1",      "nan",   "one",   "1e-7",  "100.1", "1, 2, 3",
+        "1, 0",  "1 kN",    "1 MPa", "1 mm",  "0 N",   "-1 N",  "N",
+        "1 % N", "1 N | 2", "1 n",   "1 N 2", "abs 1", "1, N",  "1 N, 1 N, 1"})
     BOOST_CHECK_THROW(read(text), InputError);
 }
 

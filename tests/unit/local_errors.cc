@@ -172,7 +172,7 @@ BOOST_AUTO_TEST_CASE(elements_that_matter_are_marked)
   scene.bodies       = {body};
   GoalResult goal;
   goal.value = goal.scale = 1.;
-  goal.tolerance          = 1e-2;
+  goal.tolerance          = Tolerance{1e-2};
   goal.bar                = 2e-2;
   goal.trusted            = true;
   goal.local              = LocalErrors{
@@ -209,7 +209,7 @@ BOOST_AUTO_TEST_CASE(elements_that_do_nothing_are_merged)
   scene.bodies       = {body};
   GoalResult goal;
   goal.value = goal.scale = 1.;
-  goal.tolerance          = 1e-2;
+  goal.tolerance          = Tolerance{1e-2};
   goal.local              = LocalErrors{{{0, 0., 1., 1e-7, 10},
                                          {0, 1., 2., -1e-7, 10},
                                          {0, 2., 3., 1e-5, 10},
@@ -288,7 +288,7 @@ namespace
         fine.solve();
         GoalResult result;
         result.local     = Localisation(coarse, fine).errors(goal, 0.);
-        result.tolerance = 1.;
+        result.tolerance = Tolerance{1.};
         result.scale     = 1e30;
         scene            = bisected(coarse.model().scene(),
                          *marked_elements(scene, {result}, 0.1, 0.7));

@@ -542,8 +542,10 @@ BOOST_AUTO_TEST_CASE(bars_of_rungs)
     (make_rung(entry, scene).overrides == Texts{"Body b/Kinematics/Theory=LE-2",
                                                 "Goals/Error bars=true",
                                                 "Goals/Quantities=tip: uz"}));
-  scene.goals.tolerances = {0.02, 0.01};
+  scene.goals.tolerances = {{0.02}, {0.01}, {0.005, true}};
   BOOST_TEST(make_rung(entry, scene).overrides.back() == "Goals/Tolerance=1");
+  scene.goals.tolerances = {{0.005, true}};
+  BOOST_TEST(make_rung(entry, scene).overrides.back() == "Goals/Tolerance=");
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -59,7 +59,7 @@ namespace lamella
     double
     rounding_of(const NamedQuantity &quantity) const;
 
-    /// Name, value, scale and tolerance of the goal @p number, no bar.
+    /// Name, value, unit, scale and tolerance of the goal @p number, no bar.
     GoalResult
     bare(const unsigned int number) const;
 

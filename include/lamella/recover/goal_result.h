@@ -3,6 +3,7 @@
 #ifndef lamella_recover_goal_result_h
 #define lamella_recover_goal_result_h
 
+#include <cmath>
 #include <optional>
 #include <string>
 #include <utility>
@@ -36,6 +37,14 @@ namespace lamella
     double remainder = 0.;
   };
 
+  /// What a number may be off by, as a scene says it.
+  struct Tolerance
+  {
+    /// Above 0: a share of the scale of the number, or in its unit.
+    double size        = 0.;
+    bool   is_absolute = false;
+  };
+
   /// A number that a run was made for, and what is held of its error. In the
   /// unit of the quantity.
   struct GoalResult
@@ -43,26 +52,42 @@ namespace lamella
     /// As the scene says it: `tip: uz`.
     std::string name;
     double      value = 0.;
+    /// NamedQuantity::unit(): a label, empty where it has none.
+    std::string unit = {};
     /// The estimated error, to be added to the value, and what bounds it.
     double estimate = 0., bar = 0.;
     /// Whether the bar can be held to; if not, why.
     bool        trusted = false;
     std::string why;
-    /// What tolerances are shares of: |value|, or the largest of its kind in
-    /// the scene where that is near zero.
+    /// What per cent are of: |value|, or where that is near zero the largest
+    /// of its kind (RunGoals::scale_of()).
     double scale = 0.;
-    /// As a share of the scale, if one was asked for.
-    std::optional<double> tolerance;
+    /// If one was asked for.
+    std::optional<Tolerance> tolerance;
     /// What the estimate is the sum of, by the source of the error.
     std::vector<std::pair<std::string, double>> shares;
     /// The share of the axis, by elements; none where that is not known.
     std::optional<LocalErrors> local;
 
+    /// Whether per cent are of something else than the value.
+    bool
+    is_near_zero() const
+    {
+      return scale != std::abs(value);
+    }
+
+    /// What it may be off by, in its unit. There must be a tolerance.
+    double
+    most_error() const
+    {
+      return tolerance->size * (tolerance->is_absolute ? 1. : scale);
+    }
+
     /// Whether the bar can be held to and is within the tolerance.
     bool
     met() const
     {
-      return trusted && tolerance && bar <= *tolerance * scale;
+      return trusted && tolerance && bar <= most_error();
     }
   };
 } // namespace lamella

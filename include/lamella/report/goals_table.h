@@ -33,8 +33,9 @@ namespace lamella
   void
   print_goals(std::ostream &out, const Results &results);
 
-  /// @p value over the scale of @p goal, as in "0.12 %"; the value itself where
-  /// all of its kind are zero.
+  /// @p value over the scale of @p goal, as in "0.12 %"; with the value itself
+  /// where the goal is near zero, as in "0.0011 MPa (0.5 %)", and that alone
+  /// where all of its kind are zero.
   std::string
   share_text(const GoalResult &goal, const double value);
 

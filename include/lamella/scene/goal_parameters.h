@@ -5,6 +5,8 @@
 
 #include <lamella/base/entry.h>
 #include <lamella/base/names.h>
+#include <lamella/base/units.h>
+#include <lamella/recover/goal_result.h>
 #include <lamella/recover/named_quantity.h>
 
 #include <deal.II/base/parameter_handler.h>
@@ -42,10 +44,9 @@ namespace lamella
     /// Probes of which, where nothing is named, the largest displacement and
     /// stress are taken.
     std::vector<std::string> whole_probes;
-    /// Of each quantity, or one for all, as shares of 1 (the scene says them in
-    /// per cent). Empty: none is asked for.
-    std::vector<double> tolerances;
-    ErrorBars           bars = ErrorBars::undefined;
+    /// Of each quantity, or one for all. Empty: none is asked for.
+    std::vector<Tolerance> tolerances;
+    ErrorBars              bars = ErrorBars::undefined;
     /// What a run to a tolerance may take; 0: what it wants.
     unsigned int budget_dofs    = 0;
     double       budget_seconds = 0.;
@@ -60,12 +61,15 @@ namespace lamella
     /// From `subsection Goals`. @p of_trade are the quantities that a trade
     /// names. Throws InputError for a quantity that nothing of @p names gives,
     /// a tolerance that is not above 0 and at most 100 per cent or below
-    /// 1e-6 per cent, the least that a bar can be (error_bar.h), and
-    /// another number of them than one or one for each quantity.
+    /// 1e-6 per cent, the least that a bar can be (error_bar.h), one with
+    /// another unit than @p units label its quantity with, one without per
+    /// cent for quantities that have no unit in common, and another number of
+    /// them than one or one for each quantity.
     static GoalParameters
     parse(const Entries                    &in,
           const QuantityNames              &names,
-          const std::vector<NamedQuantity> &of_trade);
+          const std::vector<NamedQuantity> &of_trade,
+          const Units                      &units);
   };
 } // namespace lamella
 
