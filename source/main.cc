@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <lamella/base/exceptions.h>
+#include <lamella/base/interruption.h>
 #include <lamella/base/memory.h>
 #include <lamella/base/mpi_session.h>
 #include <lamella/base/processes.h>
+#include <lamella/base/progress.h>
 #include <lamella/base/version.h>
 #include <lamella/estimate/goal_bars.h>
 #include <lamella/estimate/tolerance_run.h>
@@ -19,7 +21,9 @@
 #include <cstdlib>
 #include <iostream>
 #include <memory>
+#include <optional>
 #include <thread>
+#include <unistd.h>
 
 namespace
 {
@@ -46,13 +50,55 @@ namespace
 
 
 
+  /// Whether this program is at work in the foreground of the terminal that its
+  /// output is: not where it is a file or a pipe, nor behind other programs.
+  bool
+  is_seen()
+  {
+    return tcgetpgrp(STDOUT_FILENO) == getpgrp();
+  }
+
+
+
   void
-  run_to_tolerance(const CommandLine &command, const Scene &scene)
+  run_to_tolerance(const CommandLine &command,
+                   const Scene       &scene,
+                   std::ostream      &out)
   {
     if (command.resume)
       throw InputError("--resume goes on with load steps; a run to a "
                        "Tolerance (subsection Goals) begins anew.");
-    ToleranceRun(scene, output()).run(command.output);
+    ToleranceRun(scene, out).run(command.output);
+  }
+
+
+
+  /// Solves @p scene or, with --validate, only builds it.
+  void
+  solve(const CommandLine &command, const SceneText &text, const Scene &scene)
+  {
+    std::optional<Progress>        progress;
+    std::optional<ProgressDrawing> drawing;
+    if (is_speaker() && isatty(STDOUT_FILENO))
+      {
+        progress.emplace(std::cout);
+        drawing.emplace(*progress, is_seen);
+      }
+    std::ostream &out = progress ? progress->output() : output();
+    if (is_speaker() && !command.validate)
+      say_if_interrupted("interrupted before anything was solved. " +
+                         command.output + " is as it was.");
+    if (!scene.goals.tolerances.empty() && !command.validate)
+      return run_to_tolerance(command, scene, out);
+    const auto simulation = make_simulation(scene, text, out);
+    if (command.validate)
+      print_validation(*simulation,
+                       command.output_is_given ? command.output : "");
+    else
+      run_scene(*simulation, command.output, command.resume, [&] {
+        GoalBars bars = bars_of(*simulation, out);
+        simulation->set_goals(std::move(bars.goals), bars.why_none);
+      });
   }
 
 
@@ -82,17 +128,7 @@ namespace
         output() << scene.resolved;
         return;
       }
-    if (!scene.goals.tolerances.empty() && !command.validate)
-      return run_to_tolerance(command, scene);
-    const auto simulation = make_simulation(scene, text, output());
-    if (command.validate)
-      print_validation(*simulation,
-                       command.output_is_given ? command.output : "");
-    else
-      run_scene(*simulation, command.output, command.resume, [&] {
-        GoalBars bars = bars_of(*simulation, output());
-        simulation->set_goals(std::move(bars.goals), bars.why_none);
-      });
+    solve(command, text, scene);
   }
 
 

@@ -160,7 +160,7 @@ namespace lamella
   {
     constexpr double percent = 100., least_left = 1.;
     std::string      text;
-    if (level.work)
+    if (level.work && level.done > 0.)
       text = ", " + std::to_string(int(percent * level.shown)) + " %";
     const double left =
       rate > 0. && level.work ?

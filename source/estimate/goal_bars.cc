@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <lamella/base/exceptions.h>
+#include <lamella/base/progress.h>
 #include <lamella/base/text.h>
 #include <lamella/estimate/bars_from_below.h>
 #include <lamella/estimate/bars_from_half.h>
@@ -51,9 +52,10 @@ namespace lamella
           << std::endl;
       std::optional<std::vector<GoalResult>> goals;
       // The run has its numbers: nothing beside it takes them away.
-      const Outcome outcome = outcome_of([&] {
+      const Progress::Part part(out, "error bars");
+      const Outcome        outcome = outcome_of([&] {
         goals = below ? BarsFromBelow(run, out, cache).goals() :
-                        BarsFromHalf(run, *plan, out, cache).goals();
+                               BarsFromHalf(run, *plan, out, cache).goals();
       });
       if (outcome.status != 0)
         out << "  failed: " << trimmed(outcome.message) << std::endl;

@@ -11,12 +11,11 @@ namespace lamella
 {
   namespace
   {
-    /// A factor with n columns and z non-zeros.
     double
     operations(const BodyFacts &body)
     {
       return body.solver ?
-               body.solver->non_zeros * body.solver->non_zeros / body.dofs :
+               operations_of_factor(body.solver->non_zeros, body.dofs) :
                0.;
     }
 

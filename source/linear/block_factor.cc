@@ -215,9 +215,39 @@ namespace lamella
 
 
 
-  void
-  BlockFactor::factorise(const std::string &what)
+  double
+  BlockFactor::operations(const unsigned int s) const
   {
+    return double(pattern.width(s)) * pattern.height(s) * pattern.height(s);
+  }
+
+
+
+  std::pair<double, double>
+  BlockFactor::pivots(const unsigned int s, const std::string &what) const
+  {
+    double least = std::numeric_limits<double>::max(), most = 0.;
+    for (blas_int i = 0; i < pattern.width(s); ++i)
+      {
+        const double pivot = entries(s)[std::size_t(i) * pattern.height(s) + i];
+        // Nor where the matrix holds what is no number.
+        if (!(pivot > 0.) || !std::isfinite(pivot))
+          break_down(s, i + 1, what);
+        least = std::min(least, pivot);
+        most  = std::max(most, pivot);
+      }
+    return {least, most};
+  }
+
+
+
+  void
+  BlockFactor::factorise(const std::string                       &what,
+                         const std::function<void(const double)> &advanced)
+  {
+    double all = 0.;
+    for (unsigned int s = 0; s < pattern.n_blocks(); ++s)
+      all += operations(s);
     double least = std::numeric_limits<double>::max(), most = 0.;
     for (unsigned int s = 0; s < pattern.n_blocks(); ++s)
       {
@@ -228,19 +258,16 @@ namespace lamella
         dealii::potrf("L", &w, L, &h, &info);
         if (info != 0)
           break_down(s, info, what);
-        for (blas_int i = 0; i < w; ++i)
+        const auto [smallest, largest] = pivots(s, what);
+        least                          = std::min(least, smallest);
+        most                           = std::max(most, largest);
+        if (below > 0)
           {
-            const double pivot = L[std::size_t(i) * h + i];
-            // Nor where the matrix holds what is no number.
-            if (!(pivot > 0.) || !std::isfinite(pivot))
-              break_down(s, i + 1, what);
-            least = std::min(least, pivot);
-            most  = std::max(most, pivot);
+            trsm("R", "L", "T", "N", &below, &w, &one, L, &h, L + w, &h);
+            update(s);
           }
-        if (below == 0)
-          continue;
-        trsm("R", "L", "T", "N", &below, &w, &one, L, &h, L + w, &h);
-        update(s);
+        if (advanced)
+          advanced(operations(s) / all);
       }
     reciprocal = least * least / (most * most);
     if (!(reciprocal > 0.))

@@ -118,7 +118,7 @@ namespace lamella
       fill_diagonal(constraints);
       if (monitor.assembled)
         monitor.assembled();
-      factor.factorise(what);
+      factor.factorise(what, monitor.advanced);
     }
 
 

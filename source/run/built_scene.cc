@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <lamella/adapt/graded_axis.h>
+#include <lamella/base/progress.h>
 #include <lamella/base/text.h>
 #include <lamella/conditions/hold.h>
 #include <lamella/contact/assumptions.h>
@@ -67,11 +68,13 @@ namespace lamella
     , field_rules(rules)
   {
     {
-      TimerOutput::Scope scope(timer, name_of(Phase::setup));
+      const Progress::Part part(out, "sections, bodies and conditions");
+      TimerOutput::Scope   scope(timer, name_of(Phase::setup));
       build_structure(out);
     }
     {
-      TimerOutput::Scope scope(timer, name_of(Phase::contact));
+      const Progress::Part part(out, "search and pairing");
+      TimerOutput::Scope   scope(timer, name_of(Phase::contact));
       build_contacts();
     }
     TimerOutput::Scope scope(timer, name_of(Phase::setup));
@@ -93,7 +96,7 @@ namespace lamella
     std::vector<Stabilisation> stabilisations;
     for (const BodyDescription &body : given.bodies)
       stabilisations.push_back({body.stabilisation});
-    Bodies bodies = make_bodies_with_fields();
+    Bodies bodies = make_bodies_with_fields(out);
     hold_bodies(bodies);
     whole = std::make_unique<Structure>(std::move(bodies),
                                         given.supports,
@@ -137,7 +140,7 @@ namespace lamella
 
 
   Bodies
-  BuiltScene::make_bodies_with_fields()
+  BuiltScene::make_bodies_with_fields(std::ostream &out)
   {
     Bodies bodies =
       make_bodies(given.bodies, section_meshes, given.solve.memory_limit);
@@ -149,6 +152,15 @@ namespace lamella
         std::vector<ContactInterface> touching;
         for (const ContactPair &contact : given.contacts)
           touching.push_back(make_interface(contact, bodies));
+        // Counted in wave numbers, sections alike.
+        const Progress::Part part(out, "fields of sections", 0.);
+        FieldRules           told = field_rules;
+        told.responding = [&out](const std::optional<unsigned int> waves) {
+          if (waves)
+            Progress::expect(out, *waves);
+          else
+            Progress::done(out, 1.);
+        };
         field_notes = choose_fields(
           bodies,
           given.bodies,
@@ -156,7 +168,7 @@ namespace lamella
           given.loads,
           touching,
           stress_places(bodies, given.probes, given.lines, given.cuts),
-          field_rules,
+          told,
           given.gravity);
       }
     return bodies;

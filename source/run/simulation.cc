@@ -3,7 +3,9 @@
 #include <lamella/base/exceptions.h>
 #include <lamella/base/memory.h>
 #include <lamella/base/processes.h>
+#include <lamella/base/progress.h>
 #include <lamella/report/validation.h>
+#include <lamella/run/factor_progress.h>
 #include <lamella/run/first_failure.h>
 #include <lamella/run/simulation.h>
 #include <lamella/solve/lost_digits.h>
@@ -92,13 +94,7 @@ namespace lamella
     prepare();
     if (last_is_bare && !path->has_more())
       complete_last_step();
-    while (path->has_more())
-      {
-        out << "Load step " << path->n_done() + 1 << " of "
-            << scene().solve.load_factors.size() << ", load factor "
-            << path->next_factor() << std::endl;
-        do_step(observer);
-      }
+    do_steps(observer);
     if (scene().find_first_failure)
       find_first_failure();
     const std::vector<std::string> warnings = solver->warnings();
@@ -169,19 +165,27 @@ namespace lamella
   Simulation::linearise(const MemoryBudget &budget)
   {
     // Phases that alternate from body to body, and end with whatever is thrown.
+    FactorProgress                    progress(out, built->structure());
     std::optional<TimerOutput::Scope> phase;
     Linearisation::BodyMonitor        monitor;
-    monitor.begins = [&](const Body &) {
-      phase.emplace(timer, name_of(Phase::assembly));
-    };
-    monitor.assembled = [&](const Body &) {
+    const auto begin = [&](const Phase which, const Body &body) {
       phase.reset();
-      phase.emplace(timer, name_of(Phase::factorisation));
+      phase.emplace(timer, name_of(which));
+      progress.begins(name_of(which), body);
+    };
+    monitor.begins    = [&](const Body &body) { begin(Phase::assembly, body); };
+    monitor.assembled = [&](const Body &body) {
+      begin(Phase::factorisation, body);
     };
     monitor.sized = [&](const Body &body, const FactorSize &size) {
       out << "Memory: " << budget.require_factor(body, size) << std::endl;
+      progress.sized(body, size.non_zeros);
     };
-    monitor.ends = [&](const Body &) { phase.reset(); };
+    monitor.advanced = [&](const double share) { progress.advanced(share); };
+    monitor.ends     = [&](const Body &body) {
+      phase.reset();
+      progress.ends(body);
+    };
     return linearised(built->structure(), scene().solve.solver, monitor);
   }
 
@@ -218,6 +222,30 @@ namespace lamella
 
 
   void
+  Simulation::do_steps(const Observer &observer)
+  {
+    // All of them solve with the same factors: they are counted as alike. One
+    // alone has no share.
+    const unsigned int    all = scene().solve.load_factors.size();
+    std::optional<double> work;
+    if (all > 1)
+      work = all - path->n_done();
+    const Progress::Part steps(out, "", work);
+    while (path->has_more())
+      {
+        const std::string number =
+          std::to_string(path->n_done() + 1) + " of " + std::to_string(all);
+        out << "Load step " << number << ", load factor " << path->next_factor()
+            << std::endl;
+        const Progress::Part step(out, "load step " + number);
+        do_step(observer);
+        Progress::done(out, 1.);
+      }
+  }
+
+
+
+  void
   Simulation::do_step(const Observer &observer)
   {
     const State      previous = path->state();
@@ -242,7 +270,8 @@ namespace lamella
   void
   Simulation::find_first_failure()
   {
-    FirstFailureSearch search(
+    const Progress::Part part(out, "first failure");
+    FirstFailureSearch   search(
       [this](const double factor, std::vector<PlyReserve> &plies) {
         return recorder->trial(path->branch(factor), plies);
       },

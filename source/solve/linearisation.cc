@@ -33,6 +33,7 @@ namespace lamella
           of_body.sized = [&](const FactorSize &size) {
             monitor.sized(body, size);
           };
+        of_body.advanced = monitor.advanced;
         try
           {
             solvers.push_back(

@@ -58,15 +58,27 @@ namespace lamella
   /// monitor: it compares with what the machine has left and throws InputError.
   using FactorMonitor = std::function<void(const FactorSize &)>;
 
-  /// Is told how far the making of a solver is. Each may be empty. Both are
-  /// called once, in the order in which they stand; `blocks` is assembled in
-  /// the places of its factor and tells the size of that first.
+  /// What a factor with @p n columns and @p non_zeros takes at least, in
+  /// multiplications: z^2 / n, the sum of the squares of its columns where
+  /// these are alike.
+  inline double
+  operations_of_factor(const double non_zeros, const double n)
+  {
+    return non_zeros * non_zeros / n;
+  }
+
+  /// Is told how far the making of a solver is. Each may be empty. The first
+  /// two are called once, in the order in which they stand; `blocks` is
+  /// assembled in the places of its factor and tells the size of that first.
   struct SolverMonitor
   {
     /// The matrix is assembled; called on all processes.
     std::function<void()> assembled;
     /// The factor is analysed and not yet computed; never called for `cg`.
     FactorMonitor sized;
+    /// A share of the factor's operations more is done. Of `blocks` alone,
+    /// which has each of its columns at a time; the shares sum to 1.
+    std::function<void(const double)> advanced;
   };
 
   /// What solving took so far.

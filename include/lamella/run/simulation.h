@@ -128,7 +128,7 @@ namespace lamella
     bool
     take_all_fields();
 
-    /// All load steps that are left.
+    /// solve() of the fields that are built.
     const Results &
     solve_as_built(const Observer &observer);
     /// Looks whether the matrices fit, assembles and factorises, and makes what
@@ -150,6 +150,9 @@ namespace lamella
     /// there is something to be done with it though no step is left.
     void
     complete_last_step();
+    /// All load steps that are left.
+    void
+    do_steps(const Observer &observer);
     /// The next load step, and one more element of the results' steps.
     void
     do_step(const Observer &observer);

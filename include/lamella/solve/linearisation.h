@@ -27,14 +27,16 @@ namespace lamella
   {
   public:
     /// Is told, of each body, when work on it begins and ends, when its
-    /// stiffness is assembled, and how large its factor becomes before memory
-    /// is spent on it. Functions that are empty are not called; what `sized`
-    /// throws prevents the factorisation.
+    /// stiffness is assembled, how large its factor becomes before memory is
+    /// spent on it, and which share of it more is done
+    /// (SolverMonitor::advanced). Functions that are empty are not called; what
+    /// `sized` throws prevents the factorisation.
     struct BodyMonitor
     {
       std::function<void(const Body &)>                     begins, assembled;
       std::function<void(const Body &)>                     ends;
       std::function<void(const Body &, const FactorSize &)> sized;
+      std::function<void(const double)>                     advanced;
     };
 
     /// About @p u, without solvers: what the `full` strategy assembles.
