@@ -23,7 +23,11 @@ namespace lamella
     std::array<Words, 2>       both;
     std::atomic<const Words *> spoken{nullptr};
 
-    static_assert(std::atomic<const Words *>::is_always_lock_free,
+    // How many Uninterrupted there are, and the signal that waits for them.
+    std::atomic<int> n_uninterrupted{0}, waiting{0};
+
+    static_assert(std::atomic<const Words *>::is_always_lock_free &&
+                    std::atomic<int>::is_always_lock_free,
                   "what a signal handler reads must not wait");
 
 
@@ -32,6 +36,11 @@ namespace lamella
     extern "C" void
     speak_and_end(const int signal)
     {
+      // In this order: either this sees that nothing is being written, or who
+      // writes sees the signal.
+      waiting = signal;
+      if (n_uninterrupted > 0)
+        return;
       if (const Words *words = spoken.load())
         if (write(STDERR_FILENO, words->text.data(), words->size) < 0)
           _exit(128 + signal);
@@ -65,12 +74,27 @@ namespace lamella
   void
   say_if_interrupted(const std::string &words)
   {
-    static const bool installed = (install_handler(), true);
-    static_cast<void>(installed);
     Words            &next = spoken.load() == &both[0] ? both[1] : both[0];
     const std::string line = words.empty() ? "" : "\nlamella: " + words + "\n";
     next.size              = std::min(line.size(), next.text.size());
     std::copy_n(line.begin(), next.size, next.text.begin());
     spoken.store(&next);
+    static const bool installed = (install_handler(), true);
+    static_cast<void>(installed);
+  }
+
+
+
+  Uninterrupted::Uninterrupted()
+  {
+    ++n_uninterrupted;
+  }
+
+
+
+  Uninterrupted::~Uninterrupted()
+  {
+    if (--n_uninterrupted == 0 && waiting != 0)
+      speak_and_end(waiting);
   }
 } // namespace lamella

@@ -5,6 +5,7 @@
 #include <lamella/base/interruption.h>
 #include <lamella/base/output_file.h>
 #include <lamella/base/processes.h>
+#include <lamella/base/progress.h>
 #include <lamella/base/sentence.h>
 #include <lamella/base/text.h>
 #include <lamella/estimate/axis_marks.h>
@@ -84,8 +85,10 @@ namespace lamella
   void
   ToleranceRun::make_pass()
   {
-    std::ostream nowhere(nullptr);
-    const auto   built = [&]() {
+    const Progress::Part part(out, "pass " + std::to_string(passes.size() + 1));
+    std::ostream         nowhere(nullptr);
+    nowhere.copyfmt(out); // its progress
+    const auto built = [&]() {
       return std::make_unique<Simulation>(scene, nowhere, rules);
     };
     auto next = built();
@@ -299,10 +302,15 @@ namespace lamella
   void
   ToleranceRun::write_pass(const std::string &directory)
   {
+    const Uninterrupted whole;
     simulation->set_goals(passes.back().goals);
     write_run(*simulation, directory);
-    if (is_speaker())
-      write_file(directory + "/passes.csv", table());
+    if (!is_speaker())
+      return;
+    write_file(directory + "/passes.csv", table());
+    say_if_interrupted(
+      "interrupted. " + directory + " has the results of pass " +
+      std::to_string(passes.size()) + ". A run to a Tolerance begins anew.");
   }
 
 
@@ -350,11 +358,6 @@ namespace lamella
             break;
           }
         write_pass(directory);
-        if (is_speaker())
-          say_if_interrupted("interrupted. " + directory +
-                             " has the results of pass " +
-                             std::to_string(passes.size()) +
-                             ". A run to a Tolerance begins anew.");
         print_pass();
         reason = reason_to_stop();
         if (!reason.empty())

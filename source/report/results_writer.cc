@@ -149,7 +149,7 @@ namespace lamella
 
 
   void
-  ResultsWriter::write_end(const Results &results)
+  ResultsWriter::write_outcome(const Results &results)
   {
     if (results.steps.empty())
       return;
@@ -164,14 +164,21 @@ namespace lamella
       }
     if (results.first_failure)
       write_file(place.path() + "/failure.csv", failure_table(results));
-    if (results.converged)
-      {
-        // Nothing to go on with: a word that says so.
-        Restart end;
-        end.version  = standing.version;
-        end.scene    = standing.scene;
-        end.finished = true;
-        write_restart(end, place.path());
-      }
+  }
+
+
+
+  void
+  ResultsWriter::write_end(const Results &results)
+  {
+    write_outcome(results);
+    if (results.steps.empty() || !results.converged || !is_speaker())
+      return;
+    // Nothing to go on with: a word that says so.
+    Restart end;
+    end.version  = standing.version;
+    end.scene    = standing.scene;
+    end.finished = true;
+    write_restart(end, place.path());
   }
 } // namespace lamella

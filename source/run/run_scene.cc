@@ -90,6 +90,7 @@ namespace lamella
       try
         {
           simulation.solve([&](const Results &results) {
+            const Uninterrupted whole;
             writer.write_step(results);
             keep_ready_for_interruption(directory,
                                         results.steps.size(),
@@ -110,6 +111,21 @@ namespace lamella
                                 " are of an earlier run.)");
           throw;
         }
+    }
+
+
+
+    /// All that a run has but its bars, while these are made.
+    void
+    write_before_bars(ResultsWriter &writer, const Results &results)
+    {
+      const Uninterrupted whole;
+      writer.write_outcome(results);
+      if (is_speaker())
+        say_if_interrupted(
+          "interrupted while error bars were made. " + writer.folder().path() +
+          " has all results but these. The same command with --resume makes "
+          "them; a run with --set \"Goals/Error bars=false\" makes none.");
     }
   } // namespace
 
@@ -147,9 +163,15 @@ namespace lamella
       }
     solve_steps(simulation, writer, directory);
     if (afterwards)
-      afterwards();
-    writer.write_end(found);
-    say_if_interrupted("");
+      {
+        write_before_bars(writer, found);
+        afterwards();
+      }
+    {
+      const Uninterrupted whole;
+      writer.write_end(found);
+      say_if_interrupted("");
+    }
     print_results(simulation, directory, out);
   }
 

@@ -4,13 +4,16 @@
 
 Usage: check_interrupted.py LAMELLA SCENE.prm TOLERANCE.prm TRADE.prm WORKDIR
 
-Ended before its first load step it says that nothing is there; later how many load steps
-are, which are those of summary.json, and that --resume goes on, which it does. It ends by
+Ended while bodies are made it says that the folder is as it was; before its first load
+step that nothing is there; later how many load steps are, which are those of summary.json,
+and that --resume goes on, which it does; while error bars are made that all else is there,
+and --resume makes them. It ends by
 the signal, 130 to a shell. A run that is done says nothing of the kind. A run to a
 tolerance names the pass whose results are there, a trade the rungs.
 """
 
 import json
+import re
 import shutil
 import signal
 import subprocess
@@ -36,6 +39,43 @@ def interrupted(words, line, signal_number):
     run.send_signal(signal_number)
     _, errors = run.communicate()
     return run.returncode, errors
+
+
+def check_setup(program, scene, output):
+    """Ended as soon as it may be, while bodies are made: an earlier run is still there."""
+    words = [program, scene, "--output", str(output)]
+    subprocess.run(words, check=True, capture_output=True)
+    before = {path: path.read_bytes() for path in output.rglob("*") if path.is_file()}
+    run = subprocess.Popen([*words, "--set", "Theory=LE-8"], stdout=subprocess.PIPE,
+                           stderr=subprocess.PIPE, text=True)
+    caught = 0
+    while run.poll() is None and not caught & 1 << signal.SIGINT - 1:
+        status = Path(f"/proc/{run.pid}/status").read_text()
+        caught = int(re.search(r"SigCgt:\s*(\w+)", status)[1], 16)
+    run.send_signal(signal.SIGINT)
+    _, errors = run.communicate()
+    expect(run.returncode == -signal.SIGINT and
+           f"interrupted before anything was solved. {output} is as it was." in errors,
+           errors.strip())
+    expect(before == {path: path.read_bytes() for path in output.rglob("*") if path.is_file()},
+           "so it is")
+
+
+def check_bars(program, scene, output):
+    """Ended while bars are made it has all else, and makes them when it goes on."""
+    words = [program, scene, "--output", str(output), "--set", "Goals/Error bars=richer"]
+    status, errors = interrupted(words, "Error bars, from richer", signal.SIGINT)
+    expect(status == -signal.SIGINT, f"bars end by the signal ({status})")
+    told = (f"interrupted while error bars were made. {output} has all results but these. The "
+            "same command with --resume makes them; a run with --set \"Goals/Error bars=false\" "
+            "makes none.")
+    expect(told in errors, errors.strip())
+    summary = json.loads((output / "summary.json").read_text())
+    expect(summary["converged"] and not (output / "goals.csv").exists(), "all but bars")
+    rows = (output / "probes.csv").read_text()
+    done = subprocess.run([*words, "--resume"], capture_output=True, text=True)
+    expect(done.returncode == 0 and (output / "goals.csv").exists() and
+           rows == (output / "probes.csv").read_text(), f"--resume makes them {done.stderr}")
 
 
 def check_tolerance_run(program, scene, output):
@@ -74,15 +114,16 @@ def main():
         status, errors = interrupted(words, "Load step 6 ", signal_number)
         expect(status == -signal_number, f"it ends by the signal ({status})")
         done = json.loads((output / "summary.json").read_text())["load_steps"]
-        # The signal may come between a step that is written and the word of it.
-        told = [f"{output} has load steps 1 to {n} of {STEPS}. The same command with "
-                "--resume goes on from there." for n in (done, done - 1)]
-        expect(5 <= done < STEPS and any(t in errors for t in told), errors.strip())
+        told = (f"{output} has load steps 1 to {done} of {STEPS}. The same command with "
+                "--resume goes on from there.")
+        expect(5 <= done < STEPS and told in errors, errors.strip())
         expect(len(errors.strip().splitlines()) == 1, "one line")
     done = subprocess.run([*words, "--resume"], capture_output=True, text=True)
     expect(done.returncode == 0 and "interrupted" not in done.stderr and
            json.loads((output / "summary.json").read_text())["load_steps"] == STEPS,
            f"--resume goes on {done.stderr}")
+    check_setup(program, to_tolerance, folder / "setup")
+    check_bars(program, to_tolerance, folder / "bars")
     check_tolerance_run(program, to_tolerance, folder / "tolerance")
     check_trade(program, trade, folder / "trade")
     sys.exit(1 if faults else 0)

@@ -14,6 +14,18 @@ namespace lamella
   /// process of several.
   void
   say_if_interrupted(const std::string &words);
+
+  /// As long as one lives, such a signal waits: what is being written is
+  /// written to its end, and the words of it are said. A second one of the same
+  /// kind ends the program at once. Before say_if_interrupted() it does
+  /// nothing.
+  class Uninterrupted
+  {
+  public:
+    Uninterrupted();
+    Uninterrupted(const Uninterrupted &) = delete;
+    ~Uninterrupted();
+  };
 } // namespace lamella
 
 #endif

@@ -84,7 +84,7 @@ namespace lamella
     bool
     is_late() const;
     /// The results of the last pass, and the table of all, into the folder
-    /// @p directory.
+    /// @p directory, which a run that is interrupted says from then on.
     void
     write_pass(const std::string &directory);
     /// Makes the bars of the last pass with both refinements, and writes them.

@@ -74,9 +74,14 @@ namespace lamella
     void
     write_step(const Results &results);
 
-    /// Writes the summary of @p results at the end of the run, which must have
-    /// the checks of its last step; nothing if no step was solved. If all
-    /// steps were, the restart becomes a word that says so.
+    /// Writes the summary of @p results after all steps, which must have the
+    /// checks of the last one, their goals and first failure; nothing if no
+    /// step was solved.
+    void
+    write_outcome(const Results &results);
+
+    /// The same at the end of the run: if all steps were solved, the restart
+    /// becomes a word that says so.
     void
     write_end(const Results &results);
 
