@@ -96,7 +96,7 @@ def check_terminal(words, output):
 def check_background(words):
     pid, terminal = run_on_terminal(words, False)
     text = read_until(terminal, lambda t: "\nLoad step 2 " in t, PATIENCE)
-    text += read_until(terminal, lambda t: False, 5.)
+    text += read_until(terminal, lambda t: False, 8.)
     os.kill(pid, signal.SIGTERM)
     os.waitpid(pid, 0)
     os.close(terminal)
@@ -106,7 +106,7 @@ def check_background(words):
 def check_pipe(words):
     run = subprocess.Popen(words, stdout=subprocess.PIPE, stderr=subprocess.PIPE)
     try:
-        run.communicate(timeout=5.)
+        run.communicate(timeout=10.)
         expect(False, "the run is too short to tell")
     except subprocess.TimeoutExpired:
         run.send_signal(signal.SIGINT)
