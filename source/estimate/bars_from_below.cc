@@ -154,7 +154,12 @@ namespace lamella
 
     std::optional<SurplusBySource> own;
     if (derivatives[number] && surpluses != nullptr)
-      own = surpluses->of(dual.solve(*derivatives[number]).u);
+      {
+        BlockVector z = dual.solve(*derivatives[number]).u;
+        if (const auto w = dual.lifting(quantity))
+          z -= *w;
+        own = surpluses->of(z);
+      }
     const double of_contact = share_of_contact(quantity);
 
     const ErrorBar bar = wants_models_of(number) ?

@@ -136,16 +136,33 @@ namespace lamella
 
 
 
+  unsigned int
+  GoalDual::support_of(const NamedQuantity &goal) const
+  {
+    const auto &supports = model.results().supports;
+    return std::find(supports.begin(), supports.end(), goal.name) -
+           supports.begin();
+  }
+
+
+
+  std::optional<BlockVector>
+  GoalDual::lifting(const NamedQuantity &goal) const
+  {
+    if (goal.of != Of::support || goal.column[0] != 'f')
+      return std::nullopt;
+    return influence(support_of(goal), goal.column[1] - 'x');
+  }
+
+
+
   std::optional<GoalDual::Pair>
   GoalDual::of_support(const NamedQuantity &goal) const
   {
     // Moments refer to points: left to those who can do without a derivative.
     if (goal.column[0] != 'f')
       return std::nullopt;
-    const auto        &supports = model.results().supports;
-    const unsigned int support =
-      std::find(supports.begin(), supports.end(), goal.name) - supports.begin();
-    const BlockVector w      = influence(support, goal.column[1] - 'x');
+    const BlockVector w      = *lifting(goal);
     Pair              result = zero();
     // K w, with the springs.
     result.u.add(1., model.contact_solver().tangent().apply(w));

@@ -143,6 +143,33 @@ BOOST_AUTO_TEST_CASE(rows_that_a_surplus_opens_answer_it)
 
 
 
+BOOST_AUTO_TEST_CASE(a_support_s_force_has_the_surplus_of_the_contact_s)
+{
+  // Which is in equilibrium with it. Without what the dual of a support is
+  // less, it is ten times as large.
+  const Solved    rich = crossed("LE-3");
+  const GoalDual  dual(rich.run);
+  const Surpluses surpluses(rich.run);
+  const auto      surplus = [&](const NamedQuantity &goal) {
+    BlockVector z = dual.solve(*dual.derivative(goal)).u;
+    if (const auto w = dual.lifting(goal))
+      z -= *w;
+    return surpluses.of(z);
+  };
+  const SurplusBySource contact = surplus(force),
+                        support = surplus(quantity_of(
+                          NamedQuantity::Of::support, "press", "fz"));
+  for (const auto &[one, other] :
+       {std::make_pair(contact.section, support.section),
+        std::make_pair(contact.axis, support.axis)})
+    {
+      BOOST_TEST(std::abs(other.last) < 2. * std::abs(one.last));
+      BOOST_TEST(std::abs(other.last) > 0.5 * std::abs(one.last));
+    }
+}
+
+
+
 BOOST_AUTO_TEST_CASE(exact_rows_on_the_run_s_own_stiffness)
 {
   const std::string penalty = "Contact cross/Enforcement=penalty",

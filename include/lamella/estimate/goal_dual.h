@@ -46,6 +46,14 @@ namespace lamella
     std::optional<Pair>
     derivative(const NamedQuantity &goal) const;
 
+    /// What z is to be less in products that are to tell how J changes from one
+    /// space to another: of a force or moment of a support, whose derivative
+    /// K w itself has a w of each space's own, that w; nothing of others. (With
+    /// L w that of the poorer space and e the change of u, which vanishes where
+    /// supports hold, J changes by a(e, L w) = a(e, (1 - L)(z - w)).)
+    std::optional<BlockVector>
+    lifting(const NamedQuantity &goal) const;
+
     /// z and nu, refined once against what the strains say.
     Pair
     solve(const Pair &derivative) const;
@@ -66,6 +74,9 @@ namespace lamella
   private:
     Pair
     zero() const;
+    /// The number of the support that @p goal is a force of.
+    unsigned int
+    support_of(const NamedQuantity &goal) const;
     /// Of a column of a probe.
     std::optional<Pair>
     at_probe(const NamedQuantity &goal) const;
