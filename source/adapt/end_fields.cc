@@ -236,10 +236,7 @@ namespace lamella
              const double         larger,
              const EndFieldRules &rules)
     {
-      // Over the larger extent: inner fields go on into the next zone, since a
-      // stress in an element whose nodes differ is as poor as the poorer one.
-      constexpr double    overlap = 0.5;
-      std::vector<double> norms   = warping.strengths(found.vectors, warpings);
+      std::vector<double> norms = warping.strengths(found.vectors, warpings);
       for (unsigned int k = 0; k < norms.size(); ++k)
         norms[k] /= found.weights[k];
       const double reach = reach_of(norms, found.distances, rules);
@@ -260,7 +257,7 @@ namespace lamella
                                                rules.tolerance);
           zone.reach =
             z + 1 < rules.zones.size() ?
-              std::min((rules.zones[z + 1] + overlap) * larger, reach) :
+              std::min((rules.zones[z + 1] + rules.overlap) * larger, reach) :
               reach;
           if (zone.fields.n() == 0)
             continue;

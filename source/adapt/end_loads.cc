@@ -17,7 +17,7 @@ namespace lamella
 
   namespace
   {
-    constexpr unsigned int n_rigid = 6;
+    using RigidField::n_all;
 
 
 
@@ -81,18 +81,18 @@ namespace lamella
     FullMatrix<double>
     without_work(const std::vector<Tensor<1, 6>> &work)
     {
-      LAPACKFullMatrix<double> gram(n_rigid, n_rigid);
+      LAPACKFullMatrix<double> gram(n_all, n_all);
       for (const Tensor<1, 6> &one : work)
-        for (unsigned int i = 0; i < n_rigid; ++i)
-          for (unsigned int j = 0; j < n_rigid; ++j)
+        for (unsigned int i = 0; i < n_all; ++i)
+          for (unsigned int j = 0; j < n_all; ++j)
             gram(i, j) += one[i] * one[j] / one.norm_square();
       const auto [values, vectors] = eigenvalues_of(gram);
       unsigned int n               = 0;
-      while (n < n_rigid && values[n] < arithmetic::rounding_of_solutions)
+      while (n < n_all && values[n] < arithmetic::rounding_of_solutions)
         ++n;
-      FullMatrix<double> result(n_rigid, n);
+      FullMatrix<double> result(n_all, n);
       for (unsigned int k = 0; k < n; ++k)
-        for (unsigned int i = 0; i < n_rigid; ++i)
+        for (unsigned int i = 0; i < n_all; ++i)
           result(i, k) = vectors(i, k);
       return result;
     }
@@ -108,7 +108,7 @@ namespace lamella
     {
       std::vector<Tensor<1, 6>> work(motions.size());
       for (unsigned int m = 0; m < motions.size(); ++m)
-        for (unsigned int k = 0; k < n_rigid; ++k)
+        for (unsigned int k = 0; k < n_all; ++k)
           for (unsigned int a = 0; a < loads[k].size(); ++a)
             work[m][k] += motions[m][first + a] * loads[k][a];
       return work;
@@ -123,23 +123,23 @@ namespace lamella
     std::vector<Vector> rigid = piece.rigid_motions();
     for (Vector &motion : rigid)
       motion /= motion.linfty_norm();
-    LAPACKFullMatrix<double> gram(n_rigid, n_rigid);
+    LAPACKFullMatrix<double> gram(n_all, n_all);
     for (const PrescribedRow &row : rows)
       {
-        std::array<double, n_rigid> value;
-        for (unsigned int j = 0; j < n_rigid; ++j)
+        std::array<double, n_all> value;
+        for (unsigned int j = 0; j < n_all; ++j)
           value[j] = row.row.row(rigid[j]);
-        for (unsigned int i = 0; i < n_rigid; ++i)
-          for (unsigned int j = 0; j < n_rigid; ++j)
+        for (unsigned int i = 0; i < n_all; ++i)
+          for (unsigned int j = 0; j < n_all; ++j)
             gram(i, j) += value[i] * value[j];
       }
     const auto [values, vectors] = eigenvalues_of(gram);
     std::vector<Vector> result;
-    for (unsigned int k = 0; k < n_rigid; ++k)
-      if (values[k] <= arithmetic::rounding_of_results * values[n_rigid - 1])
+    for (unsigned int k = 0; k < n_all; ++k)
+      if (values[k] <= arithmetic::rounding_of_results * values[n_all - 1])
         {
           Vector motion(piece.n_dofs());
-          for (unsigned int j = 0; j < n_rigid; ++j)
+          for (unsigned int j = 0; j < n_all; ++j)
             motion.add(vectors(j, k), rigid[j]);
           result.push_back(motion);
         }
@@ -169,7 +169,7 @@ namespace lamella
 
     std::vector<Vector> combined(n, Vector(section.n_fields()));
     for (unsigned int k = 0; k < n; ++k)
-      for (unsigned int i = 0; i < n_rigid; ++i)
+      for (unsigned int i = 0; i < n_all; ++i)
         combined[k].add(parts(i, k), loads[i]);
     LAPACKFullMatrix<double> energy(n, n);
     for (unsigned int k = 0; k < n; ++k)
@@ -200,16 +200,16 @@ namespace lamella
       traction.linfty_norm() + heat.on_derivatives.linfty_norm();
     traction -= heat.on_derivatives;
     const std::vector<Vector> of_states = tractions(states);
-    FullMatrix<double>        forces(n_rigid);
-    for (unsigned int j = 0; j < n_rigid; ++j)
-      for (unsigned int i = 0; i < n_rigid; ++i)
+    FullMatrix<double>        forces(n_all);
+    for (unsigned int j = 0; j < n_all; ++j)
+      for (unsigned int i = 0; i < n_all; ++i)
         forces(i, j) = forces_at_end(section, of_states[j], 0.)[i];
     forces.gauss_jordan();
     const Tensor<1, 6> left = forces_at_end(section, traction, 0.);
-    for (unsigned int j = 0; j < n_rigid; ++j)
+    for (unsigned int j = 0; j < n_all; ++j)
       {
         double part = 0.;
-        for (unsigned int i = 0; i < n_rigid; ++i)
+        for (unsigned int i = 0; i < n_all; ++i)
           part += forces(j, i) * left[i];
         traction.add(-part, of_states[j]);
         answer.add(-part, states.values()[j]);

@@ -220,10 +220,8 @@ namespace lamella
   bool
   FieldsOfSection::has_thin_walls() const
   {
-    // They fill little of the box around them.
-    constexpr double walls       = 0.5;
     const auto [smaller, larger] = section->extents();
-    return section->area() < walls * smaller * larger;
+    return section->area() < rules.thin_walls * smaller * larger;
   }
 
 
@@ -233,7 +231,7 @@ namespace lamella
   {
     const double larger = section->extents().second,
                  lowest = rules.lowest_wave / larger,
-                 last   = std::max(highest, 2. * lowest);
+                 last = std::max(highest, rules.least_range_of_waves * lowest);
     if (!has_thin_walls())
       return in_equal_ratios(lowest, last, theory.order);
     // Down to what walls need in no larger steps.

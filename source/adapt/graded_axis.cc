@@ -39,9 +39,10 @@ namespace lamella
     /// Places by ascending y, 0 and the length among them; those that are as
     /// good as one are one, with the smaller size.
     std::vector<ShortElement>
-    tidy(std::vector<ShortElement> places, const double length)
+    tidy(std::vector<ShortElement> places,
+         const double              length,
+         const GradingRules       &rules)
     {
-      constexpr double one = 0.5;
       for (const double end : {0., length})
         places.push_back({end, length});
       std::sort(places.begin(),
@@ -53,7 +54,8 @@ namespace lamella
       for (const ShortElement &place : places)
         if (!result.empty() &&
             place.y - result.back().y <
-              one * std::min({place.size, result.back().size, length}))
+              rules.one_place *
+                std::min({place.size, result.back().size, length}))
           {
             result.back().size = std::min(result.back().size, place.size);
             if (place.y == length)
@@ -72,8 +74,8 @@ namespace lamella
                 const std::vector<ShortElement> &given,
                 const GradingRules              &rules)
   {
-    constexpr unsigned int          samples = 400;
-    const std::vector<ShortElement> places  = tidy(given, length);
+    const unsigned int              samples = rules.samples;
+    const std::vector<ShortElement> places  = tidy(given, length, rules);
     std::vector<double>             breaks;
     for (unsigned int piece = 0; piece + 1 < places.size(); ++piece)
       {
@@ -87,7 +89,8 @@ namespace lamella
             0.5 * step *
               (1. / size_at(begin + k * step, length, places, rules) +
                1. / size_at(begin + (k + 1) * step, length, places, rules)));
-        const unsigned int n = std::max(1., std::ceil(integral.back() - 0.05));
+        const unsigned int n =
+          std::max(1., std::ceil(integral.back() - rules.spare));
         for (unsigned int i = 1; i < n; ++i)
           {
             const double wanted = integral.back() * i / n;
@@ -188,15 +191,13 @@ namespace lamella
                        const GradingRules        &rules,
                        std::vector<ShortElement> &places)
     {
-      // Gaps that differ by less than that share of H are alike.
-      constexpr double               alike = 1e-3;
-      const std::map<double, double> gaps  = gaps_along(contact, number, beam);
-      double lowest                        = std::numeric_limits<double>::max();
+      const std::map<double, double> gaps = gaps_along(contact, number, beam);
+      double lowest                       = std::numeric_limits<double>::max();
       for (const auto &[y, gap] : gaps)
         lowest = std::min(lowest, gap);
       double begin = beam.axis().length(), end = 0.;
       for (const auto &[y, gap] : gaps)
-        if (gap < lowest + alike * H)
+        if (gap < lowest + rules.same_gap * H)
           {
             begin = std::min(begin, y);
             end   = std::max(end, y);
@@ -354,11 +355,14 @@ namespace lamella
 
     /// As many equal elements along an axis as find a contact, and not more.
     unsigned int
-    elements_to_search(const double length, const double height)
+    elements_to_search(const double        length,
+                       const double        height,
+                       const GradingRules &rules)
     {
-      constexpr double fewest = 12., most = 240.;
       return static_cast<unsigned int>(
-        std::clamp(std::ceil(2. * length / height), fewest, most));
+        std::clamp(std::ceil(rules.to_search * length / height),
+                   rules.least_to_search,
+                   rules.most_to_search));
     }
   } // namespace
 
@@ -376,9 +380,8 @@ namespace lamella
       return;
     for (BodyDescription &body : bodies)
       if (is_automatic(body))
-        body.axis.elements = {
-          elements_to_search(body.axis.length,
-                             height(*meshes.at(body.section)))};
+        body.axis.elements = {elements_to_search(
+          body.axis.length, height(*meshes.at(body.section)), rules)};
     for (unsigned int pass = 0; pass < 2; ++pass)
       {
         const Bodies plain    = plain_beams(bodies, meshes);

@@ -161,14 +161,15 @@ namespace lamella
     /// Whether supports hold, as a whole, more sections of @p body than clamps
     /// do: in plane strain all of them are, and nothing is far from a clamp.
     bool
-    is_held_all_along(const TouchedBody &body, const Axis &axis)
+    is_held_all_along(const TouchedBody &body,
+                      const Axis        &axis,
+                      const FieldRules  &rules)
     {
-      constexpr double most_clamps = 0.25;
-      const auto       held =
+      const auto held =
         std::count_if(body.touches.begin(),
                       body.touches.end(),
                       [](const Touch &touch) { return touch.holds_section; });
-      return held > most_clamps * axis.n_nodes();
+      return held > rules.most_clamped * axis.n_nodes();
     }
 
 
@@ -195,7 +196,7 @@ namespace lamella
       return description.theory.order > 0 &&
              ((beam.axis().n_nodes() > rules.least_nodes &&
                !is_unsolved(beam, rules) &&
-               !is_held_all_along(body, beam.axis())) ||
+               !is_held_all_along(body, beam.axis(), rules)) ||
               !description.pieces.empty());
     }
 
@@ -268,7 +269,7 @@ namespace lamella
       std::string why;
       if (may_keep_all && is_unsolved(beam, rules))
         why = "the scene could not be solved in double precision";
-      else if (may_keep_all && is_held_all_along(body, beam.axis()))
+      else if (may_keep_all && is_held_all_along(body, beam.axis(), rules))
         why = "supports hold its sections all along";
       else if (may_keep_all)
         why = nothing_to_win(near, beam, fields, rules);
@@ -286,9 +287,8 @@ namespace lamella
     /// The heat of @p beam at as many nodes of its axis as span that at the
     /// others.
     std::vector<Beam::SectionHeat>
-    spanning_heat(const Beam &beam)
+    spanning_heat(const Beam &beam, const FieldRules &rules)
     {
-      constexpr double nothing = 1e-3;
       if (!beam.is_heated())
         return {};
       std::vector<Beam::SectionHeat> heat, result;
@@ -299,7 +299,7 @@ namespace lamella
       for (unsigned int k = 0; k < heat.size(); ++k)
         for (unsigned int a = 0; a < n; ++a)
           rows(k, a) = heat[k].on_values[a];
-      for (const unsigned int k : most_independent(rows, nothing))
+      for (const unsigned int k : most_independent(rows, rules.same_heat))
         result.push_back(heat[k]);
       return result;
     }
@@ -311,14 +311,15 @@ namespace lamella
     std::pair<std::vector<Beam::SectionHeat>, std::vector<Vector>>
     loads_all_along(const std::vector<const Beam *> &beams,
                     const std::vector<TouchedBody>  &touched,
-                    const Tensor<1, 3>              &gravity)
+                    const Tensor<1, 3>              &gravity,
+                    const FieldRules                &rules)
     {
       std::vector<Beam::SectionHeat> heat;
       std::vector<Vector>            weights;
       for (const TouchedBody &body : touched)
         {
           const Beam &beam = *beams[body.number];
-          for (const Beam::SectionHeat &one : spanning_heat(beam))
+          for (const Beam::SectionHeat &one : spanning_heat(beam, rules))
             heat.push_back(one);
           if (gravity.norm() > 0.)
             weights.push_back(beam.section_weight(gravity));
@@ -382,7 +383,8 @@ namespace lamella
             std::vector<std::string>           &notes)
     {
       const std::vector<const Beam *> beams = beams_of(bodies);
-      const auto [heat, weights] = loads_all_along(beams, touched, gravity);
+      const auto [heat, weights] =
+        loads_all_along(beams, touched, gravity, rules);
       FieldsOfSection fields(
         beams[touched[0].number]->fields().shared_section(),
         descriptions[touched[0].number].theory,
@@ -412,6 +414,20 @@ namespace lamella
         if (const unsigned int b = touched[k].number; !lists[k].empty())
           bodies[b] = with_lists(*beams[b], space, descriptions[b], lists[k]);
     }
+
+
+
+    /// From where to where along the body number @p body stresses are asked
+    /// for.
+    std::vector<std::pair<double, double>>
+    asked_of(const unsigned int body, const std::vector<StressPlace> &asked)
+    {
+      std::vector<std::pair<double, double>> places;
+      for (const StressPlace &place : asked)
+        if (place.body == body)
+          places.emplace_back(place.begin, place.end);
+      return places;
+    }
   } // namespace
 
   bool
@@ -430,24 +446,18 @@ namespace lamella
                 const FieldRules                    &rules,
                 const Tensor<1, 3>                  &gravity)
   {
-    const auto asked_of = [&asked](const unsigned int body) {
-      std::vector<std::pair<double, double>> places;
-      for (const StressPlace &place : asked)
-        if (place.body == body)
-          places.emplace_back(place.begin, place.end);
-      return places;
-    };
     const std::vector<const Beam *> beams = beams_of(bodies);
     std::map<std::pair<std::string, Theory>, std::vector<TouchedBody>> touched;
     for (unsigned int b = 0; b < descriptions.size(); ++b)
       if (descriptions[b].theory.is_of_solutions())
         {
           const Beam &beam = *beams[b];
-          auto all = find_touches(beam, b, bodies, supports, loads, contacts);
+          auto        all  = find_touches(
+            beam, b, bodies, supports, loads, contacts, rules.touches);
           for (const Touch &end : heated_free_ends(beam, all))
             all.push_back(end);
           touched[{descriptions[b].section, descriptions[b].theory}].push_back(
-            {b, std::move(all), asked_of(b), {}});
+            {b, std::move(all), asked_of(b, asked), {}});
         }
     std::vector<std::string> notes;
     for (unsigned int b = 0; b < descriptions.size(); ++b)

@@ -13,15 +13,6 @@ namespace lamella
 
   namespace
   {
-    // Of a unit vector: less than that beside the others is nothing new.
-    constexpr double independent = 0.02;
-    // A load's nodes whose vectors are looked at.
-    constexpr double strong = 0.05;
-    // Of a row's weights: above it a row presses along the axis.
-    constexpr double along_axis = 0.7;
-
-
-
     /// Section load vectors by the nodes of the axis. Rows, since a support of
     /// a whole body has as many as it has nodes, of few entries each.
     using ByNode = std::map<unsigned int, Row>;
@@ -109,7 +100,7 @@ namespace lamella
 
     /// @p f without what acts along the axis, unless that is most of it.
     Row
-    without_axial(const Row &f, const Section &section)
+    without_axial(const Row &f, const Section &section, const TouchRules &rules)
     {
       double axial = 0.;
       Row    rest;
@@ -118,18 +109,19 @@ namespace lamella
           axial += weight * weight;
         else
           rest.add(field, weight);
-      return std::sqrt(axial) > along_axis * l2_norm(f) ? f : rest;
+      return std::sqrt(axial) > rules.along_axis * l2_norm(f) ? f : rest;
     }
   } // namespace
 
 
 
   SectionLoad
-  load_of_row(const Beam     &beam,
-              const Row      &row,
-              const Point<3> &position,
-              const double    area,
-              const bool      normal)
+  load_of_row(const Beam       &beam,
+              const Row        &row,
+              const Point<3>   &position,
+              const double      area,
+              const bool        normal,
+              const TouchRules &rules)
   {
     const auto nodes = by_node(beam, row);
     Row        f;
@@ -138,7 +130,7 @@ namespace lamella
       f.add(part, 1.);
     f.compress();
     const Point<3> x = beam.place().to_body(position);
-    return {normal ? without_axial(f, beam.section()) : f,
+    return {normal ? without_axial(f, beam.section(), rules) : f,
             place_of(beam.axis(), nodes),
             {x[0], x[2]},
             area,
@@ -150,7 +142,8 @@ namespace lamella
   std::vector<SectionLoad>
   loads_of_vector(const Beam              &beam,
                   const Vector            &load,
-                  const std::vector<bool> &asked)
+                  const std::vector<bool> &asked,
+                  const TouchRules        &rules)
   {
     Row row;
     for (unsigned int dof = 0; dof < load.size(); ++dof)
@@ -171,7 +164,7 @@ namespace lamella
           if (const auto found = nodes.find(node); found != nodes.end())
             here.insert(*found);
         for (const auto &[node, part] : here)
-          if (l2_norm(part) > strong * largest)
+          if (l2_norm(part) > rules.strong * largest)
             loads.push_back(
               {part, place_of(axis, here), {}, l2_norm(part), false});
       }
@@ -182,7 +175,8 @@ namespace lamella
 
   std::vector<Vector>
   independent_of(const std::vector<SectionLoad> &loads,
-                 const unsigned int              n_fields)
+                 const unsigned int              n_fields,
+                 const TouchRules               &rules)
   {
     std::vector<Vector> result, basis;
     for (const SectionLoad &load : loads)
@@ -195,7 +189,7 @@ namespace lamella
         Vector left = f;
         for (const Vector &one : basis)
           left.add(-(one * left), one);
-        if (left.l2_norm() < independent)
+        if (left.l2_norm() < rules.independent)
           continue;
         left /= left.l2_norm();
         basis.push_back(left);

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include <lamella/adapt/section_load.h>
 #include <lamella/adapt/touch.h>
 #include <lamella/base/arithmetic.h>
 
@@ -18,17 +17,17 @@ namespace lamella
     take_loads(Touch                          &touch,
                const std::vector<SectionLoad> &loads,
                const bool                      at_node,
-               const unsigned int              n_fields)
+               const unsigned int              n_fields,
+               const TouchRules               &rules)
     {
-      // A node's section as a whole, in one direction at least.
       touch.holds_section =
-        at_node && loads.size() > 30 && 4 * loads.size() > n_fields;
+        at_node && holds_whole_section(loads.size(), n_fields, rules);
       if (touch.holds_section)
         for (const SectionLoad &load : loads)
           touch.held.push_back(load.f);
       else
         {
-          touch.loads  = independent_of(loads, n_fields);
+          touch.loads  = independent_of(loads, n_fields, rules);
           touch.smooth = smooth_of(loads, n_fields);
         }
     }
@@ -42,6 +41,7 @@ namespace lamella
                 const unsigned int       n_fields,
                 std::vector<SectionLoad> loads,
                 bool Touch::*const  kind,
+                const TouchRules   &rules,
                 std::vector<Touch> &touches)
     {
       std::stable_sort(loads.begin(),
@@ -64,7 +64,7 @@ namespace lamella
               touch.element = std::min(touch.element, end->place.element);
               at_node       = at_node && end->at_node;
             }
-          take_loads(touch, {begin, end}, at_node, n_fields);
+          take_loads(touch, {begin, end}, at_node, n_fields, rules);
           if (kind != nullptr)
             touch.*kind = true;
           touches.push_back(std::move(touch));
@@ -74,12 +74,9 @@ namespace lamella
     /// Whether on each element of its axis the heat of @p beam varies along it
     /// by more than the response to what is constant can follow.
     std::vector<bool>
-    where_heat_varies(const Beam &beam)
+    where_heat_varies(const Beam &beam, const TouchRules &rules)
     {
-      // Over the smaller extent of the section, of the largest: the tolerance
-      // of fields far from what touches.
-      constexpr double    varies = 1e-2;
-      const Axis         &axis   = beam.axis();
+      const Axis         &axis = beam.axis();
       std::vector<Vector> heat;
       double              largest = 0.;
       for (const double y : axis.nodes())
@@ -100,7 +97,8 @@ namespace lamella
               change -= heat[nodes[0]];
               largest_change = std::max(largest_change, change.l2_norm());
             }
-          result.push_back(largest_change * H > varies * largest * length);
+          result.push_back(largest_change * H >
+                           rules.heat_varies * largest * length);
         }
       return result;
     }
@@ -109,17 +107,21 @@ namespace lamella
 
     /// The heat of @p beam as a load where it varies along the axis.
     void
-    add_heat(const Beam &beam, std::vector<Touch> &touches)
+    add_heat(const Beam         &beam,
+             const TouchRules   &rules,
+             std::vector<Touch> &touches)
     {
       if (!beam.is_heated())
         return;
       Vector load(beam.n_dofs());
       beam.add_heat(load);
-      add_touches("heat",
-                  beam.section().n_fields(),
-                  loads_of_vector(beam, load, where_heat_varies(beam)),
-                  &Touch::heats,
-                  touches);
+      add_touches(
+        "heat",
+        beam.section().n_fields(),
+        loads_of_vector(beam, load, where_heat_varies(beam, rules), rules),
+        &Touch::heats,
+        rules,
+        touches);
     }
   } // namespace
 
@@ -161,13 +163,14 @@ namespace lamella
     loads_of_support(const Beam                       &beam,
                      const unsigned int                body,
                      const unsigned int                support,
-                     const std::vector<PrescribedRow> &rows)
+                     const std::vector<PrescribedRow> &rows,
+                     const TouchRules                 &rules)
     {
       std::vector<SectionLoad> held;
       for (const PrescribedRow &row : rows)
         if (row.support == support && row.row.body == body)
           held.push_back(
-            load_of_row(beam, row.row.row, row.position, 1., false));
+            load_of_row(beam, row.row.row, row.position, 1., false, rules));
       return held;
     }
 
@@ -177,7 +180,8 @@ namespace lamella
     std::vector<SectionLoad>
     loads_of_contact(const Beam             &beam,
                      const unsigned int      body,
-                     const ContactInterface &contact)
+                     const ContactInterface &contact,
+                     const TouchRules       &rules)
     {
       std::vector<SectionLoad> pressed;
       for (unsigned int k = 0; k < contact.rows.size(); ++k)
@@ -189,22 +193,30 @@ namespace lamella
                                             contact.points[k].first :
                                             contact.points[k].second,
                                           contact.points[k].area,
-                                          true));
+                                          true,
+                                          rules));
       return pressed;
     }
 
 
 
-    /// The forces of @p load on the DoFs of all bodies.
-    BlockVector
-    vector_of(const Load &load, const Bodies &bodies)
+    /// Of @p load on the body number @p body, @p beam.
+    std::vector<SectionLoad>
+    loads_of_load(const Beam        &beam,
+                  const unsigned int body,
+                  const Load        &load,
+                  const Bodies      &bodies,
+                  const TouchRules  &rules)
     {
       std::vector<types::global_dof_index> sizes;
       for (const auto &one : bodies)
         sizes.push_back(one->n_dofs());
-      BlockVector vector(sizes);
-      add_load(load, bodies, vector);
-      return vector;
+      BlockVector forces(sizes);
+      add_load(load, bodies, forces);
+      return loads_of_vector(beam,
+                             forces.block(body),
+                             std::vector<bool>(beam.axis().n_cells(), true),
+                             rules);
     }
   } // namespace
 
@@ -216,7 +228,8 @@ namespace lamella
                const Bodies                        &bodies,
                const std::vector<Support>          &supports,
                const std::vector<Load>             &loads,
-               const std::vector<ContactInterface> &contacts)
+               const std::vector<ContactInterface> &contacts,
+               const TouchRules                    &rules)
   {
     const unsigned int               n_fields = beam.section().n_fields();
     std::vector<Touch>               touches;
@@ -224,28 +237,26 @@ namespace lamella
     for (unsigned int s = 0; s < supports.size(); ++s)
       add_touches("support " + supports[s].name,
                   n_fields,
-                  supports[s].hold ? std::vector<SectionLoad>() :
-                                     loads_of_support(beam, body, s, rows),
+                  supports[s].hold ?
+                    std::vector<SectionLoad>() :
+                    loads_of_support(beam, body, s, rows, rules),
                   &Touch::holds,
+                  rules,
                   touches);
     for (const Load &load : loads)
-      {
-        const BlockVector vector = vector_of(load, bodies);
-        add_touches("load " + load.name,
-                    n_fields,
-                    loads_of_vector(beam,
-                                    vector.block(body),
-                                    std::vector<bool>(beam.axis().n_cells(),
-                                                      true)),
-                    nullptr,
-                    touches);
-      }
-    add_heat(beam, touches);
+      add_touches("load " + load.name,
+                  n_fields,
+                  loads_of_load(beam, body, load, bodies, rules),
+                  nullptr,
+                  rules,
+                  touches);
+    add_heat(beam, rules, touches);
     for (const ContactInterface &contact : contacts)
       add_touches("contact " + contact.name,
                   n_fields,
-                  loads_of_contact(beam, body, contact),
+                  loads_of_contact(beam, body, contact, rules),
                   &Touch::presses,
+                  rules,
                   touches);
     return touches;
   }

@@ -11,11 +11,6 @@ namespace lamella
 {
   namespace
   {
-    /// Wave numbers of what stands in for theories without responses, and what
-    /// SV-N gets more; the least that is worth while.
-    constexpr unsigned int many_waves = 10, more_waves = 4, least_waves = 6;
-    constexpr unsigned int highest_degree = 8, most_waves = 40;
-
     /// All theories along the axis of @p body.
     std::vector<Theory *>
     theories_of(BodyDescription &body)
@@ -38,19 +33,23 @@ namespace lamella
 
 
     void
-    enrich_fields(BodyDescription &body, const BodySize &size)
+    enrich_fields(BodyDescription &body,
+                  const BodySize  &size,
+                  const PlanRules &rules)
     {
       const bool layers_are_cheap =
         size.nodes > 0 && body.pieces.empty() &&
-        (dofs_of_layers(size, 2) <= cheap_dofs || size.touched > long_contact);
+        (dofs_of_layers(size, 2) <= rules.cheap_dofs ||
+         size.touched > rules.long_contact);
       // Pieces of plain SV beside LE say by hand where responses are wanted.
       for (Theory *theory : theories_of(body))
         if (theory->is_single_layer() ||
-            (theory->is_of_solutions() && theory->order < least_waves))
+            (theory->is_of_solutions() && theory->order < rules.least_waves))
           {
             const unsigned int order = theory->section_order,
-                               waves = theory->is_of_solutions() ? least_waves :
-                                                                   many_waves;
+                               waves = theory->is_of_solutions() ?
+                                         rules.least_waves :
+                                         rules.many_waves;
             *theory                  = layers_are_cheap ? Theory::layerwise(2) :
                                                           Theory::of_solutions(waves, order);
             theory->section_order    = order;
@@ -59,35 +58,37 @@ namespace lamella
             body.axis.assumed_shear = false;
           }
         else if (theory->is_of_solutions())
-          theory->order = std::min(theory->order + more_waves, most_waves);
+          theory->order =
+            std::min(theory->order + rules.more_waves, rules.most_waves);
     }
 
 
 
     /// Makes SV-10 of the LE-N of @p size that would have @p times as many
-    /// DoFs, if these are more than @p most: the same fields of the section,
+    /// DoFs, if these are too many: the same fields of the section,
     /// those that the scene wants, where these are fewer.
     void
     keep_small(BodyDescription &body,
                const BodySize  &size,
                const double     times,
-               const double     most)
+               const PlanRules &rules)
     {
-      if (!may_have_responses(body, size) || times * size.dofs <= most)
+      if (!may_have_responses(body, size, rules) ||
+          times * size.dofs <= rules.most_dofs_of_layers)
         return;
-      body.theory = body.theory.from_solutions(many_waves);
+      body.theory = body.theory.from_solutions(rules.many_waves);
     }
 
 
 
     /// Whether the degree of @p body's section cannot grow any more.
     bool
-    has_highest_degree(const BodyDescription &body)
+    has_highest_degree(const BodyDescription &body, const PlanRules &rules)
     {
       const Theory &theory = body.theory;
-      return (theory.is_layerwise() && theory.order >= highest_degree) ||
+      return (theory.is_layerwise() && theory.order >= rules.highest_degree) ||
              (theory.is_of_solutions() &&
-              theory.section_order >= highest_degree);
+              theory.section_order >= rules.highest_degree);
     }
 
 
@@ -95,7 +96,7 @@ namespace lamella
     void
     enrich_section(BodyDescription &body,
                    const BodySize  &size,
-                   const double     most)
+                   const PlanRules &rules)
     {
       if (body.theory.is_solid())
         {
@@ -105,16 +106,16 @@ namespace lamella
             ++body.refinement.everywhere;
           return;
         }
-      const double growth = has_highest_degree(body) ?
+      const double growth = has_highest_degree(body, rules) ?
                               2. :
                               (body.theory.order + 1.) / body.theory.order;
-      keep_small(body, size, growth * growth, most);
+      keep_small(body, size, growth * growth, rules);
       for (Theory *theory : theories_of(body))
         {
           if (theory->is_layerwise())
-            theory->order = std::min(theory->order + 1, highest_degree);
+            theory->order = std::min(theory->order + 1, rules.highest_degree);
           theory->section_order =
-            std::min(theory->section_order + 1, highest_degree);
+            std::min(theory->section_order + 1, rules.highest_degree);
         }
     }
 
@@ -123,11 +124,11 @@ namespace lamella
     /// Divides all cells of the sections of bodies that have the highest
     /// degree.
     void
-    divide_cells(Scene &result, const Scene &scene)
+    divide_cells(Scene &result, const Scene &scene, const PlanRules &rules)
     {
       std::set<std::string> sections;
       for (const BodyDescription &body : scene.bodies)
-        if (has_highest_degree(body))
+        if (has_highest_degree(body, rules))
           sections.insert(body.section);
       for (const std::string &section : sections)
         ++result.divisions[section];
@@ -187,11 +188,13 @@ namespace lamella
 
 
   bool
-  may_have_responses(const BodyDescription &body, const BodySize &size)
+  may_have_responses(const BodyDescription &body,
+                     const BodySize        &size,
+                     const PlanRules       &rules)
   {
     return body.theory.is_layerwise() && body.pieces.empty() &&
-           !size.held_all_along && size.touched <= long_contact &&
-           size.fields > 2. * fields_of_responses;
+           !size.held_all_along && size.touched <= rules.long_contact &&
+           size.fields > rules.worth_while * rules.fields_of_responses;
   }
 
 
@@ -239,7 +242,7 @@ namespace lamella
   enriched(const Scene                 &scene,
            const Source                 source,
            const std::vector<BodySize> &sizes,
-           const double                 most_dofs)
+           const PlanRules             &rules)
   {
     Scene result = scene;
     for (unsigned int b = 0; b < result.bodies.size(); ++b)
@@ -247,16 +250,16 @@ namespace lamella
         BodyDescription &body = result.bodies[b];
         if (source == Source::axis && !body.theory.is_solid())
           {
-            keep_small(body, sizes[b], 2., most_dofs);
+            keep_small(body, sizes[b], 2., rules);
             halve_elements(body.axis);
           }
         else if (source == Source::fields && !body.theory.is_solid())
-          enrich_fields(body, sizes[b]);
+          enrich_fields(body, sizes[b], rules);
         else if (source == Source::section)
-          enrich_section(body, sizes[b], most_dofs);
+          enrich_section(body, sizes[b], rules);
       }
     if (source == Source::section)
-      divide_cells(result, scene);
+      divide_cells(result, scene, rules);
     if (source == Source::contact)
       for (ContactPair &contact : result.contacts)
         contact.enforcement = Enforcement::exact;

@@ -10,23 +10,15 @@ namespace lamella
 {
   namespace
   {
-    // The largest ratio of two successive changes that still converges fast
-    // enough to be summed up, and the share of the scale below which all that
-    // the values do is taken for their error.
-    constexpr double most_left = 2. / 3., small = 1e-2;
-    // Agreement beyond these of the scale is not told from rounding.
-    constexpr double digits = 1e-8;
-
-
-
     /// What speaks against the changes @p first and @p second from one
     /// refinement to the next.
     std::string
-    why_not_trusted(const double first, const double second, const double scale)
+    why_not_trusted(const double    first,
+                    const double    second,
+                    const double    scale,
+                    const BarRules &rules)
     {
-      // What has a limit changes less from one refinement to the next.
-      constexpr double growth = 0.9;
-      if (first * second > growth * first * first)
+      if (first * second > rules.growth * first * first)
         return "it grows from one refinement to the next, by " +
                to_text(100. * std::abs(first) / scale, 2) + " and then by " +
                to_text(100. * std::abs(second) / scale, 2) +
@@ -41,7 +33,7 @@ namespace lamella
 
 
   ErrorBar
-  error_bar(const Refinements &values)
+  error_bar(const Refinements &values, const BarRules &rules)
   {
     const double first  = values.richer - values.run,
                  second = values.richest - values.richer;
@@ -49,26 +41,31 @@ namespace lamella
     result.estimate = values.richest - values.run;
     const double spread =
       std::max({std::abs(first), std::abs(second), std::abs(result.estimate)});
-    const double rounding = std::max(values.rounding, digits * values.scale);
-    result.bar =
-      std::max({2. * std::abs(result.estimate), 0.5 * values.shares, rounding});
+    const double rounding =
+      std::max(values.rounding, rules.digits * values.scale);
+    result.bar = std::max({rules.of_change * std::abs(result.estimate),
+                           rules.of_shares * values.shares,
+                           rounding});
 
-    if (std::abs(second) <= most_left * std::abs(first) || spread <= rounding)
+    if (std::abs(second) <= rules.most_left * std::abs(first) ||
+        spread <= rounding)
       result.trusted = true;
-    else if (spread <= small * values.scale)
+    else if (spread <= rules.small * values.scale)
       {
         result.trusted = true;
-        result.bar     = std::max(result.bar, 2. * spread);
+        result.bar     = std::max(result.bar, rules.of_change * spread);
       }
     else
-      result.why = why_not_trusted(first, second, values.scale);
+      result.why = why_not_trusted(first, second, values.scale, rules);
     return result;
   }
 
 
 
   ErrorBar
-  error_bar_after(const double poorer, const Refinements &values)
+  error_bar_after(const double       poorer,
+                  const Refinements &values,
+                  const BarRules    &rules)
   {
     Refinements before       = values;
     before.run               = poorer;
@@ -76,15 +73,16 @@ namespace lamella
     before.richest           = values.richer;
     Refinements once         = values;
     once.richest             = values.richer;
-    const ErrorBar of_poorer = error_bar(before);
-    ErrorBar       result    = error_bar(once);
+    const ErrorBar of_poorer = error_bar(before, rules);
+    ErrorBar       result    = error_bar(once, rules);
     result.trusted           = of_poorer.trusted;
     result.why               = of_poorer.why;
     const double change      = std::abs(values.richer - values.run),
                  last        = std::abs(values.run - poorer);
     if (last > 0.)
       result.bar =
-        std::max(result.bar, 2. * change * (1. + std::min(1., change / last)));
+        std::max(result.bar,
+                 rules.of_change * change * (1. + std::min(1., change / last)));
     return result;
   }
 
@@ -93,29 +91,31 @@ namespace lamella
   ErrorBar
   error_bar_from_below(const std::vector<Levels> &sources,
                        const double               scale,
-                       const double               rounding)
+                       const double               rounding,
+                       const BarRules            &rules)
   {
     ErrorBar result;
     result.trusted = true;
     for (const Levels &levels : sources)
       {
         const double d = std::abs(levels.last), e = std::abs(levels.before);
-        if (e > 0. && d <= most_left * e)
+        if (e > 0. && d <= rules.most_left * e)
           {
             const double left = (d / e) / (1. - d / e);
             result.estimate += levels.last * left;
-            result.bar += std::max({d, 2. * d * left, levels.least});
+            result.bar +=
+              std::max({d, rules.of_change * d * left, levels.least});
             continue;
           }
         result.estimate += levels.last;
-        result.bar += std::max(2. * std::max(d, e), levels.least);
-        if (std::max(d, e) > small * scale)
+        result.bar += std::max(rules.of_change * std::max(d, e), levels.least);
+        if (std::max(d, e) > rules.small * scale)
           {
             result.trusted = false;
-            result.why     = why_not_trusted(e, d, scale);
+            result.why     = why_not_trusted(e, d, scale, rules);
           }
       }
-    result.bar = std::max({result.bar, rounding, digits * scale});
+    result.bar = std::max({result.bar, rounding, rules.digits * scale});
     return result;
   }
 } // namespace lamella

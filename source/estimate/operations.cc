@@ -46,11 +46,11 @@ namespace lamella
 
 
   double
-  operations_of_bars(const Simulation &run)
+  operations_of_bars(const Simulation &run,
+                     const PlanRules  &rules,
+                     const CostRules  &cost)
   {
-    constexpr double axes = 8., of_block = 5., waves = 10.,
-                     of_eigenvectors   = 10.;
-    const double                m      = fields_of_responses;
+    const double                m      = rules.fields_of_responses;
     double                      sum    = 0.;
     const std::vector<BodySize> sizes  = sizes_of(run.model());
     const Bodies               &bodies = run.model().structure().bodies();
@@ -58,10 +58,10 @@ namespace lamella
     const auto                  beams  = beams_of(bodies);
     for (unsigned int b = 0; b < sizes.size(); ++b)
       {
-        if (!may_have_responses(scene.bodies[b], sizes[b]) ||
-            2. * sizes[b].dofs <= most_dofs_of_layers)
+        if (!may_have_responses(scene.bodies[b], sizes[b], rules) ||
+            2. * sizes[b].dofs <= rules.most_dofs_of_layers)
           return std::numeric_limits<double>::infinity();
-        sum += axes * sizes[b].nodes * of_block * m * m * m;
+        sum += cost.axes * sizes[b].nodes * cost.of_block * m * m * m;
         // It is of LE-N: responses say so.
         const Beam  &beam    = *beams[b];
         const auto   touches = find_touches(beam,
@@ -70,9 +70,9 @@ namespace lamella
                                           scene.supports,
                                           scene.loads,
                                           run.model().interfaces());
-        const double answers = 2. * waves * n_load_vectors(touches);
+        const double answers = 2. * cost.waves * n_load_vectors(touches);
         sum += sizes[b].fields * answers * answers +
-               of_eigenvectors * answers * answers * answers;
+               cost.of_eigenvectors * answers * answers * answers;
         sum += double(nodes_of_pieces(beam, touches)) / sizes[b].nodes *
                operations(run.results().bodies[b]);
       }

@@ -16,9 +16,10 @@ namespace lamella
     /// to a contact that is everywhere they would be fine everywhere. Bodies
     /// whose nodes a contact pairs go together.
     void
-    begin_with_equal_elements(Scene &scene, std::vector<bool> touched_all_along)
+    begin_with_equal_elements(Scene            &scene,
+                              std::vector<bool> touched_all_along,
+                              const PlanRules  &rules)
     {
-      constexpr unsigned int elements = 10;
       for (const ContactPair &contact : scene.contacts)
         if (may_pair_nodes(contact))
           {
@@ -35,7 +36,7 @@ namespace lamella
             touched_all_along[b] && axis.fineness > 0.)
           {
             axis.fineness = 0.;
-            axis.elements = {elements};
+            axis.elements = {rules.equal_elements};
             axis.breaks.clear();
           }
     }
@@ -55,7 +56,7 @@ namespace lamella
 
 
   Scene
-  start_of(Scene scene)
+  start_of(Scene scene, const PlanRules &rules)
   {
     if (!scene.goals.theory_is_assumed || scene.contacts.empty())
       return scene;
@@ -70,11 +71,12 @@ namespace lamella
     for (unsigned int b = 0; b < scene.bodies.size(); ++b)
       if (is_assumed(scene, b))
         {
-          touched_all_along[b] = sizes[b].touched > long_contact;
-          if (touched_all_along[b] || dofs_of_layers(sizes[b], 2) <= cheap_dofs)
+          touched_all_along[b] = sizes[b].touched > rules.long_contact;
+          if (touched_all_along[b] ||
+              dofs_of_layers(sizes[b], 2) <= rules.cheap_dofs)
             scene.bodies[b].theory = Theory::layerwise(1);
         }
-    begin_with_equal_elements(scene, touched_all_along);
+    begin_with_equal_elements(scene, touched_all_along, rules);
     return scene;
   }
 

@@ -13,7 +13,7 @@ namespace lamella
 
   namespace
   {
-    constexpr unsigned int n_rigid = 6;
+    constexpr unsigned int n_rigid = RigidField::n_all;
     // Of a field's norm: what is left of it without what is known is rounding.
     constexpr double nothing_new = 1e-8;
   } // namespace

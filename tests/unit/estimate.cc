@@ -141,7 +141,9 @@ namespace
                   const double                 most_dofs = 1e9,
                   const std::vector<BodySize> &sizes     = large)
   {
-    return enriched(scene_of(theory), source, sizes, most_dofs)
+    PlanRules rules;
+    rules.most_dofs_of_layers = most_dofs;
+    return enriched(scene_of(theory), source, sizes, rules)
       .bodies[0]
       .theory.name();
   }

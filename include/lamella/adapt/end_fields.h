@@ -27,6 +27,9 @@ namespace lamella
     double shortest_element = 0.15, longest_element = 0.5;
     /// Where zones begin, over B, ascending.
     std::vector<double> zones{0., 1., 3.};
+    /// By how much of B inner fields go on into the next zone, since a stress
+    /// in an element whose nodes differ is as poor as the poorer one.
+    double overlap = 0.5;
     /// Combinations are cut below this amplitude; that of a Saint-Venant state
     /// along one H is 1.
     double tolerance = 1e-3;

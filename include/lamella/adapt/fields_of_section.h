@@ -133,8 +133,8 @@ namespace lamella
     double
     near_tolerance() const
     {
-      return rules.near_tolerance *
-             std::min(1., 36. / double(theory.order * theory.order));
+      const double ratio = double(rules.cut_of_waves) / theory.order;
+      return rules.near_tolerance * std::min(1., ratio * ratio);
     }
     /// The responses of all groups, at one set of wave numbers: one
     /// factorisation each.

@@ -38,6 +38,19 @@ namespace lamella
     double growth = 0.6;
     /// At least as many elements on an axis.
     unsigned int least = 4;
+    /// Places closer to each other than this share of their size are one.
+    double one_place = 0.5;
+    /// The samples of 1 / s between two places, for the trapezoidal rule; what
+    /// its integral exceeds an integer by, if less than `spare`, makes no
+    /// element more.
+    unsigned int samples = 400;
+    double       spare   = 0.05;
+    /// Gaps that differ by less than this share of H lie upon each other.
+    double same_gap = 1e-3;
+    /// Equal elements that a contact is looked for with: as many over H, and on
+    /// an axis at least and at most: the parabola of grade_axes() tells places
+    /// better than they do.
+    double to_search = 2., least_to_search = 12., most_to_search = 240.;
   };
 
   /**
@@ -47,8 +60,8 @@ namespace lamella
    *   c = growth / (exp(growth) - 1),
    * each piece between two places has N elements, N the integral of dy / s over
    * the piece, rounded up, and each of them has 1 / N of that integral. Every
-   * place is the end of an element; places closer to each other than half of
-   * their size are one. Between 0 and length, both left out, ascending.
+   * place is the end of an element; places closer to each other than one_place
+   * of their size are one. Between 0 and length, both left out, ascending.
    */
   std::vector<double>
   graded_breaks(const double                     length,

@@ -34,12 +34,24 @@ namespace lamella
     /// have as many more wave numbers as it takes to reach it in equal ratios
     /// that are no larger than without.
     double lowest_wave = 0.25, lowest_wave_of_walls = 0.05;
+    /// Walls are thin where the section fills less than this of the box around
+    /// it: a box or a double-T does, and no solid section.
+    double thin_walls = 0.5;
     /// The largest one near what touches, over h_e, and far from it, over H.
     double highest_wave = 10., highest_wave_afar = 4.;
+    /// The largest one is at least this many times the smallest, however long
+    /// the elements are.
+    double least_range_of_waves = 2.;
     /// What is cut of responses, near and far (Warping::basis()). Near times
-    /// (6 / N)^2 where N is more than 6: more wave numbers are wanted for more
-    /// digits.
-    double near_tolerance = 3e-2, far_tolerance = 1e-2;
+    /// (6 / N)^2 where N is more than 6 = cut_of_waves: more wave numbers are
+    /// wanted for more digits.
+    double       near_tolerance = 3e-2, far_tolerance = 1e-2;
+    unsigned int cut_of_waves = 6;
+    /// The heat of a node is that of others where no more than this is left of
+    /// it beside theirs, of a unit vector.
+    double same_heat = 1e-3;
+    /// What touches count as.
+    TouchRules touches = {};
     /// Responses reach this many H beyond the elements that are touched, and
     /// those to tractions of a clamp this many times the larger extent.
     double reach = 2., reach_of_clamp = 1.5;
@@ -53,12 +65,12 @@ namespace lamella
     /// than that: nothing would be won.
     double       most_fields = 0.5;
     unsigned int least_nodes = 15;
-    /// Nor where supports hold more than a quarter of its sections as a whole
-    /// (plane strain), or (but those of whole sections) more load vectors than
-    /// this share of the fields, on average: a surface held all along leaves
-    /// lists with little but what is held to be eliminated from, which is slow
-    /// and costs digits.
-    double most_held = 0.05;
+    /// Nor where supports clamp more than this share of its nodes (plane
+    /// strain: is_held_all_along()), or (but those of whole sections) more load
+    /// vectors than this share of the fields, on average: a surface held all
+    /// along leaves lists with little but what is held to be eliminated from,
+    /// which is slow and costs digits.
+    double most_clamped = 0.25, most_held = 0.05;
     /// The names of bodies that keep all fields whatever they would win: with
     /// fewer their scene was not to be solved in double precision.
     std::vector<std::string> unsolved = {};

@@ -9,6 +9,46 @@
 
 namespace lamella
 {
+  /**
+   * What of rows counts as a touch of a section, and which touch is a clamp.
+   * They are judgements, not optima, and all that doc/saint-venant-fields.md
+   * compares was made with them.
+   */
+  struct TouchRules
+  {
+    /// Of a unit load vector: with less than that beside the others it is
+    /// nothing new.
+    double independent = 0.02;
+    /// Of the largest vector of a load: nodes with less are not looked at.
+    double strong = 0.05;
+    /// Of a row's weights: above it a row presses along the axis, and below it
+    /// what it has along the axis is left out (surfaces that slope).
+    double along_axis = 0.7;
+    /// What heat may change along one H, of its largest, without being a load:
+    /// FieldRules::far_tolerance, to which the response to constant heat
+    /// follows it.
+    double heat_varies = 1e-2;
+    /// A clamp (holds_whole_section()) has more rows at a node than this, and
+    /// more than this share of the section's fields. The 30 tell it from what
+    /// holds an edge of a small section; the quarter from one that holds an
+    /// edge of a large one: one component all over a section is a third.
+    unsigned int edge_rows   = 30;
+    double       edge_fields = 0.25;
+  };
+
+  /// Whether a support with @p n_rows at one node of the axis is a clamp of a
+  /// section of @p n_fields: it holds the section as a whole, in one direction
+  /// at least, and the section answers to it by end fields, not by load
+  /// vectors. Everywhere in this program a section that is clamped is one of
+  /// which this says so.
+  inline bool
+  holds_whole_section(const std::size_t  n_rows,
+                      const unsigned int n_fields,
+                      const TouchRules  &rules = {})
+  {
+    return n_rows > rules.edge_rows && n_rows > rules.edge_fields * n_fields;
+  }
+
   /// A part of an axis: from, to, and the shortest element there or beside
   /// [length].
   struct AxisPart
@@ -38,7 +78,8 @@ namespace lamella
               const Row              &row,
               const dealii::Point<3> &position,
               const double            area,
-              const bool              normal);
+              const bool              normal,
+              const TouchRules       &rules);
 
   /// The load vector @p load, whatever it is at each node: those of each
   /// element that it is on, of the elements @p asked, one for each cell of the
@@ -46,13 +87,15 @@ namespace lamella
   std::vector<SectionLoad>
   loads_of_vector(const Beam              &beam,
                   const Vector            &load,
-                  const std::vector<bool> &asked);
+                  const std::vector<bool> &asked,
+                  const TouchRules        &rules);
 
   /// Those of @p loads, vectors of @p n_fields, that are independent, unit
   /// length each.
   std::vector<Vector>
   independent_of(const std::vector<SectionLoad> &loads,
-                 const unsigned int              n_fields);
+                 const unsigned int              n_fields,
+                 const TouchRules               &rules);
 
   /// The mean of @p loads and what varies linearly across, weighted with their
   /// areas. There must be a load.

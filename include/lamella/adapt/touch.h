@@ -3,7 +3,7 @@
 #ifndef lamella_adapt_touch_h
 #define lamella_adapt_touch_h
 
-#include <lamella/body/beam.h>
+#include <lamella/adapt/section_load.h>
 #include <lamella/conditions/load.h>
 #include <lamella/conditions/support.h>
 #include <lamella/contact/gap_rows.h>
@@ -36,7 +36,8 @@ namespace lamella
     /// The shortest axis element there, or of those beside the node: no load
     /// can vary faster along the axis than it can show [length].
     double element = 0.;
-    /// Whether it takes hold of the section as a whole: a clamp.
+    /// Whether it takes hold of the section as a whole: a clamp
+    /// (holds_whole_section()).
     bool holds_section = false;
     /// Whether it is nothing but an end that is free to deform.
     bool is_free = false;
@@ -57,7 +58,8 @@ namespace lamella
                const Bodies                        &bodies,
                const std::vector<Support>          &supports,
                const std::vector<Load>             &loads,
-               const std::vector<ContactInterface> &contacts);
+               const std::vector<ContactInterface> &contacts,
+               const TouchRules                    &rules = {});
 
   /// The ends of @p beam, if it is heated, that none of @p touches holds as a
   /// whole: stress that heat makes along the axis ends there.

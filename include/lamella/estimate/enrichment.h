@@ -4,6 +4,7 @@
 #define lamella_estimate_enrichment_h
 
 #include <lamella/base/names.h>
+#include <lamella/estimate/plan_rules.h>
 #include <lamella/recover/results.h>
 #include <lamella/run/simulation.h>
 #include <lamella/scene/scene.h>
@@ -31,18 +32,6 @@ namespace lamella
                                              {Source::contact, "contact"}};
   };
 
-  /// The DoFs of a body up to which LE-N is enriched as it is; beyond them the
-  /// section's own fields stand in.
-  constexpr double most_dofs_of_layers = 60000.;
-
-  /// Fields that a node of SV-10 near something carries; a section wants more
-  /// than twice as many for these to be fewer.
-  constexpr double fields_of_responses = 200.;
-
-  /// The DoFs that LE-2 may have for being cheaper than the making of
-  /// responses.
-  constexpr double cheap_dofs = 20000.;
-
   /// How large a body is, as far as its models are chosen by it.
   struct BodySize
   {
@@ -55,11 +44,6 @@ namespace lamella
     double touched = 0.;
   };
 
-  /// The share of a beam's length along which others may touch it above which
-  /// its own fields are no smaller than LE, and take long to be made: there is
-  /// a response to each row of the contact.
-  constexpr double long_contact = 0.5;
-
   /// Those of the bodies of @p model.
   std::vector<BodySize>
   sizes_of(const BuiltScene &model);
@@ -67,7 +51,9 @@ namespace lamella
   /// Whether a body of LE-N could have its section's own fields instead, and
   /// these would be fewer.
   bool
-  may_have_responses(const BodyDescription &body, const BodySize &size);
+  may_have_responses(const BodyDescription &body,
+                     const BodySize        &size,
+                     const PlanRules       &rules = {});
 
   /// About how many DoFs LE-@p degree has with the nodes and cells of @p size:
   /// three for each point of a square grid.
@@ -79,8 +65,8 @@ namespace lamella
    *   axis      elements along beams halved;
    *   fields    EBBT, TBT and TE-N become SV-10, SV to SV-5 SV-6, or all of
    *             these LE-2 where that has at most cheap_dofs or others may
-   *             touch the body along more than long_contact of it; SV-N gets
-   *             four wave numbers more; LE-N has all fields of its section
+   *             touch the body along more than long_contact of it (PlanRules);
+   * SV-N gets four wave numbers more; LE-N has all fields of its section
    *             already;
    *   section   LE-N becomes LE-(N+1); the section order of SV-N grows by one;
    *             where either is 8 already the cells of the section are divided
@@ -89,7 +75,7 @@ namespace lamella
    *             solid-1 becomes solid-2, whose hexahedra are divided in eight;
    *   contact   penalties become exact.
    * LE-N becomes SV-10 with the same functions where the body, of the size
-   * @p sizes now, would have more than @p most_dofs, and the fields of
+   * @p sizes now, would have more than most_dofs_of_layers, and the fields of
    * responses are fewer than those of the section (may_have_responses()).
    * Nothing changes where there is no such source: see has_source(). The axes
    * of @p scene have to be made (grade_axes()).
@@ -98,7 +84,7 @@ namespace lamella
   enriched(const Scene                 &scene,
            const Source                 source,
            const std::vector<BodySize> &sizes,
-           const double                 most_dofs = most_dofs_of_layers);
+           const PlanRules             &rules = {});
 
   /// Whether enriched() would change anything.
   bool

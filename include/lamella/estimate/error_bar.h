@@ -8,6 +8,27 @@
 
 namespace lamella
 {
+  /**
+   * When a bar is held to, and how long it is. With these 411 of the 414
+   * bars of doc/error-bars.md hold; most are several times too long.
+   */
+  struct BarRules
+  {
+    /// The largest ratio of two successive changes that still converges fast
+    /// enough to be summed up.
+    double most_left = 2. / 3.;
+    /// Of the scale: below it all that the values do is taken for their error.
+    double small = 1e-2;
+    /// Of the scale: values that agree to more are not told from rounding.
+    double digits = 1e-8;
+    /// The ratio above which a value grows: what has a limit changes less from
+    /// one refinement to the next.
+    double growth = 0.9;
+    /// A bar over the change that it is made of, and over the sum of the
+    /// shares, which may cancel in the change.
+    double of_change = 2., of_shares = 0.5;
+  };
+
   /// What a run, a richer model of the same scene and a still richer one give
   /// for a quantity, in its unit.
   struct Refinements
@@ -52,7 +73,7 @@ namespace lamella
    * 10 (2001) 1-102; here these are solved for.)
    */
   ErrorBar
-  error_bar(const Refinements &values);
+  error_bar(const Refinements &values, const BarRules &rules = {});
 
   /**
    * The bar of v_0 where v_1 alone is known of the richer models, and @p poorer
@@ -64,7 +85,9 @@ namespace lamella
    * values, richest is not looked at.
    */
   ErrorBar
-  error_bar_after(const double poorer, const Refinements &values);
+  error_bar_after(const double       poorer,
+                  const Refinements &values,
+                  const BarRules    &rules = {});
 
   /// What the last two levels below a run, poorer in one source of error, have
   /// changed a quantity by, in its unit: the last change and the one before it,
@@ -92,7 +115,8 @@ namespace lamella
   ErrorBar
   error_bar_from_below(const std::vector<Levels> &sources,
                        const double               scale,
-                       const double               rounding = 0.);
+                       const double               rounding = 0.,
+                       const BarRules            &rules    = {});
 } // namespace lamella
 
 #endif

@@ -3,10 +3,27 @@
 #ifndef lamella_estimate_operations_h
 #define lamella_estimate_operations_h
 
+#include <lamella/estimate/plan_rules.h>
 #include <lamella/run/simulation.h>
 
 namespace lamella
 {
+  /// What a model costs that is not built yet, as counted by hand from the
+  /// algorithms. That it is right within a factor of some two is all that
+  /// decides: doc/tolerances.md has seconds of both kinds.
+  struct CostRules
+  {
+    /// Axes' worth of nodes that bars take: two models on halved elements, one
+    /// on quarters.
+    double axes = 8.;
+    /// Multiplications for a node with m fields, over m^3: the factors of its
+    /// block and of what couples it to the next.
+    double of_block = 5.;
+    /// Wave numbers that responses are made at, and multiplications of their
+    /// eigenvectors over the cube of their number.
+    double waves = 10., of_eigenvectors = 10.;
+  };
+
   /// What @p run spent on its factors, in multiplications: of a factor with n
   /// columns and z non-zeros at least z^2 / n, the sum of the squares of its
   /// columns where these are alike. 0 where no factor was made (`cg`, the
@@ -16,18 +33,19 @@ namespace lamella
 
   /**
    * What its richer models (Estimation) would take, as far as it can be counted
-   * before they are built: 5 m^3 for each node of an axis, m =
-   * fields_of_responses, and eight axes' worth of nodes (two models on halved
-   * elements, one on quarters) where SV-10 stands in for LE-N; the products and
-   * eigenvectors of the responses, two for each of 10 wave numbers and each
-   * load vector of what touches the body; and the pieces
+   * before they are built (CostRules): of_block m^3 for each node of an axis,
+   * m = fields_of_responses, and the nodes of `axes` where SV-10 stands in for
+   * LE-N; the products and eigenvectors of the responses, two for each wave
+   * number and each load vector of what touches the body; and the pieces
    * that its end fields take, as a share of the run's factor
    * (nodes_of_pieces()). Infinite where
    * it does not for some body: a richer model of the same kind always costs
    * more than the run.
    */
   double
-  operations_of_bars(const Simulation &run);
+  operations_of_bars(const Simulation &run,
+                     const PlanRules  &rules = {},
+                     const CostRules  &cost  = {});
 } // namespace lamella
 
 #endif

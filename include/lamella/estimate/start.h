@@ -3,6 +3,7 @@
 #ifndef lamella_estimate_start_h
 #define lamella_estimate_start_h
 
+#include <lamella/estimate/plan_rules.h>
 #include <lamella/run/simulation.h>
 
 namespace lamella
@@ -19,7 +20,7 @@ namespace lamella
    * Throws what building a scene throws.
    */
   Scene
-  start_of(Scene scene);
+  start_of(Scene scene, const PlanRules &rules = {});
 
   /// @p scene, out of which @p model was made, with LE-1 for the bodies of SV-N
   /// that keep all fields of their section (FieldRules::most_fields): these are

@@ -164,7 +164,7 @@ namespace lamella
     rows(const std::vector<bool> &carried) const;
 
   private:
-    static constexpr unsigned int n_rigid = 6;
+    static constexpr unsigned int n_rigid = RigidField::n_all;
 
     /// S_pq B for one of the section's five matrices, n_fields() x n_dense().
     dealii::LAPACKFullMatrix<double>

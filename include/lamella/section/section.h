@@ -68,6 +68,8 @@ namespace lamella
     constexpr unsigned int translation_x = 0, translation_y = 1,
                            translation_z = 2, slope_x = 3, slope_z = 4,
                            rotation_y = 5;
+    /// How many there are, and motions of a rigid body with them.
+    constexpr unsigned int n_all = 6;
     /// The two planes of bending: the deflection, and the slope that shears the
     /// section as the deflection's derivative along the axis does.
     constexpr std::array<std::array<unsigned int, 2>, 2> bending{
