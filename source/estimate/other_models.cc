@@ -1,45 +1,14 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include <lamella/base/names.h>
 #include <lamella/base/progress.h>
 #include <lamella/base/text.h>
+#include <lamella/estimate/model_key.h>
 #include <lamella/estimate/other_models.h>
 
 #include <ostream>
 
 namespace lamella
 {
-  namespace
-  {
-    /// What models of one scene differ in.
-    std::string
-    key_of(const Scene &scene)
-    {
-      std::string key;
-      for (const BodyDescription &body : scene.bodies)
-        {
-          key += body.theory.name() + "/" +
-                 std::to_string(body.theory.section_order) + "/" +
-                 std::to_string(body.axis.degree) + "/" +
-                 std::to_string(body.refinement.everywhere);
-          for (const Theory &theory : body.pieces.theories)
-            key += " " + theory.name();
-          for (const unsigned int n : body.axis.elements)
-            key += " " + std::to_string(n);
-          for (const double y : body.axis.breaks)
-            key += " " + to_text(y, 15);
-          key += "; ";
-        }
-      for (const auto &[section, times] : scene.divisions)
-        key += section + "/" + std::to_string(times) + " ";
-      for (const ContactPair &contact : scene.contacts)
-        key += name_of(contact.enforcement);
-      return key;
-    }
-  } // namespace
-
-
-
   const Model *
   ModelCache::find(const Scene &scene) const
   {

@@ -4,10 +4,13 @@
 
 #include <lamella/estimate/enrichment.h>
 #include <lamella/estimate/error_bar.h>
+#include <lamella/estimate/model_key.h>
 
 #include <boost/test/unit_test.hpp>
 
 #include <cmath>
+#include <functional>
+#include <set>
 
 BOOST_AUTO_TEST_SUITE(estimate)
 
@@ -148,6 +151,57 @@ namespace
       .theory.name();
   }
 } // namespace
+
+BOOST_AUTO_TEST_CASE(keys_of_models)
+{
+  Scene base = scene_of("LE-2");
+  base.contacts.resize(1);
+  base.bodies[0].pieces = {{Theory::layerwise(2), Theory::layerwise(1)}, {1.}};
+  base.bodies[0].refinement.balls = {{{}, 1., 1}};
+  const std::vector<std::function<void(Scene &)>> changes{
+    [](Scene &s) { s.bodies[0].theory.order = 3; },
+    [](Scene &s) { s.bodies[0].theory = Theory::taylor(2); },
+    [](Scene &s) { s.bodies[0].theory.section_order = 4; },
+    [](Scene &s) { s.bodies[0].theory.hierarchical = true; },
+    [](Scene &s) { s.bodies[0].theory.poisson_correction = false; },
+    [](Scene &s) { s.bodies[0].theory.shear_factor = 5. / 6.; },
+    [](Scene &s) { s.bodies[0].pieces.theories[1].order = 3; },
+    [](Scene &s) { s.bodies[0].pieces.breaks[0] += 1e-15; },
+    [](Scene &s) { s.bodies[0].axis.elements[1] = 5; },
+    [](Scene &s) { s.bodies[0].axis.breaks[0] += 4e-16; },
+    [](Scene &s) { s.bodies[0].axis.degree = 2; },
+    [](Scene &s) { s.bodies[0].axis.length = 3.; },
+    [](Scene &s) { s.bodies[0].axis.fineness = 1.; },
+    [](Scene &s) { s.bodies[0].axis.assumed_shear = true; },
+    [](Scene &s) { s.bodies[0].axis.equidistant_nodes = true; },
+    [](Scene &s) { s.bodies[0].stabilisation = 1e-6; },
+    [](Scene &s) { s.bodies[0].is_held = true; },
+    [](Scene &s) { s.bodies[0].refinement.everywhere = 1; },
+    [](Scene &s) { s.bodies[0].refinement.balls[0].radius = 2.; },
+    [](Scene &s) { s.divisions["strip"] = 1; },
+    [](Scene &s) { s.contacts[0].enforcement = Enforcement::exact; },
+    [](Scene &s) { s.contacts[0].penalty.value = 7.; },
+    [](Scene &s) { s.contacts[0].points_on = PointsOn::second; },
+    [](Scene &s) { s.contacts[0].tolerance = 1e-3; },
+    [](Scene &s) { s.contacts[0].search_distance = 1.; },
+    [](Scene &s) { s.resolved += "set u = 0, 0, 1"; }};
+  std::set<std::string> keys{key_of(base)};
+  for (const auto &change : changes)
+    {
+      Scene other = base;
+      change(other);
+      keys.insert(key_of(other));
+    }
+  BOOST_TEST(keys.size() == changes.size() + 1);
+
+  // No divisions are what was not said, and pictures are no model.
+  Scene same              = base;
+  same.divisions["strip"] = 0;
+  same.write_vtu          = false;
+  BOOST_TEST(key_of(same) == key_of(base));
+}
+
+
 
 BOOST_AUTO_TEST_CASE(richer_models)
 {

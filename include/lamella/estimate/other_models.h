@@ -25,8 +25,8 @@ namespace lamella
     std::vector<BodySize> sizes;
   };
 
-  /// Models of one scene that were solved, by what they differ in (theories,
-  /// axes, refinements and enforcements): one that is asked for again is known.
+  /// Models of one scene that were solved, by key_of() theirs: one that is
+  /// asked for again is known.
   class ModelCache
   {
   public:

@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <lamella/base/names.h>
+#include <lamella/base/text.h>
+#include <lamella/estimate/model_key.h>
+
+#include <limits>
+
+namespace lamella
+{
+  namespace
+  {
+    // Each of these takes its structure apart: a new member does not compile
+    // before it has a name here. What is not used was read from the text and is
+    // in it.
+
+    std::string
+    words_of(const double number)
+    {
+      return to_text(number, std::numeric_limits<double>::max_digits10) + " ";
+    }
+
+    std::string
+    words_of(const unsigned int number)
+    {
+      return std::to_string(number) + " ";
+    }
+
+
+
+    std::string
+    words_of(const Theory &theory)
+    {
+      const auto &[kind,
+                   order,
+                   section_order,
+                   hierarchical,
+                   poisson_correction,
+                   shear_factor] = theory;
+      return words_of(static_cast<unsigned int>(kind)) + words_of(order) +
+             words_of(section_order) + (hierarchical ? "h" : "") +
+             (poisson_correction ? "p" : "") + words_of(shear_factor);
+    }
+
+
+
+    template <typename Number>
+    std::string
+    words_of(const std::vector<Number> &numbers)
+    {
+      std::string words;
+      for (const Number &number : numbers)
+        words += words_of(number);
+      return words + "| ";
+    }
+
+
+
+    std::string
+    words_of(const AxisMesh &axis)
+    {
+      const auto &[length,
+                   degree,
+                   elements,
+                   breaks,
+                   fineness,
+                   equidistant_nodes,
+                   assumed_shear] = axis;
+      return words_of(length) + words_of(degree) + words_of(elements) +
+             words_of(breaks) + words_of(fineness) +
+             (equidistant_nodes ? "e" : "") + (assumed_shear ? "s" : "");
+    }
+
+
+
+    std::string
+    words_of(const SolidRefinement &refinement)
+    {
+      const auto &[everywhere, balls, memory_limit] = refinement;
+      std::string words                             = words_of(everywhere);
+      for (const auto &[centre, radius, times] : balls)
+        words += words_of(centre[0]) + words_of(centre[1]) +
+                 words_of(centre[2]) + words_of(radius) + words_of(times);
+      return words;
+    }
+
+
+
+    std::string
+    words_of(const BodyDescription &body)
+    {
+      const auto &[name,
+                   section,
+                   theory,
+                   pieces,
+                   placement,
+                   axis,
+                   stabilisation,
+                   is_held,
+                   refinement]     = body;
+      const auto &[theories, ends] = pieces;
+      return name + " " + section + " " + words_of(theory) +
+             words_of(theories) + words_of(ends) + words_of(axis) +
+             words_of(stabilisation) + (is_held ? "held " : "") +
+             words_of(refinement);
+    }
+
+
+
+    std::string
+    words_of(const ContactPair &contact)
+    {
+      const auto &[name,
+                   first,
+                   second,
+                   obstacle,
+                   discretisation,
+                   enforcement,
+                   overclosure,
+                   points_on,
+                   penalty,
+                   tolerance,
+                   search_distance] = contact;
+      const auto &[kind, value]     = penalty;
+      std::string words             = name;
+      for (const auto choice : {static_cast<unsigned int>(discretisation),
+                                static_cast<unsigned int>(enforcement),
+                                static_cast<unsigned int>(overclosure),
+                                static_cast<unsigned int>(points_on),
+                                static_cast<unsigned int>(kind)})
+        words += " " + words_of(choice);
+      return words + words_of(value) + words_of(tolerance) +
+             (search_distance ? words_of(*search_distance) : "");
+    }
+  } // namespace
+
+
+
+  std::string
+  key_of(const Scene &scene)
+  {
+    const auto &[title,
+                 units,
+                 materials,
+                 sections,
+                 divisions,
+                 bodies,
+                 supports,
+                 loads,
+                 gravity,
+                 obstacles,
+                 contacts,
+                 solve,
+                 probes,
+                 lines,
+                 cuts,
+                 measures,
+                 strength,
+                 find_first_failure,
+                 support_references,
+                 contact_references,
+                 write_vtu,
+                 goals,
+                 trade,
+                 warnings,
+                 resolved] = scene;
+    std::string key        = resolved;
+    for (const BodyDescription &body : bodies)
+      key += words_of(body) + "; ";
+    for (const auto &[section, times] : divisions)
+      if (times > 0)
+        key += section + "/" + words_of(times);
+    for (const ContactPair &contact : contacts)
+      key += words_of(contact) + "; ";
+    return key;
+  }
+} // namespace lamella
