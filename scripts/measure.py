@@ -12,6 +12,7 @@ from measure_aims import (aims, compact, flexure, growth_length, growth_plies, h
 from measure_bars import bars, bars_below, bars_half
 from measure_beyond import beyond
 from measure_fields import fields
+from measure_foreseen import foreseen
 from measure_rates import rates
 from measure_solids import calculix, hanging, million, solids
 from measure_leaves import leaves
@@ -331,15 +332,16 @@ def main():
                                       parallel, million, fields, aims, hairs, walls,
                                       compact, flexure, three_plies, paper,
                                       growth_plies, growth_length, bars, bars_below, bars_half,
-                                      rates,
-                                      tolerances, indentation, leaves, c3d20r, beyond)}
+                                      rates, tolerances, indentation, leaves, c3d20r, beyond,
+                                      foreseen)}
     unknown = [name for name in sys.argv[1:] if name not in tables]
     if unknown:
         sys.exit(f"no table {unknown[0]}; there are: {', '.join(tables)}")
     # A million DoFs take minutes and gigabytes: only when asked for.
     only_asked = ("parallel", "million", "fields", "aims", "hairs", "walls", "compact",
                   "flexure", "three_plies", "paper", "growth_plies", "growth_length", "bars",
-                  "bars_below", "bars_half", "tolerances", "indentation", "c3d20r", "beyond")
+                  "bars_below", "bars_half", "tolerances", "indentation", "c3d20r", "beyond",
+                  "foreseen")
     for name in sys.argv[1:] or [name for name in tables if name not in only_asked]:
         print(f"## {name}: {tables[name].__doc__}\n")
         tables[name]()

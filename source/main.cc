@@ -8,6 +8,7 @@
 #include <lamella/base/progress.h>
 #include <lamella/base/version.h>
 #include <lamella/estimate/goal_bars.h>
+#include <lamella/estimate/start.h>
 #include <lamella/estimate/tolerance_run.h>
 #include <lamella/export/calculix_deck.h>
 #include <lamella/report/page.h>
@@ -90,7 +91,14 @@ namespace
                          command.output + " is as it was.");
     if (!scene.goals.tolerances.empty() && !command.validate)
       return run_to_tolerance(command, scene, out);
-    const auto simulation = make_simulation(scene, text, out);
+    // What a run to a tolerance would begin with, and why.
+    std::vector<std::string> why;
+    const auto               simulation =
+      make_simulation(command.validate ? start_of(scene, &why) : scene,
+                      text,
+                      out);
+    for (const std::string &one : why)
+      out << one << ".\n";
     if (command.validate)
       print_validation(*simulation,
                        command.output_is_given ? command.output : "");

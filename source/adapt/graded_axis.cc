@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <lamella/adapt/graded_axis.h>
+#include <lamella/adapt/plan.h>
 #include <lamella/adapt/touch.h>
 #include <lamella/base/arithmetic.h>
 #include <lamella/body/surface_names.h>
@@ -235,11 +236,11 @@ namespace lamella
           if (region.body != number)
             continue;
           // What acts all over does not change at the ends.
-          for (const bool at_start : {true, false})
-            if (region.covers_end(at_start) &&
+          for (const double y : {0., beam.axis().length()})
+            if (is_clamp(region, y, beam.axis().length()) &&
+                !region.is_whole_body() &&
                 !surface_names::is_all(region.surface))
-              places.push_back(
-                {at_start ? 0. : beam.axis().length(), end_size});
+              places.push_back({y, end_size});
           for (const Point<3> &point : region.at)
             places.push_back({beam.place().to_body(point)[1], point_size});
         }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <lamella/adapt/fields_of_section.h>
+#include <lamella/adapt/plan.h>
 #include <lamella/adapt/theory_pieces.h>
 #include <lamella/adapt/touch_notes.h>
 #include <lamella/base/arithmetic.h>
@@ -28,14 +29,20 @@ namespace lamella
 
 
 
+    using FieldLists = std::vector<std::vector<unsigned int>>;
+
     /// What touches a body, with the groups that each belongs to, and where its
-    /// stresses are asked for.
+    /// stresses are asked for; its plan, and the fields that its nodes get by
+    /// it: no lists where it keeps all.
     struct TouchedBody
     {
       unsigned int                           number;
+      PlanFacts                              facts;
       std::vector<Touch>                     touches;
       std::vector<std::pair<double, double>> asked;
-      std::vector<std::vector<unsigned int>> groups;
+      std::vector<std::vector<unsigned int>> groups  = {};
+      BodyPlan                               planned = {};
+      FieldLists                             lists   = {};
     };
 
 
@@ -85,7 +92,7 @@ namespace lamella
 
     /// The fields that each node of @p beam carries, @p near the groups of
     /// each.
-    std::vector<std::vector<unsigned int>>
+    FieldLists
     lists_of(const Beam                                &beam,
              const std::vector<std::set<unsigned int>> &near,
              const BodyDescription                     &description,
@@ -114,62 +121,29 @@ namespace lamella
 
 
 
-    /// Why nothing can be won on @p beam, before any field is sought; nothing
-    /// if something may be.
-    std::string
-    nothing_to_win(const std::vector<std::set<unsigned int>> &near,
-                   const Beam                                &beam,
-                   const FieldsOfSection                     &fields,
-                   const FieldRules                          &rules)
+    /// What supports hold of a node whose groups are @p near, but clamps, on
+    /// average.
+    double
+    mean_held(const std::vector<std::set<unsigned int>> &near,
+              const FieldsOfSection                     &fields)
     {
-      const std::size_t n_nodes = near.size();
-      if (n_nodes <= rules.least_nodes)
-        return "its axis has " + std::to_string(n_nodes) + " nodes only";
       std::size_t sum = 0;
       for (const std::set<unsigned int> &groups : near)
         for (const unsigned int group : groups)
           sum += fields.n_held(group);
-      const unsigned int all = beam.section().n_fields();
-      if (sum > rules.most_held * n_nodes * all)
-        return "supports would hold " + std::to_string(sum / n_nodes) + " of " +
-               std::to_string(all) + " fields of a node";
-      return "";
+      return double(sum) / near.size();
     }
 
 
 
-    /// Why a beam with the fields @p lists would cost as much as one with all
-    /// fields of its section; nothing if it costs less.
-    std::string
-    nothing_won(const std::vector<std::vector<unsigned int>> &lists,
-                const Beam                                   &beam,
-                const FieldRules                             &rules)
+    /// Of the fields that each node would carry, @p lists.
+    unsigned int
+    mean_size(const std::vector<std::vector<unsigned int>> &lists)
     {
-      const unsigned int all = beam.section().n_fields();
-      std::size_t        sum = 0;
+      std::size_t sum = 0;
       for (const auto &list : lists)
         sum += list.size();
-      const unsigned int mean = sum / lists.size();
-      if (mean > rules.most_fields * all)
-        return "a node would carry " + std::to_string(mean) + " of " +
-               std::to_string(all) + " fields";
-      return "";
-    }
-
-
-
-    /// Whether supports hold, as a whole, more sections of @p body than clamps
-    /// do: in plane strain all of them are, and nothing is far from a clamp.
-    bool
-    is_held_all_along(const TouchedBody &body,
-                      const Axis        &axis,
-                      const FieldRules  &rules)
-    {
-      const auto held =
-        std::count_if(body.touches.begin(),
-                      body.touches.end(),
-                      [](const Touch &touch) { return touch.holds_section; });
-      return held > rules.most_clamped * axis.n_nodes();
+      return sum / lists.size();
     }
 
 
@@ -185,19 +159,24 @@ namespace lamella
 
 
 
-    /// Whether @p body has responses and end fields at all: one that is going
-    /// to keep all fields of its section wants none.
-    bool
-    wants_responses(const BodyDescription &description,
-                    const Beam            &beam,
-                    const TouchedBody     &body,
-                    const FieldRules      &rules)
+    /// What is known of @p beam before any field is sought.
+    PlanFacts
+    facts_of(const Beam                 &beam,
+             const unsigned int          number,
+             const BodyDescription      &description,
+             const std::vector<Support> &supports,
+             const FieldRules           &rules)
     {
-      return description.theory.order > 0 &&
-             ((beam.axis().n_nodes() > rules.least_nodes &&
-               !is_unsolved(beam, rules) &&
-               !is_held_all_along(body, beam.axis(), rules)) ||
-              !description.pieces.empty());
+      PlanFacts facts;
+      facts.size.dofs           = beam.n_dofs();
+      facts.size.nodes          = beam.axis().n_nodes();
+      facts.size.fields         = beam.section().n_fields();
+      facts.size.cells          = beam.section().n_cells();
+      facts.size.held_all_along = is_held_all_along(supports, number);
+      facts.theory              = description.theory;
+      facts.has_pieces          = !description.pieces.empty();
+      facts.is_unsolved         = is_unsolved(beam, rules);
+      return facts;
     }
 
 
@@ -251,35 +230,25 @@ namespace lamella
 
 
 
-    /// The fields of each node of @p beam into @p lists; or why it had better
-    /// keep all fields of its section, and no lists.
-    std::string
-    choose_lists(const Beam                             &beam,
-                 const TouchedBody                      &body,
-                 const BodyDescription                  &description,
-                 FieldsOfSection                        &fields,
-                 const FieldRules                       &rules,
-                 std::vector<std::vector<unsigned int>> &lists)
+    /// The plan of @p body, which is @p beam, and its lists.
+    void
+    choose_lists(const Beam            &beam,
+                 TouchedBody           &body,
+                 const BodyDescription &description,
+                 FieldsOfSection       &fields,
+                 const FieldRules      &rules)
     {
       auto near = near_groups(beam, body, fields);
       even_out(near, beam.axis(), body.asked);
-      // Theories are taken at their word, and SV has nothing to choose.
-      const bool may_keep_all =
-        description.pieces.empty() && description.theory.order > 0;
-      std::string why;
-      if (may_keep_all && is_unsolved(beam, rules))
-        why = "the scene could not be solved in double precision";
-      else if (may_keep_all && is_held_all_along(body, beam.axis(), rules))
-        why = "supports hold its sections all along";
-      else if (may_keep_all)
-        why = nothing_to_win(near, beam, fields, rules);
-      if (why.empty())
-        lists = lists_of(beam, near, description, fields);
-      if (may_keep_all && why.empty())
-        why = nothing_won(lists, beam, rules);
-      if (!why.empty())
-        lists.clear();
-      return why;
+      body.facts.held = mean_held(near, fields);
+      body.planned    = plan(body.facts, rules.plan);
+      if (body.planned.all_fields)
+        return;
+      body.lists        = lists_of(beam, near, description, fields);
+      body.facts.wanted = mean_size(body.lists);
+      body.planned      = plan(body.facts, rules.plan);
+      if (body.planned.all_fields)
+        body.lists.clear();
     }
 
 
@@ -335,7 +304,6 @@ namespace lamella
     note_choice(const Beam               &beam,
                 const TouchedBody        &body,
                 const BodyDescription    &description,
-                const FieldRules         &rules,
                 const std::string        &why,
                 std::vector<std::string> &notes)
     {
@@ -343,8 +311,8 @@ namespace lamella
       if (!why.empty())
         notes.push_back(
           "body " + beam.name() + ": with " + theory.name() + " " + why +
-          (is_unsolved(beam, rules) ? "; its nodes" :
-                                      "; nothing is won there, and its nodes") +
+          (body.facts.is_unsolved ? "; its nodes" :
+                                    "; nothing is won there, and its nodes") +
           " carry all fields of the section (" +
           beam.section().theory().name() + ")");
       if (theory.order == 0 && description.pieces.empty())
@@ -394,25 +362,23 @@ namespace lamella
       for (TouchedBody &body : touched)
         {
           const Beam &beam = *beams[body.number];
-          const bool  responds =
-            wants_responses(descriptions[body.number], beam, body, rules);
+          // One that is going to keep all fields of its section wants none.
+          const bool responds = descriptions[body.number].theory.order > 0 &&
+                                !plan(body.facts, rules.plan).all_fields;
           body.groups = groups_of(beam, body, fields, rules, responds);
         }
 
-      std::vector<std::vector<std::vector<unsigned int>>> lists;
-      for (const TouchedBody &body : touched)
+      for (TouchedBody &body : touched)
         {
           const Beam            &beam        = *beams[body.number];
           const BodyDescription &description = descriptions[body.number];
-          lists.emplace_back();
-          const std::string why =
-            choose_lists(beam, body, description, fields, rules, lists.back());
-          note_choice(beam, body, description, rules, why, notes);
+          choose_lists(beam, body, description, fields, rules);
+          note_choice(beam, body, description, body.planned.why_fields, notes);
         }
       const auto space = fields.space();
-      for (unsigned int k = 0; k < touched.size(); ++k)
-        if (const unsigned int b = touched[k].number; !lists[k].empty())
-          bodies[b] = with_lists(*beams[b], space, descriptions[b], lists[k]);
+      for (const TouchedBody &body : touched)
+        if (const unsigned int b = body.number; !body.lists.empty())
+          bodies[b] = with_lists(*beams[b], space, descriptions[b], body.lists);
     }
 
 
@@ -427,6 +393,30 @@ namespace lamella
         if (place.body == body)
           places.emplace_back(place.begin, place.end);
       return places;
+    }
+
+
+
+    /// What of the scene is on @p beam, which is the body number @p b.
+    TouchedBody
+    touched_body(const Beam                          &beam,
+                 const unsigned int                   b,
+                 const Bodies                        &bodies,
+                 const BodyDescription               &description,
+                 const std::vector<Support>          &supports,
+                 const std::vector<Load>             &loads,
+                 const std::vector<ContactInterface> &contacts,
+                 const std::vector<StressPlace>      &asked,
+                 const FieldRules                    &rules)
+    {
+      TouchedBody body{
+        b,
+        facts_of(beam, b, description, supports, rules),
+        find_touches(beam, b, bodies, supports, loads, contacts, rules.touches),
+        asked_of(b, asked)};
+      for (const Touch &end : heated_free_ends(beam, body.touches))
+        body.touches.push_back(end);
+      return body;
     }
   } // namespace
 
@@ -444,21 +434,23 @@ namespace lamella
                 const std::vector<ContactInterface> &contacts,
                 const std::vector<StressPlace>      &asked,
                 const FieldRules                    &rules,
-                const Tensor<1, 3>                  &gravity)
+                const Tensor<1, 3>                  &gravity,
+                std::vector<std::string>            *why)
   {
     const std::vector<const Beam *> beams = beams_of(bodies);
     std::map<std::pair<std::string, Theory>, std::vector<TouchedBody>> touched;
     for (unsigned int b = 0; b < descriptions.size(); ++b)
       if (descriptions[b].theory.is_of_solutions())
-        {
-          const Beam &beam = *beams[b];
-          auto        all  = find_touches(
-            beam, b, bodies, supports, loads, contacts, rules.touches);
-          for (const Touch &end : heated_free_ends(beam, all))
-            all.push_back(end);
-          touched[{descriptions[b].section, descriptions[b].theory}].push_back(
-            {b, std::move(all), asked_of(b, asked), {}});
-        }
+        touched[{descriptions[b].section, descriptions[b].theory}].push_back(
+          touched_body(*beams[b],
+                       b,
+                       bodies,
+                       descriptions[b],
+                       supports,
+                       loads,
+                       contacts,
+                       asked,
+                       rules));
     std::vector<std::string> notes;
     for (unsigned int b = 0; b < descriptions.size(); ++b)
       if (descriptions[b].theory.hierarchical)
@@ -469,6 +461,10 @@ namespace lamella
     for (unsigned int b = 0; b < descriptions.size(); ++b)
       if (is_chosen(descriptions[b]) && descriptions[b].theory.is_layerwise())
         bodies[b] = by_degrees(descriptions[b], *beams[b]);
+    for (const auto &[key, of_section] : touched)
+      for (const TouchedBody &body : of_section)
+        if (why != nullptr)
+          (*why)[body.number] = words_of_fields(body.facts, body.planned);
     return notes;
   }
 } // namespace lamella

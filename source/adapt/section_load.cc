@@ -134,7 +134,8 @@ namespace lamella
             place_of(beam.axis(), nodes),
             {x[0], x[2]},
             area,
-            nodes.size() == 1};
+            nodes.size() == 1,
+            false};
   }
 
 
@@ -166,7 +167,7 @@ namespace lamella
         for (const auto &[node, part] : here)
           if (l2_norm(part) > rules.strong * largest)
             loads.push_back(
-              {part, place_of(axis, here), {}, l2_norm(part), false});
+              {part, place_of(axis, here), {}, l2_norm(part), false, false});
       }
     return loads;
   }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <lamella/adapt/plan.h>
 #include <lamella/adapt/touch.h>
 #include <lamella/base/arithmetic.h>
 
@@ -21,7 +22,10 @@ namespace lamella
                const TouchRules               &rules)
     {
       touch.holds_section =
-        at_node && holds_whole_section(loads.size(), n_fields, rules);
+        at_node &&
+        std::any_of(loads.begin(), loads.end(), [](const SectionLoad &load) {
+          return load.of_clamp;
+        });
       if (touch.holds_section)
         for (const SectionLoad &load : loads)
           touch.held.push_back(load.f);
@@ -158,19 +162,29 @@ namespace lamella
 
   namespace
   {
-    /// Of the support number @p support on the body number @p body, @p beam.
+    /// Of @p support, number @p number, on the body number @p body, @p beam.
     std::vector<SectionLoad>
     loads_of_support(const Beam                       &beam,
                      const unsigned int                body,
-                     const unsigned int                support,
+                     const unsigned int                number,
+                     const Support                    &support,
                      const std::vector<PrescribedRow> &rows,
                      const TouchRules                 &rules)
     {
       std::vector<SectionLoad> held;
       for (const PrescribedRow &row : rows)
-        if (row.support == support && row.row.body == body)
-          held.push_back(
-            load_of_row(beam, row.row.row, row.position, 1., false, rules));
+        if (row.support == number && row.row.body == body)
+          {
+            held.push_back(
+              load_of_row(beam, row.row.row, row.position, 1., false, rules));
+            held.back().of_clamp = std::any_of(
+              support.on.begin(), support.on.end(), [&](const Region &region) {
+                return region.body == body &&
+                       is_clamp(region,
+                                beam.place().to_body(row.position)[1],
+                                beam.axis().length());
+              });
+          }
       return held;
     }
 
@@ -239,7 +253,7 @@ namespace lamella
                   n_fields,
                   supports[s].hold ?
                     std::vector<SectionLoad>() :
-                    loads_of_support(beam, body, s, rows, rules),
+                    loads_of_support(beam, body, s, supports[s], rows, rules),
                   &Touch::holds,
                   rules,
                   touches);

@@ -37,10 +37,8 @@ namespace lamella
                   const BodySize  &size,
                   const PlanRules &rules)
     {
-      const bool layers_are_cheap =
-        size.nodes > 0 && body.pieces.empty() &&
-        (dofs_of_layers(size, 2) <= rules.cheap_dofs ||
-         size.touched > rules.long_contact);
+      const bool layers_are_cheap = size.nodes > 0 && body.pieces.empty() &&
+                                    !why_layers(size, rules).empty();
       // Pieces of plain SV beside LE say by hand where responses are wanted.
       for (Theory *theory : theories_of(body))
         if (theory->is_single_layer() ||
@@ -169,11 +167,8 @@ namespace lamella
       {
         BodySize &size = sizes.emplace_back();
         size.dofs      = body->n_dofs();
-        for (const Support &support : model.scene().supports)
-          for (const Region &region : support.on)
-            size.held_all_along =
-              size.held_all_along || (region.kind == Region::Kind::body &&
-                                      region.body + 1 == sizes.size());
+        size.held_all_along =
+          is_held_all_along(model.scene().supports, sizes.size() - 1);
         if (const Beam *const beam = beams[sizes.size() - 1])
           {
             size.nodes   = beam->axis().n_nodes();
@@ -195,15 +190,6 @@ namespace lamella
     return body.theory.is_layerwise() && body.pieces.empty() &&
            !size.held_all_along && size.touched <= rules.long_contact &&
            size.fields > rules.worth_while * rules.fields_of_responses;
-  }
-
-
-
-  double
-  dofs_of_layers(const BodySize &size, const unsigned int degree)
-  {
-    const double side = degree * std::sqrt(size.cells) + 1.;
-    return 3. * size.nodes * side * side;
   }
 
 

@@ -11,13 +11,13 @@ namespace lamella
 {
   namespace
   {
-    /// Ten equal elements, as where a scene says nothing of the axis, for
-    /// bodies that are @p touched_all_along and would grade themselves: graded
-    /// to a contact that is everywhere they would be fine everywhere. Bodies
-    /// whose nodes a contact pairs go together.
+    /// Equal elements, as where a scene says nothing of the axis, for bodies
+    /// that are planned to have them: graded to a contact that is everywhere
+    /// they would be fine everywhere. Bodies whose nodes a contact pairs go
+    /// together.
     void
     begin_with_equal_elements(Scene            &scene,
-                              std::vector<bool> touched_all_along,
+                              std::vector<bool> is_equal,
                               const PlanRules  &rules)
     {
       for (const ContactPair &contact : scene.contacts)
@@ -25,15 +25,10 @@ namespace lamella
           {
             const unsigned int one   = contact.first.body,
                                other = contact.second.body;
-            const bool both          = touched_all_along[one] &&
-                              touched_all_along[other] &&
-                              scene.bodies[one].axis.fineness > 0. &&
-                              scene.bodies[other].axis.fineness > 0.;
-            touched_all_along[one] = touched_all_along[other] = both;
+            is_equal[one] = is_equal[other] = is_equal[one] && is_equal[other];
           }
       for (unsigned int b = 0; b < scene.bodies.size(); ++b)
-        if (AxisMesh &axis = scene.bodies[b].axis;
-            touched_all_along[b] && axis.fineness > 0.)
+        if (AxisMesh &axis = scene.bodies[b].axis; is_equal[b])
           {
             axis.fineness = 0.;
             axis.elements = {rules.equal_elements};
@@ -56,7 +51,7 @@ namespace lamella
 
 
   Scene
-  start_of(Scene scene, const PlanRules &rules)
+  start_of(Scene scene, std::vector<std::string> *why, const PlanRules &rules)
   {
     if (!scene.goals.theory_is_assumed || scene.contacts.empty())
       return scene;
@@ -67,16 +62,24 @@ namespace lamella
     std::ostream                nowhere(nullptr);
     const Simulation            model(plain, nowhere);
     const std::vector<BodySize> sizes = sizes_of(model.model());
-    std::vector<bool>           touched_all_along(scene.bodies.size(), false);
+    std::vector<bool>           is_equal;
     for (unsigned int b = 0; b < scene.bodies.size(); ++b)
-      if (is_assumed(scene, b))
-        {
-          touched_all_along[b] = sizes[b].touched > rules.long_contact;
-          if (touched_all_along[b] ||
-              dofs_of_layers(sizes[b], 2) <= rules.cheap_dofs)
-            scene.bodies[b].theory = Theory::layerwise(1);
-        }
-    begin_with_equal_elements(scene, touched_all_along, rules);
+      {
+        PlanFacts facts;
+        facts.size             = sizes[b];
+        facts.theory           = scene.bodies[b].theory;
+        facts.is_assumed       = is_assumed(scene, b);
+        facts.has_contacts     = true;
+        facts.grades_itself    = scene.bodies[b].axis.fineness > 0.;
+        facts.has_pieces       = !scene.bodies[b].pieces.empty();
+        const BodyPlan start   = plan(facts, rules);
+        scene.bodies[b].theory = start.theory;
+        if (why != nullptr && !start.why_theory.empty())
+          why->push_back("Body " + scene.bodies[b].name + " begins with " +
+                         start.theory.name() + ": " + start.why_theory);
+        is_equal.push_back(start.equal_elements);
+      }
+    begin_with_equal_elements(scene, is_equal, rules);
     return scene;
   }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <lamella/adapt/graded_axis.h>
+#include <lamella/adapt/plan.h>
 #include <lamella/base/progress.h>
 #include <lamella/base/text.h>
 #include <lamella/conditions/hold.h>
@@ -144,6 +145,7 @@ namespace lamella
   {
     Bodies bodies =
       make_bodies(given.bodies, section_meshes, given.solve.memory_limit);
+    reasons.assign(bodies.size(), "");
     spread_totals(given.loads, bodies);
     clear_held_motions(given.supports);
     if (has_fields_to_choose(given.bodies))
@@ -169,7 +171,8 @@ namespace lamella
           touching,
           stress_places(bodies, given.probes, given.lines, given.cuts),
           told,
-          given.gravity);
+          given.gravity,
+          &reasons);
       }
     return bodies;
   }
@@ -266,6 +269,25 @@ namespace lamella
     return "contact " + contact.name + ", body '" +
            whole->bodies()[contact.first_body]->name() + "' at " +
            to_text(contact.points[k].first);
+  }
+
+
+
+  void
+  BuiltScene::print_plans(std::ostream &out) const
+  {
+    constexpr double        bytes = 8., mega = 1e6;
+    const Bodies           &bodies = whole->bodies();
+    const std::vector<Cost> costs  = foreseen_costs(bodies);
+    for (unsigned int b = 0; b < bodies.size(); ++b)
+      out << "Plan of body " << bodies[b]->name() << ": " << bodies[b]->theory()
+          << ", " << bodies[b]->n_dofs() << " DoFs, a factor of some "
+          << to_text(bytes * costs[b].non_zeros / mega, 3) << " MB and "
+          << to_text(costs[b].operations, 2) << " multiplications\n  "
+          << (given.goals.theory_is_assumed ?
+                "a run to a tolerance begins with it" :
+                "as the scene says")
+          << (reasons[b].empty() ? "" : "; ") << reasons[b] << "\n";
   }
 
 

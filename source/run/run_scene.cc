@@ -242,6 +242,7 @@ namespace lamella
           }
       }
     print_bodies(out, built.structure(), built.interfaces(), scene.units);
+    built.print_plans(out);
     for (const std::string &warning : simulation.results().notes)
       out << "Note: " << warning << ".\n";
     out << "The scene is valid; nothing was solved";

@@ -920,7 +920,7 @@ BOOST_AUTO_TEST_CASE(nearly_dependent_fields_are_cut)
     {
       FieldRules rules;
       rules.near_tolerance = rules.far_tolerance = tolerance;
-      rules.most_fields                          = 2.;
+      rules.plan.most_fields                     = 2.;
       BodyDescription   body                     = description("SV-10");
       const Conditioned found                    = cantilever(body, rules);
       BOOST_TEST_MESSAGE("| " << tolerance << " | " << found.dofs << " | "

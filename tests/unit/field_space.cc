@@ -445,7 +445,7 @@ BOOST_AUTO_TEST_CASE(chosen_fields_hold_the_states)
         }
       Bodies     bodies = make_bodies({body}, meshes);
       FieldRules rules;
-      rules.most_fields = 2.;
+      rules.plan.most_fields = 2.;
       choose_fields(bodies, {body}, {clamps}, {patch}, {}, {}, rules);
       const Beam           &beam = dynamic_cast<const Beam &>(*bodies[0]);
       std::set<std::size_t> sizes;

@@ -11,6 +11,7 @@
 #define lamella_adapt_node_fields_h
 
 #include <lamella/adapt/known_end_fields.h>
+#include <lamella/adapt/plan_rules.h>
 #include <lamella/body/parameters.h>
 #include <lamella/recover/requests.h>
 
@@ -60,17 +61,8 @@ namespace lamella
     /// are none, the tractions S_10 w and S_11 w of the six warpings w as load
     /// vectors. Models of one scene that share it have them made once.
     std::shared_ptr<EndFields> ends = std::make_shared<EndFields>();
-    /// A body keeps all fields of its section where its nodes would carry more
-    /// than this share of them on average, or where its axis has no more nodes
-    /// than that: nothing would be won.
-    double       most_fields = 0.5;
-    unsigned int least_nodes = 15;
-    /// Nor where supports clamp more than this share of its nodes (plane
-    /// strain: is_held_all_along()), or (but those of whole sections) more load
-    /// vectors than this share of the fields, on average: a surface held all
-    /// along leaves lists with little but what is held to be eliminated from,
-    /// which is slow and costs digits.
-    double most_clamped = 0.25, most_held = 0.05;
+    /// Which bodies have fields of their own.
+    PlanRules plan = {};
     /// The names of bodies that keep all fields whatever they would win: with
     /// fewer their scene was not to be solved in double precision.
     std::vector<std::string> unsolved = {};
@@ -123,7 +115,9 @@ namespace lamella
    * all of its nodes carry what these do.
    *
    * Bodies of the same section and theory share their fields. @p contacts are
-   * made of @p bodies. Returns what the user should know, a sentence each.
+   * made of @p bodies. Returns what the user should know, a sentence each; and
+   * in @p why, a string a body if it is not null, why the nodes of those of
+   * SV-N carry the fields that they do.
    * Throws NumericsError if the section's matrices cannot be factorised.
    * Collective where Beam is.
    */
@@ -135,7 +129,8 @@ namespace lamella
                 const std::vector<ContactInterface> &contacts,
                 const std::vector<StressPlace>      &asked   = {},
                 const FieldRules                    &rules   = {},
-                const dealii::Tensor<1, 3>          &gravity = {});
+                const dealii::Tensor<1, 3>          &gravity = {},
+                std::vector<std::string>            *why     = nullptr);
 
   /// Whether choose_fields() would change any of the bodies.
   bool

@@ -28,26 +28,7 @@ namespace lamella
     /// FieldRules::far_tolerance, to which the response to constant heat
     /// follows it.
     double heat_varies = 1e-2;
-    /// A clamp (holds_whole_section()) has more rows at a node than this, and
-    /// more than this share of the section's fields. The 30 tell it from what
-    /// holds an edge of a small section; the quarter from one that holds an
-    /// edge of a large one: one component all over a section is a third.
-    unsigned int edge_rows   = 30;
-    double       edge_fields = 0.25;
   };
-
-  /// Whether a support with @p n_rows at one node of the axis is a clamp of a
-  /// section of @p n_fields: it holds the section as a whole, in one direction
-  /// at least, and the section answers to it by end fields, not by load
-  /// vectors. Everywhere in this program a section that is clamped is one of
-  /// which this says so.
-  inline bool
-  holds_whole_section(const std::size_t  n_rows,
-                      const unsigned int n_fields,
-                      const TouchRules  &rules = {})
-  {
-    return n_rows > rules.edge_rows && n_rows > rules.edge_fields * n_fields;
-  }
 
   /// A part of an axis: from, to, and the shortest element there or beside
   /// [length].
@@ -66,8 +47,9 @@ namespace lamella
     /// Where in the section [length], and the area that it stands for.
     dealii::Point<2> in_section;
     double           area = 1.;
-    /// Whether it acts at one node of the axis.
-    bool at_node = false;
+    /// Whether it acts at one node of the axis, and whether it is of a clamp
+    /// (is_clamp()).
+    bool at_node = false, of_clamp = false;
   };
 
   /// A row of a support or a contact, at @p position in the scene, the same

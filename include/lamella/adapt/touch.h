@@ -37,7 +37,7 @@ namespace lamella
     /// can vary faster along the axis than it can show [length].
     double element = 0.;
     /// Whether it takes hold of the section as a whole: a clamp
-    /// (holds_whole_section()).
+    /// (is_clamp()).
     bool holds_section = false;
     /// Whether it is nothing but an end that is free to deform.
     bool is_free = false;

@@ -49,6 +49,12 @@ namespace lamella
     /// Whether this is a surface with the body's whole start (or its end).
     bool
     covers_end(const bool at_start) const;
+    /// Whether this is the body as a whole, its inside, too.
+    bool
+    is_whole_body() const
+    {
+      return kind == Kind::body;
+    }
     /// Whether this is a surface that is made of several: no single place.
     bool
     is_several_surfaces() const;

@@ -3,8 +3,8 @@
 #ifndef lamella_estimate_enrichment_h
 #define lamella_estimate_enrichment_h
 
+#include <lamella/adapt/plan.h>
 #include <lamella/base/names.h>
-#include <lamella/estimate/plan_rules.h>
 #include <lamella/recover/results.h>
 #include <lamella/run/simulation.h>
 #include <lamella/scene/scene.h>
@@ -32,18 +32,6 @@ namespace lamella
                                              {Source::contact, "contact"}};
   };
 
-  /// How large a body is, as far as its models are chosen by it.
-  struct BodySize
-  {
-    unsigned int dofs = 0;
-    /// Of its axis, and fields and cells of its section; 0 of solids.
-    unsigned int nodes = 0, fields = 0, cells = 0;
-    /// Whether a support holds all of it, as in plane strain.
-    bool held_all_along = false;
-    /// The share of its length along which others may touch it.
-    double touched = 0.;
-  };
-
   /// Those of the bodies of @p model.
   std::vector<BodySize>
   sizes_of(const BuiltScene &model);
@@ -54,11 +42,6 @@ namespace lamella
   may_have_responses(const BodyDescription &body,
                      const BodySize        &size,
                      const PlanRules       &rules = {});
-
-  /// About how many DoFs LE-@p degree has with the nodes and cells of @p size:
-  /// three for each point of a square grid.
-  double
-  dofs_of_layers(const BodySize &size, const unsigned int degree);
 
   /**
    * @p scene with less of one source of error, in all bodies:

@@ -3,27 +3,11 @@
 #ifndef lamella_estimate_operations_h
 #define lamella_estimate_operations_h
 
-#include <lamella/estimate/plan_rules.h>
+#include <lamella/adapt/plan_rules.h>
 #include <lamella/run/simulation.h>
 
 namespace lamella
 {
-  /// What a model costs that is not built yet, as counted by hand from the
-  /// algorithms. That it is right within a factor of some two is all that
-  /// decides: doc/tolerances.md has seconds of both kinds.
-  struct CostRules
-  {
-    /// Axes' worth of nodes that bars take: two models on halved elements, one
-    /// on quarters.
-    double axes = 8.;
-    /// Multiplications for a node with m fields, over m^3: the factors of its
-    /// block and of what couples it to the next.
-    double of_block = 5.;
-    /// Wave numbers that responses are made at, and multiplications of their
-    /// eigenvectors over the cube of their number.
-    double waves = 10., of_eigenvectors = 10.;
-  };
-
   /// What @p run spent on its factors, in multiplications: of a factor with n
   /// columns and z non-zeros at least z^2 / n, the sum of the squares of its
   /// columns where these are alike. 0 where no factor was made (`cg`, the

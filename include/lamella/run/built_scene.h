@@ -73,6 +73,11 @@ namespace lamella
       return *whole;
     }
 
+    /// A line a body: its model, what that is foreseen to cost, and why it is
+    /// this one.
+    void
+    print_plans(std::ostream &out) const;
+
     /// Of each contact its rows with their geometry.
     const std::vector<ContactInterface> &
     interfaces() const
@@ -168,7 +173,9 @@ namespace lamella
     GapRows                       gap_rows;
     Contacts                      lives;
     /// What the choice of fields has to say.
-    std::vector<std::string>       field_notes;
+    std::vector<std::string> field_notes;
+    /// Of each body, why its nodes carry the fields that they do.
+    std::vector<std::string>       reasons;
     std::unique_ptr<Sampler>       places;
     std::unique_ptr<StrengthSweep> sweep;
     std::unique_ptr<Plausibility>  units_check;

@@ -1,0 +1,206 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <lamella/adapt/plan.h>
+#include <lamella/base/arithmetic.h>
+#include <lamella/base/text.h>
+#include <lamella/body/beam.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace lamella
+{
+  using namespace dealii;
+
+  bool
+  is_clamp(const Region &region, const double y, const double length)
+  {
+    const double near = arithmetic::same_place * length;
+    return region.is_whole_body() || (y < near && region.covers_end(true)) ||
+           (y > length - near && region.covers_end(false));
+  }
+
+
+
+  bool
+  is_held_all_along(const std::vector<Support> &supports,
+                    const unsigned int          body)
+  {
+    return std::any_of(supports.begin(),
+                       supports.end(),
+                       [body](const Support &support) {
+                         return std::any_of(support.on.begin(),
+                                            support.on.end(),
+                                            [body](const Region &region) {
+                                              return region.body == body &&
+                                                     region.is_whole_body();
+                                            });
+                       });
+  }
+
+
+
+  double
+  dofs_of_layers(const BodySize &size, const unsigned int degree)
+  {
+    const double side = degree * std::sqrt(size.cells) + 1.;
+    return 3. * size.nodes * side * side;
+  }
+
+
+
+  namespace
+  {
+    bool
+    is_touched_all_along(const BodySize &size, const PlanRules &rules)
+    {
+      return size.touched > rules.long_contact;
+    }
+  } // namespace
+
+
+
+  std::string
+  why_layers(const BodySize &size, const PlanRules &rules)
+  {
+    if (is_touched_all_along(size, rules))
+      return "contacts may touch " + to_text(100. * size.touched, 3) +
+             " % of its length, and there would be a response to each row";
+    const double dofs = dofs_of_layers(size, 2);
+    return dofs <= rules.cheap_dofs ?
+             "LE-2 has some " + to_text(dofs, 2) +
+               " DoFs, less work than making fields of its own" :
+             "";
+  }
+
+
+
+  namespace
+  {
+    /// Why a body of SV-N keeps all fields of its section; empty if it need
+    /// not.
+    std::string
+    why_all_fields(const PlanFacts &facts, const PlanRules &rules)
+    {
+      const BodySize   &size = facts.size;
+      const std::string of_all =
+        " of " + std::to_string(size.fields) + " fields";
+      if (facts.is_unsolved)
+        return "the scene could not be solved in double precision";
+      if (size.held_all_along)
+        return "supports hold its sections all along";
+      if (size.nodes <= rules.least_nodes)
+        return "its axis has " + std::to_string(size.nodes) + " nodes only";
+      if (facts.held && *facts.held > rules.most_held * size.fields)
+        return "supports would hold " +
+               std::to_string(static_cast<unsigned int>(*facts.held)) + of_all +
+               " of a node";
+      if (facts.wanted && *facts.wanted > rules.most_fields * size.fields)
+        return "a node would carry " + std::to_string(*facts.wanted) + of_all;
+      return "";
+    }
+  } // namespace
+
+
+
+  BodyPlan
+  plan(const PlanFacts &facts, const PlanRules &rules)
+  {
+    BodyPlan result;
+    result.theory = facts.theory;
+    if (facts.is_assumed && facts.has_contacts)
+      result.why_theory = why_layers(facts.size, rules);
+    if (!result.why_theory.empty())
+      {
+        result.theory = Theory::layerwise(1);
+        result.equal_elements =
+          facts.grades_itself && is_touched_all_along(facts.size, rules);
+      }
+    if (facts.has_pieces)
+      result.all_fields = false;
+    else if (result.theory.is_of_solutions())
+      {
+        if (result.theory.order > 0)
+          result.why_fields = why_all_fields(facts, rules);
+        result.all_fields = !result.why_fields.empty();
+      }
+    return result;
+  }
+
+
+
+  std::string
+  words_of_fields(const PlanFacts &facts, const BodyPlan &planned)
+  {
+    const std::string all = "all fields of the section";
+    if (facts.has_pieces)
+      return "fields as Theories say";
+    if (!planned.why_fields.empty())
+      return all + ", since " + planned.why_fields;
+    if (planned.all_fields)
+      return all;
+    return planned.theory.order > 0 ?
+             "fields chosen by what touches it, fewer than those of the section" :
+             "the rigid fields and Saint-Venant's warpings";
+  }
+
+
+
+  namespace
+  {
+    double
+    full(const double m)
+    {
+      return 0.5 * m * (m + 1.);
+    }
+
+
+
+    /// Non-zeros of the factor of @p beam, its nodes eliminated as
+    /// foreseen_costs() says.
+    double
+    non_zeros_of(const Beam &beam)
+    {
+      const Axis &axis   = beam.axis();
+      const auto  fields = [&beam](const unsigned int node) {
+        return double(beam.dofs().fields(node).size());
+      };
+      double sum = full(fields(axis.n_nodes() - 1));
+      for (unsigned int cell = 0; cell < axis.n_cells(); ++cell)
+        {
+          const auto  &nodes = axis.nodes_of_cell(cell);
+          const double begin = fields(nodes[0]), end = fields(nodes[1]);
+          double       inside = -begin - end;
+          for (const unsigned int node : nodes)
+            inside += fields(node);
+          sum +=
+            full(inside) + inside * (begin + end) + full(begin) + begin * end;
+        }
+      return sum;
+    }
+  } // namespace
+
+
+
+  std::vector<Cost>
+  foreseen_costs(const Bodies &bodies, const CostRules &rules)
+  {
+    const std::vector<const Beam *> beams = beams_of(bodies);
+    std::vector<Cost>               costs;
+    for (unsigned int b = 0; b < bodies.size(); ++b)
+      {
+        const double n    = bodies[b]->n_dofs();
+        Cost        &cost = costs.emplace_back();
+        const double cube = std::pow(n, 4. / 3.);
+        if (const Beam *const beam = beams[b]; beam == nullptr)
+          cost.non_zeros = rules.of_solid * cube;
+        else if (cost.non_zeros = non_zeros_of(*beam);
+                 beam->section().theory().is_layerwise() &&
+                 beam->n_dofs() ==
+                   beam->axis().n_nodes() * beam->section().n_fields())
+          cost.non_zeros = std::min(cost.non_zeros, rules.of_layers * cube);
+        cost.operations = operations_of_factor(cost.non_zeros, n);
+      }
+    return costs;
+  }
+} // namespace lamella

@@ -1,0 +1,247 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+// Which model a body gets, as a table, and what a clamp is.
+
+#include <lamella/adapt/plan.h>
+
+#include <boost/test/unit_test.hpp>
+
+#include <functional>
+
+BOOST_AUTO_TEST_SUITE(plans)
+
+using namespace lamella;
+using namespace dealii;
+
+namespace
+{
+  /// A slender beam of SV-6 with a large section, of which nothing speaks
+  /// against fields of its own.
+  PlanFacts
+  slender()
+  {
+    PlanFacts facts;
+    facts.size          = {60000, 100, 600, 100, false, 0.1};
+    facts.theory        = Theory::of_solutions(6, 3);
+    facts.grades_itself = true;
+    facts.held          = 0.;
+    facts.wanted        = 100;
+    return facts;
+  }
+
+  struct Row
+  {
+    std::function<void(PlanFacts &)> but;
+    const char                      *theory;
+    bool                             equal_elements, all_fields;
+    /// In the reasons; empty: none is given.
+    const char *why_theory, *why_fields;
+  };
+} // namespace
+
+BOOST_AUTO_TEST_CASE(facts_make_a_plan)
+{
+  const auto assumed = [](PlanFacts &f) {
+    f.is_assumed = f.has_contacts = true;
+  };
+  const std::vector<Row> table{
+    {[](PlanFacts &) {}, "SV-6 (of LE-3)", false, false, "", ""},
+    // What was asked for stays what it is.
+    {[](PlanFacts &f) { f.size.touched = 0.9; },
+     "SV-6 (of LE-3)",
+     false,
+     false,
+     "",
+     ""},
+    {[](PlanFacts &f) { f.theory = Theory::layerwise(2); },
+     "LE-2 (L9)",
+     false,
+     true,
+     "",
+     ""},
+    {[](PlanFacts &f) {
+       f.theory = Theory::of_solutions(0, 3);
+       f.wanted = 599;
+     },
+     "SV (of LE-3)",
+     false,
+     false,
+     "",
+     ""},
+    // An assumed theory.
+    {[&](PlanFacts &f) { assumed(f); }, "SV-6 (of LE-3)", false, false, "", ""},
+    {[&](PlanFacts &f) {
+       assumed(f);
+       f.size.touched = 0.51;
+     },
+     "LE-1 (L4)",
+     true,
+     true,
+     "51 % of its length",
+     ""},
+    {[&](PlanFacts &f) {
+       assumed(f);
+       f.size.touched  = 0.51;
+       f.grades_itself = false;
+     },
+     "LE-1 (L4)",
+     false,
+     true,
+     "51 % of its length",
+     ""},
+    {[&](PlanFacts &f) {
+       assumed(f);
+       f.size.touched = 0.5;
+     },
+     "SV-6 (of LE-3)",
+     false,
+     false,
+     "",
+     ""},
+    // 3 * 100 * (2 * 3.5 + 1)^2 = 19200.
+    {[&](PlanFacts &f) {
+       assumed(f);
+       f.size.cells = 12;
+     },
+     "LE-1 (L4)",
+     false,
+     true,
+     "LE-2 has some",
+     ""},
+    {[&](PlanFacts &f) {
+       assumed(f);
+       f.size.cells = 13;
+     },
+     "SV-6 (of LE-3)",
+     false,
+     false,
+     "",
+     ""},
+    {[&](PlanFacts &f) {
+       assumed(f);
+       f.has_contacts = false;
+       f.size.touched = 0.9;
+     },
+     "SV-6 (of LE-3)",
+     false,
+     false,
+     "",
+     ""},
+    // Fields, the first rule that speaks.
+    {[](PlanFacts &f) { f.is_unsolved = f.size.held_all_along = true; },
+     "SV-6 (of LE-3)",
+     false,
+     true,
+     "",
+     "double precision"},
+    {[](PlanFacts &f) {
+       f.size.held_all_along = true;
+       f.size.nodes          = 10;
+     },
+     "SV-6 (of LE-3)",
+     false,
+     true,
+     "",
+     "all along"},
+    {[](PlanFacts &f) {
+       f.size.nodes = 15;
+       f.held       = 31.;
+     },
+     "SV-6 (of LE-3)",
+     false,
+     true,
+     "",
+     "15 nodes only"},
+    {[](PlanFacts &f) { f.size.nodes = 16; },
+     "SV-6 (of LE-3)",
+     false,
+     false,
+     "",
+     ""},
+    {[](PlanFacts &f) {
+       f.held   = 30.9;
+       f.wanted = 500;
+     },
+     "SV-6 (of LE-3)",
+     false,
+     true,
+     "",
+     "hold 30 of 600 fields"},
+    {[](PlanFacts &f) {
+       f.held   = 30.;
+       f.wanted = 300;
+     },
+     "SV-6 (of LE-3)",
+     false,
+     false,
+     "",
+     ""},
+    {[](PlanFacts &f) { f.wanted = 301; },
+     "SV-6 (of LE-3)",
+     false,
+     true,
+     "",
+     "carry 301 of 600"},
+    // What is not known does not speak, and Theories are taken at their word.
+    {[](PlanFacts &f) {
+       f.held   = {};
+       f.wanted = {};
+     },
+     "SV-6 (of LE-3)",
+     false,
+     false,
+     "",
+     ""},
+    {[](PlanFacts &f) {
+       f.wanted     = 600;
+       f.size.nodes = 5;
+       f.has_pieces = true;
+     },
+     "SV-6 (of LE-3)",
+     false,
+     false,
+     "",
+     ""}};
+  for (const Row &row : table)
+    BOOST_TEST_CONTEXT("row " << &row - table.data())
+    {
+      PlanFacts facts = slender();
+      row.but(facts);
+      const BodyPlan planned = plan(facts);
+      BOOST_TEST(planned.theory.name() == row.theory);
+      BOOST_TEST(planned.equal_elements == row.equal_elements);
+      BOOST_TEST(planned.all_fields == row.all_fields);
+      BOOST_TEST((words_of_fields(facts, planned).find("all fields") == 0) ==
+                 row.all_fields);
+      BOOST_TEST(planned.why_theory.empty() == (*row.why_theory == 0));
+      BOOST_TEST(planned.why_fields.empty() == (*row.why_fields == 0));
+      BOOST_TEST(planned.why_theory.find(row.why_theory) != std::string::npos);
+      BOOST_TEST(planned.why_fields.find(row.why_fields) != std::string::npos);
+    }
+}
+
+
+
+BOOST_AUTO_TEST_CASE(clamps_are_ends_and_whole_bodies)
+{
+  const Region start{0, Region::Kind::surface, "start", {}},
+    ends{0, Region::Kind::surface, "ends", {}},
+    top{0, Region::Kind::surface, "top", {}},
+    all{0, Region::Kind::body, "", {}};
+  BOOST_TEST(is_clamp(start, 0., 2.));
+  BOOST_TEST(!is_clamp(start, 2., 2.));
+  BOOST_TEST((is_clamp(ends, 0., 2.) && is_clamp(ends, 2., 2.)));
+  BOOST_TEST(!is_clamp(ends, 1., 2.));
+  BOOST_TEST(!is_clamp(top, 0., 2.));
+  BOOST_TEST(is_clamp(all, 1., 2.));
+
+  const std::vector<Support> supports{{"s", {ends, top}, {{0., 0., 0.}}},
+                                      {"t", {all}, {{0., {}, {}}}}};
+  BOOST_TEST(is_held_all_along(supports, 0));
+  BOOST_TEST(!is_held_all_along(supports, 1));
+  BOOST_TEST(!is_held_all_along({supports[0]}, 0));
+}
+
+
+
+BOOST_AUTO_TEST_SUITE_END()
