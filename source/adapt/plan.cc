@@ -4,6 +4,7 @@
 #include <lamella/base/arithmetic.h>
 #include <lamella/base/text.h>
 #include <lamella/body/beam.h>
+#include <lamella/linear/linear_solver.h>
 
 #include <algorithm>
 #include <cmath>

@@ -2,34 +2,16 @@
 
 #include <lamella/run/factor_progress.h>
 
-#include <cmath>
-
 namespace lamella
 {
   namespace
   {
-    /// What the factor of @p body is likely to take, as measured: that of a
-    /// beam, a chain of blocks, has 0.7 of its matrix's non-zeros; that of a
-    /// solid nine times the n^(4/3) of nested dissection in space.
     double
-    predicted(const Body &body)
-    {
-      constexpr double of_beam = 0.7, of_solid = 9.;
-      const double     n = body.n_dofs();
-      return operations_of_factor(body.is_nodal() ?
-                                    of_solid * n * std::cbrt(n) :
-                                    of_beam * body.stiffness_entries(),
-                                  n);
-    }
-
-
-
-    double
-    predicted(const Structure &structure)
+    sum_of(const std::vector<Cost> &costs)
     {
       double sum = 0.;
-      for (const auto &body : structure.bodies())
-        sum += predicted(*body);
+      for (const Cost &cost : costs)
+        sum += cost.operations;
       return sum;
     }
   } // namespace
@@ -38,8 +20,21 @@ namespace lamella
 
   FactorProgress::FactorProgress(std::ostream &out, const Structure &structure)
     : out(out)
-    , all(out, "", predicted(structure))
+    , bodies(structure.bodies())
+    , foreseen(foreseen_costs(bodies))
+    , all(out, "", sum_of(foreseen))
   {}
+
+
+
+  double
+  FactorProgress::foreseen_of(const Body &body) const
+  {
+    unsigned int b = 0;
+    while (bodies[b].get() != &body)
+      ++b;
+    return foreseen[b].operations;
+  }
 
 
 
@@ -56,7 +51,7 @@ namespace lamella
   FactorProgress::sized(const Body &body, const double non_zeros)
   {
     operations = operations_of_factor(non_zeros, body.n_dofs());
-    Progress::expect(out, operations - predicted(body));
+    Progress::expect(out, operations - foreseen_of(body));
   }
 
 
@@ -75,7 +70,7 @@ namespace lamella
   {
     part.reset();
     if (operations == 0.)
-      Progress::expect(out, -predicted(body));
+      Progress::expect(out, -foreseen_of(body));
     else
       Progress::done(out, (1. - told) * operations);
     operations = told = 0.;

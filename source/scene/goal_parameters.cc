@@ -35,9 +35,10 @@ namespace lamella
     prm.declare_entry("Error bars",
                       name_of(ErrorBars::automatic),
                       selection<ErrorBars>(),
-                      "Whether errors are estimated: true, auto where that is "
-                      "cheap, by what the run itself has if it can, else by "
-                      "richer models of the scene; richer: by these.");
+                      "Whether errors are estimated: true, or auto where that "
+                      "is cheap, by what the run itself has, poorer models or "
+                      "models on half of the axis; richer: by richer models of "
+                      "the scene.");
     prm.declare_entry("Budget DoFs",
                       "0",
                       patterns::number(),

@@ -26,7 +26,7 @@ ARROWS = {
     "contact": ("base", "body", "conditions"),
     "solve": ("base", "linear", "body", "conditions", "contact"),
     "recover": ("base", "linear", "strength", "shape", "body", "conditions", "contact", "solve"),
-    "adapt": ("base", "section", "body", "conditions", "contact", "recover"),
+    "adapt": ("base", "linear", "section", "body", "conditions", "contact", "recover"),
     "report": ("base", "material", "shape", "section", "body", "contact", "solve", "recover"),
     "scene": ("base", "material", "shape", "section", "body", "conditions", "contact", "solve",
               "recover"),

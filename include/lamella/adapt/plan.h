@@ -121,13 +121,6 @@ namespace lamella
     double non_zeros = 0., operations = 0.;
   };
 
-  /// z^2 / n, for a factor that is there or one that is foreseen.
-  inline double
-  operations_of_factor(const double non_zeros, const double dofs)
-  {
-    return dofs > 0. ? non_zeros * non_zeros / dofs : 0.;
-  }
-
   /**
    * The cost of each of @p bodies, foreseen from its DoFs alone. Of a beam
    * whose axis has the degree p, z = sum_i m_i b_i over its nodes, m_i the

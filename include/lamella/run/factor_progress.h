@@ -3,20 +3,22 @@
 #ifndef lamella_run_factor_progress_h
 #define lamella_run_factor_progress_h
 
+#include <lamella/adapt/plan.h>
 #include <lamella/base/progress.h>
 #include <lamella/solve/structure.h>
 
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace lamella
 {
   /**
    * Tells a Progress how far the factors of the bodies of a structure are, in
    * operations (operations_of_factor()): of z non-zeros where the symbolic
-   * analysis has said them, and before that of as many as a body is likely to
-   * have. Factors of dense blocks are told as they go, others when they are
-   * done; `cg`, which has none, counts nothing.
+   * analysis has said them, and before that of as many as are foreseen
+   * (foreseen_costs()). Factors of dense blocks are told as they go, others
+   * when they are done; `cg`, which has none, counts nothing.
    */
   class FactorProgress
   {
@@ -38,7 +40,12 @@ namespace lamella
     ends(const Body &body);
 
   private:
+    double
+    foreseen_of(const Body &body) const;
+
     std::ostream                 &out;
+    const Bodies                 &bodies;
+    std::vector<Cost>             foreseen;
     Progress::Part                all;
     std::optional<Progress::Part> part;
     /// Of the present body: its operations, where they are known, and the share
