@@ -97,7 +97,8 @@ def main():
     check_value(console, output, *check_probes(console, output))
     expect("No error bars:" not in console, "there are bars, and it does not say otherwise")
 
-    console = run(program, scene, folder / "without", "--set", "Goals/Error bars=auto")
+    console = run(program, scene, folder / "without", "--set", "Goals/Error bars=auto",
+                  "--set", "Theory=solid-1")
     expect("No error bars: they would cost more than half of what the run does" in console and
            "--set \"Goals/Error bars=true\" makes them" in console, "bars left out, and why")
     console = run(program, scene, folder / "never", "--set", "Goals/Error bars=false")
