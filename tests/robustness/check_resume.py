@@ -121,7 +121,7 @@ def check_kills_behind_steps(program, work):
         return [program, str(ROOT / "prm/cantilever.prm"), "--output", str(folder),
                 "--set", "Body beam/Section=laminate", "--set", "Load factors=0.5, 1",
                 "--set", "Strength/Criteria=maximum stress",
-                "--set", "Find=first failure", "--set", "Goals/Error bars=true",
+                "--set", "Find=first failure", "--set", "Goals/Error bars=richer",
                 "--set", "Goals/Quantities=tip: uz | clamp: mx"]
 
     whole = work / "whole_behind"
