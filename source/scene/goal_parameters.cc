@@ -36,9 +36,8 @@ namespace lamella
                       name_of(ErrorBars::automatic),
                       selection<ErrorBars>(),
                       "Whether errors are estimated: true, or auto where that "
-                      "is cheap, by what the run itself has, poorer models or "
-                      "models on half of the axis; richer: by richer models of "
-                      "the scene.");
+                      "is cheap, by the run itself, poorer models or half of "
+                      "the axis; richer: by richer models.");
     prm.declare_entry("Budget DoFs",
                       "0",
                       patterns::number(),
