@@ -62,7 +62,9 @@ namespace lamella
    *
    * Runs of SV-N are compared with three models each of which is poorer in one
    * source, wave numbers, the section's order and elements of the axis; the bar
-   * sums the sizes of what they change, twice but of the axis.
+   * sums the sizes of what they change, twice but of the axis. How much of that
+   * is left nobody has looked at: the estimate is nothing but what penalties
+   * do.
    *
    * Penalties: as in BarsFromBelow.
    */
