@@ -46,13 +46,12 @@ namespace lamella
     : run(run)
     , of_run(run)
     , dual(run)
+    , penalties(run)
   {
     for (const NamedQuantity &quantity : of_run.quantities())
       derivatives.push_back(dual.derivative(quantity));
     if (Surpluses::reason_for_none(run, rules.least_degree).empty())
       surpluses = std::make_unique<const Surpluses>(run);
-    if (has_source(run.model().scene(), Source::contact))
-      penalties = std::make_unique<const PenaltyShare>(run);
     bool compares = false;
     for (unsigned int k = 0; k < derivatives.size(); ++k)
       compares = compares || wants_models_of(k);
@@ -82,15 +81,7 @@ namespace lamella
     half = others.solved(one, "one degree less, half the axis").numbers;
     quarter =
       others.solved(poorer(one), "two degrees less, a quarter of it").numbers;
-    const bool knows_all =
-      std::all_of(derivatives.begin(), derivatives.end(), [](const auto &one) {
-        return one.has_value();
-      });
-    if (penalties != nullptr && !knows_all)
-      exact = others
-                .solved(enriched(one, Source::contact, {}),
-                        "half the axis, no penetration")
-                .numbers;
+    penalties.compare(of_run.quantities(), others, one, *half);
   }
 
 
@@ -112,21 +103,9 @@ namespace lamella
 
 
 
-  double
-  BarsFromBelow::share_of_contact(const NamedQuantity &goal) const
-  {
-    if (penalties == nullptr)
-      return 0.;
-    const auto own = penalties->of(goal);
-    return own ? *own : exact->value(goal) - half->value(goal);
-  }
-
-
-
   ErrorBar
   BarsFromBelow::by_models(const NamedQuantity                  &goal,
-                           const std::optional<SurplusBySource> &own,
-                           const double of_contact) const
+                           const std::optional<SurplusBySource> &own) const
   {
     const double change = of_run.numbers().value(goal) - half->value(goal),
                  before = half->value(goal) - quarter->value(goal);
@@ -134,14 +113,10 @@ namespace lamella
       own ? std::abs(own->section.last) + std::abs(own->axis.last) : 0.;
     const double last =
       std::copysign(std::max(std::abs(change), by_source), change);
-    ErrorBar bar = error_bar_from_below(
+    return error_bar_from_below(
       {{last, before, rules.least_of_before * std::abs(before)}},
       of_run.scale_of(goal),
       of_run.rounding_of(goal));
-    // Whatever the penalty does comes with all of its size.
-    bar.estimate += of_contact;
-    bar.bar += 2. * std::abs(of_contact);
-    return bar;
   }
 
 
@@ -149,9 +124,7 @@ namespace lamella
   GoalResult
   BarsFromBelow::goal(const unsigned int number) const
   {
-    const NamedQuantity &quantity = of_run.quantities()[number];
-    GoalResult           result   = of_run.bare(number);
-
+    const NamedQuantity           &quantity = of_run.quantities()[number];
     std::optional<SurplusBySource> own;
     if (derivatives[number] && surpluses != nullptr)
       {
@@ -160,15 +133,12 @@ namespace lamella
           z -= *w;
         own = surpluses->of(z);
       }
-    const double of_contact = share_of_contact(quantity);
-
-    const ErrorBar bar = wants_models_of(number) ?
-                           by_models(quantity, own, of_contact) :
-                           by_surpluses(quantity, *own);
-    result.estimate    = bar.estimate;
-    result.bar         = bar.bar;
-    result.trusted     = bar.trusted;
-    result.why         = bar.why;
+    const double of_contact = penalties.of(quantity);
+    GoalResult   result =
+      of_run.with_bar(number,
+                      wants_models_of(number) ? by_models(quantity, own) :
+                                                by_surpluses(quantity, *own),
+                      of_contact);
     if (own)
       result.shares = {{"axis", own->axis.last},
                        {"section", own->section.last}};
@@ -176,7 +146,7 @@ namespace lamella
       result.shares = {
         {"axis and section",
          of_run.numbers().value(quantity) - half->value(quantity)}};
-    if (penalties != nullptr)
+    if (penalties.is_any())
       result.shares.emplace_back(name_of(Source::contact), of_contact);
     return result;
   }

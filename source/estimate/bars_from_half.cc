@@ -113,18 +113,18 @@ namespace lamella
 
 
   double
-  BarsFromHalf::operations(const Simulation &run, const HalfPlan &plan)
+  BarsFromHalf::operations(const Scene                 &scene,
+                           const std::vector<BodySize> &sizes,
+                           const HalfPlan              &plan)
   {
-    const Scene                &scene = run.model().scene();
-    const std::vector<BodySize> sizes = sizes_of(run.model());
-    const Scene                 rich  = richer_in_section(scene, plan.degree);
-    double                      sum   = 0.;
+    const Scene rich = richer_in_section(scene, plan.degree);
+    double      sum  = 0.;
     for (unsigned int b = 0; b < sizes.size(); ++b)
       {
         const double nodes = sizes[b].nodes * std::pow(0.5, plan.times);
         const auto   take  = [&](const unsigned int degree) {
           const double m = dofs_of_layers(sizes[b], degree) / sizes[b].nodes;
-          return HalfRules().of_block * nodes * m * m * m;
+          return CostRules().of_block * nodes * m * m * m;
         };
         // H_r, and what is one degree less: H_p or H_l.
         const unsigned int degree = rich.bodies[b].theory.order;
@@ -138,12 +138,14 @@ namespace lamella
   std::optional<HalfPlan>
   BarsFromHalf::plan(const Simulation &run, const double most)
   {
+    const Scene &scene = run.model().scene();
     // They share the run's end fields, and take about half of its seconds.
-    if (any_body(run.model().scene(), has_responses))
+    if (any_body(scene, has_responses))
       return HalfPlan();
+    const std::vector<BodySize> sizes = sizes_of(run.model());
     for (const HalfPlan &plan :
          {HalfPlan{1, 2}, HalfPlan{2, 2}, HalfPlan{1, 1}, HalfPlan{2, 1}})
-      if (operations(run, plan) <= most)
+      if (operations(scene, sizes, plan) <= most)
         return plan;
     return std::nullopt;
   }
@@ -157,13 +159,12 @@ namespace lamella
     : run(run)
     , chosen(plan)
     , of_run(run)
+    , penalties(run)
   {
     const Scene scene = for_estimates(run.model().scene());
     layerwise =
       std::all_of(scene.bodies.begin(), scene.bodies.end(), is_of_layers);
     OtherModels others(run, out, cache);
-    if (has_source(scene, Source::contact))
-      penalties = std::make_unique<const PenaltyShare>(run);
     if (any_body(scene, has_responses))
       solve_sources(others, scene);
     else
@@ -184,11 +185,7 @@ namespace lamella
           return is_of_layers(body) && body.theory.order > 1;
         }))
       lower = others.solved(low, "coarser axis, poorer section").numbers;
-    if (penalties != nullptr)
-      exact = others
-                .solved(enriched(half_scene, Source::contact, {}),
-                        "coarser axis, no penetration")
-                .numbers;
+    penalties.compare(of_run.quantities(), others, half_scene, half);
   }
 
 
@@ -196,30 +193,20 @@ namespace lamella
   void
   BarsFromHalf::solve_sources(OtherModels &others, const Scene &scene)
   {
-    const auto add = [&](const std::string &what, const Scene &poor) {
-      poorer.emplace_back(what,
-                          others.solved(poor, "poorer in " + what).numbers);
+    const auto add = [&](const Source source, const Scene &poor) {
+      poorer.emplace_back(
+        source,
+        others.solved(poor, std::string("poorer in ") + name_of(source))
+          .numbers);
     };
-    add(name_of(Source::axis), on_half_the_axis(scene));
-    add(name_of(Source::fields), of_fewer_waves(scene, rules.fewer_waves));
-    add(name_of(Source::section), of_lower_section(scene));
-    half = poorer.front().second;
-    if (penalties != nullptr)
-      exact = others
-                .solved(enriched(on_half_the_axis(scene), Source::contact, {}),
-                        "coarser axis, no penetration")
-                .numbers;
-  }
-
-
-
-  double
-  BarsFromHalf::share_of_contact(const NamedQuantity &goal) const
-  {
-    if (penalties == nullptr)
-      return 0.;
-    const auto own = penalties->of(goal);
-    return own ? *own : exact->value(goal) - half.value(goal);
+    const Scene half_scene = on_half_the_axis(scene);
+    add(Source::axis, half_scene);
+    add(Source::fields, of_fewer_waves(scene, rules.fewer_waves));
+    add(Source::section, of_lower_section(scene));
+    penalties.compare(of_run.quantities(),
+                      others,
+                      half_scene,
+                      poorer.front().second);
   }
 
 
@@ -267,20 +254,16 @@ namespace lamella
       {
         const double change =
           of_run.numbers().value(goal) - numbers.value(goal);
-        bar.estimate += change;
-        bar.bar +=
-          (source == name_of(Source::axis) ? rules.of_axis : rules.of_fields) *
-          std::abs(change);
+        bar.bar += (source == Source::axis ? rules.of_axis : rules.of_fields) *
+                   std::abs(change);
         changed += std::abs(change);
       }
     if (changed > rules.most_changed * scale)
       {
         bar.trusted = false;
         bar.why     = "models that are a little poorer change it by " +
-                  to_text(100. * changed / scale, 2) +
-                  " %, as at a point load, at the edge of a clamp or at the "
-                  "corner of a punch. Ask for it at some distance from there, "
-                  "or refine theory and mesh";
+                  to_text(100. * changed / scale, 2) + " %" + where_it_grows() +
+                  ", or refine theory and mesh";
       }
     return bar;
   }
@@ -292,23 +275,18 @@ namespace lamella
   {
     const NamedQuantity &quantity = of_run.quantities()[number];
     const double         value    = of_run.numbers().value(quantity),
-                 of_contact       = share_of_contact(quantity);
-    const ErrorBar bar =
-      poorer.empty() ? by_levels(quantity) : by_sources(quantity);
-    GoalResult result = of_run.bare(number);
-    // Whatever the penalty does comes with all of its size.
-    result.estimate = bar.estimate + of_contact;
-    result.bar      = std::max(bar.bar + 2. * std::abs(of_contact),
-                          of_run.rounding_of(quantity));
-    result.trusted  = bar.trusted;
-    result.why      = bar.why;
+                 of_contact       = penalties.of(quantity);
+    ErrorBar bar = poorer.empty() ? by_levels(quantity) : by_sources(quantity);
+    bar.bar      = std::max(bar.bar, of_run.rounding_of(quantity));
+    GoalResult result = of_run.with_bar(number, bar, of_contact);
     if (poorer.empty())
       result.shares = {{name_of(Source::axis), value - half.value(quantity)},
                        {name_of(layerwise ? Source::section : Source::fields),
                         richer.value(quantity) - half.value(quantity)}};
     for (const auto &[source, numbers] : poorer)
-      result.shares.emplace_back(source, value - numbers.value(quantity));
-    if (penalties != nullptr)
+      result.shares.emplace_back(name_of(source),
+                                 value - numbers.value(quantity));
+    if (penalties.is_any())
       result.shares.emplace_back(name_of(Source::contact), of_contact);
     return result;
   }

@@ -21,14 +21,22 @@ namespace lamella
       if (first * second > rules.growth * first * first)
         return "it grows from one refinement to the next, by " +
                to_text(100. * std::abs(first) / scale, 2) + " and then by " +
-               to_text(100. * std::abs(second) / scale, 2) +
-               " %, as at a point load, at the edge of a clamp or at the "
-               "corner of a punch. Ask for it at some distance from there";
+               to_text(100. * std::abs(second) / scale, 2) + " %" +
+               where_it_grows();
       return "two refinements do not agree: one changes it by " +
              to_text(100. * first / scale, 2) + " %, the next by " +
              to_text(100. * second / scale, 2) + " %. Refine theory or mesh";
     }
   } // namespace
+
+
+
+  std::string
+  where_it_grows()
+  {
+    return ", as at a point load, at the edge of a clamp or at the corner of a "
+           "punch. Ask for it at some distance from there";
+  }
 
 
 

@@ -2,6 +2,7 @@
 
 #include <lamella/base/exceptions.h>
 #include <lamella/base/text.h>
+#include <lamella/estimate/bars_from_half.h>
 #include <lamella/estimate/estimation.h>
 #include <lamella/estimate/local_errors.h>
 #include <lamella/estimate/operations.h>
@@ -14,9 +15,6 @@ namespace lamella
 {
   namespace
   {
-    /// Bars that nobody asks for may take this share of what the run took.
-    constexpr double most_of_run = 0.5;
-
     /// The shares of a tolerance that a source of error has to have for
     /// mattering, and those of what all sources do where there is none.
     constexpr double least_of_tolerance = 0.1, least_of_all = 0.02;
@@ -52,7 +50,7 @@ namespace lamella
     if (const std::string none = RunGoals::reason_for_none(run); !none.empty())
       return none;
     if (goals.bars == ErrorBars::automatic &&
-        !(operations_of_bars(run) <= most_of_run * operations(run)))
+        !(operations_of_bars(run) <= HalfRules().most_of_run * operations(run)))
       return "they would cost more than half of what the run does; --set "
              "\"Goals/Error bars=true\" makes them";
     return "";
@@ -278,23 +276,17 @@ namespace lamella
   Estimation::goal(const NamedQuantity &quantity,
                    const unsigned int   number) const
   {
-    GoalResult result = of_run->bare(number);
+    GoalResult result = failure.empty() ?
+                          of_run->with_bar(number, bar_of(quantity)) :
+                          of_run->bare(number);
     if (!local.empty())
       result.local = local.at(number);
     if (!failure.empty())
-      {
-        result.why = failure;
-        return result;
-      }
-
-    for (const Step &step : steps)
-      result.shares.emplace_back(name_of(step.source),
-                                 share_of(step, quantity));
-    const ErrorBar bar = bar_of(quantity);
-    result.estimate    = bar.estimate;
-    result.bar         = bar.bar;
-    result.trusted     = bar.trusted;
-    result.why         = bar.why;
+      result.why = failure;
+    else
+      for (const Step &step : steps)
+        result.shares.emplace_back(name_of(step.source),
+                                   share_of(step, quantity));
     return result;
   }
 

@@ -2,10 +2,14 @@
 
 #include <lamella/estimate/penalty_share.h>
 
+#include <algorithm>
+
 namespace lamella
 {
   PenaltyShare::PenaltyShare(const Simulation &run)
   {
+    if (!has_source(run.model().scene(), Source::contact))
+      return;
     std::vector<GapRow> rows(run.model().rows().begin(),
                              run.model().rows().end());
     for (GapRow &row : rows)
@@ -38,12 +42,33 @@ namespace lamella
 
 
 
-  std::optional<double>
+  void
+  PenaltyShare::compare(const std::vector<NamedQuantity> &goals,
+                        OtherModels                      &others,
+                        const Scene                      &poorer,
+                        const ResultNumbers              &numbers)
+  {
+    if (!is_any() ||
+        std::all_of(goals.begin(), goals.end(), [this](const auto &goal) {
+          return dual->derivative(goal).has_value();
+        }))
+      return;
+    soft = numbers;
+    exact =
+      others.solved(enriched(poorer, Source::contact, {}), "no penetration")
+        .numbers;
+  }
+
+
+
+  double
   PenaltyShare::of(const NamedQuantity &goal) const
   {
+    if (!is_any())
+      return 0.;
     const auto derivative = dual->derivative(goal);
     if (!derivative)
-      return std::nullopt;
+      return exact->value(goal) - soft->value(goal);
     double      sum    = derivative->u * u;
     const auto &active = dual->active_rows();
     for (unsigned int k = 0; k < active.size(); ++k)

@@ -58,6 +58,21 @@ namespace lamella
 
 
   GoalResult
+  RunGoals::with_bar(const unsigned int number,
+                     const ErrorBar    &bar,
+                     const double       of_contact) const
+  {
+    GoalResult result = bare(number);
+    result.estimate   = bar.estimate + of_contact;
+    result.bar        = bar.bar + 2. * std::abs(of_contact);
+    result.trusted    = bar.trusted;
+    result.why        = bar.why;
+    return result;
+  }
+
+
+
+  GoalResult
   RunGoals::bare(const unsigned int number) const
   {
     const std::vector<Tolerance> &tolerances =

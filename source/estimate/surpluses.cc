@@ -57,6 +57,11 @@ namespace lamella
   {
     for (const Beam *const beam : beams_of(run.model().structure().bodies()))
       of_beams.push_back(std::make_unique<const BeamSurplus>(*beam));
+    for (const BodyDescription &body : run.model().scene().bodies)
+      {
+        halves.push_back(coarser_spans(body.axis, 1));
+        quarters.push_back(coarser_spans(body.axis, 2));
+      }
     const Parts parts = parts_of(run.results().last().state.u);
     for (const auto &[answer, part] :
          {std::make_pair(&section, &parts.section),
@@ -118,7 +123,6 @@ namespace lamella
     for (unsigned int b = 0; b < of_beams.size(); ++b)
       {
         const BeamSurplus &surplus = *of_beams[b];
-        const AxisMesh    &axis    = run.model().scene().bodies[b].axis;
         const unsigned int p       = surplus.section_degree();
         Vector             rest    = v.block(b);
         parts.section.block(b)     = surplus.in_section(rest, p - 1);
@@ -126,10 +130,9 @@ namespace lamella
         parts.section_before.block(b) = surplus.in_section(rest, p - 2);
 
         rest                = v.block(b);
-        parts.axis.block(b) = surplus.along_axis(rest, coarser_spans(axis, 1));
+        parts.axis.block(b) = surplus.along_axis(rest, halves[b]);
         rest -= parts.axis.block(b);
-        parts.axis_before.block(b) =
-          surplus.along_axis(rest, coarser_spans(axis, 2));
+        parts.axis_before.block(b) = surplus.along_axis(rest, quarters[b]);
       }
     return parts;
   }

@@ -10,13 +10,12 @@
 #include <lamella/estimate/error_bar.h>
 #include <lamella/estimate/poorer.h>
 #include <lamella/estimate/surpluses.h>
-#include <lamella/scene/scene_text.h>
 
 #include "quantities.h"
+#include "solved_scene.h"
 #include <boost/test/unit_test.hpp>
 
 #include <cmath>
-#include <ostream>
 #include <random>
 
 BOOST_AUTO_TEST_SUITE(surpluses)
@@ -25,38 +24,7 @@ using namespace lamella;
 
 namespace
 {
-  /// A scene that is solved.
-  struct Solved
-  {
-    Solved(const std::string &file, const std::vector<std::string> &overrides)
-      : nowhere(nullptr)
-      , run(read_scene(SceneText::read(LAMELLA_SOURCE_DIR + file, overrides)),
-            nowhere)
-    {
-      run.solve();
-    }
-
-    double
-    value(const NamedQuantity &goal) const
-    {
-      return ResultNumbers(run.results()).value(goal);
-    }
-
-    const Beam &
-    beam() const
-    {
-      return *beams_of(run.model().structure().bodies()).front();
-    }
-
-    const AxisMesh &
-    axis() const
-    {
-      return run.model().scene().bodies.front().axis;
-    }
-
-    std::ostream nowhere;
-    Simulation   run;
-  };
+  using Solved = SolvedScene;
 
 
 

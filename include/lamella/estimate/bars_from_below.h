@@ -78,11 +78,7 @@ namespace lamella
     /// The bar by poorer models, and by surpluses where there are @p own.
     ErrorBar
     by_models(const NamedQuantity                  &goal,
-              const std::optional<SurplusBySource> &own,
-              const double                          of_contact) const;
-    /// What the penalties of contacts do to @p goal.
-    double
-    share_of_contact(const NamedQuantity &goal) const;
+              const std::optional<SurplusBySource> &own) const;
     GoalResult
     goal(const unsigned int number) const;
 
@@ -90,15 +86,13 @@ namespace lamella
     BelowRules        rules;
     RunGoals          of_run;
     GoalDual          dual;
+    PenaltyShare      penalties;
     /// Of each goal, if it has one.
     std::vector<std::optional<GoalDual::Pair>> derivatives;
     /// Null where the run has none.
     std::unique_ptr<const Surpluses> surpluses;
-    /// Null without penalties.
-    std::unique_ptr<const PenaltyShare> penalties;
-    /// On half and a quarter of the elements, and on half of them without
-    /// penetration.
-    std::optional<ResultNumbers> half, quarter, exact;
+    /// On half and a quarter of the elements.
+    std::optional<ResultNumbers> half, quarter;
   };
 } // namespace lamella
 

@@ -8,9 +8,9 @@
 #include <lamella/estimate/penalty_share.h>
 #include <lamella/estimate/run_goals.h>
 
-#include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace lamella
@@ -36,8 +36,6 @@ namespace lamella
     /// Bars that nobody asks for may take this share of the run's
     /// multiplications, or so many: about a second.
     double most_of_run = 0.5, free_operations = 5e9;
-    /// Multiplications for each node of an axis with m fields: this times m^3.
-    double of_block = 5.;
   };
 
   /// The models that a run is compared with: elements along the axis halved so
@@ -91,9 +89,12 @@ namespace lamella
     goals() const;
 
   private:
-    /// What the models of @p plan take, about, in multiplications.
+    /// What the models of @p plan take, about, in multiplications, of @p scene
+    /// whose bodies have @p sizes.
     static double
-    operations(const Simulation &run, const HalfPlan &plan);
+    operations(const Scene                 &scene,
+               const std::vector<BodySize> &sizes,
+               const HalfPlan              &plan);
     void
     solve_levels(OtherModels &others, const Scene &scene);
     void
@@ -104,21 +105,19 @@ namespace lamella
     by_levels(const NamedQuantity &goal) const;
     ErrorBar
     by_sources(const NamedQuantity &goal) const;
-    double
-    share_of_contact(const NamedQuantity &goal) const;
 
     const Simulation &run;
     HalfPlan          chosen;
     HalfRules         rules;
     RunGoals          of_run;
+    PenaltyShare      penalties;
     /// Whether all bodies are of LE.
     bool layerwise = false;
-    /// H_p, H_r, H_l, and H_p without penetration.
+    /// H_p, H_r and H_l.
     ResultNumbers                half, richer;
-    std::optional<ResultNumbers> lower, exact;
+    std::optional<ResultNumbers> lower;
     /// Of SV-N models that are poorer in one source; empty for others.
-    std::vector<std::pair<std::string, ResultNumbers>> poorer;
-    std::unique_ptr<const PenaltyShare>                penalties;
+    std::vector<std::pair<Source, ResultNumbers>> poorer;
   };
 } // namespace lamella
 

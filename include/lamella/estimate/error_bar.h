@@ -43,6 +43,11 @@ namespace lamella
     double rounding = 0.;
   };
 
+  /// Behind "it changes by so many per cent" where numbers have no limit: at
+  /// which places, and what to do.
+  std::string
+  where_it_grows();
+
   /// The error of a run's value as it is estimated.
   struct ErrorBar
   {

@@ -4,6 +4,7 @@
 #define lamella_estimate_penalty_share_h
 
 #include <lamella/estimate/goal_dual.h>
+#include <lamella/estimate/other_models.h>
 #include <lamella/run/simulation.h>
 
 #include <memory>
@@ -17,16 +18,33 @@ namespace lamella
    * the last step is found again with exact rows in their place, on the
    * stiffness that the run has factorised, and a goal changes by
    *   J'_u . (u_exact - u) + J'_lambda . (lambda_exact - lambda).
-   * Rows open and close as they have to. Refers to the run. Throws
-   * NumericsError where the exact problem has no answer. Collective.
+   * Rows open and close as they have to. Of a goal without a derivative it is
+   * what exact contact changes in a poorer model (compare()). Nothing changes
+   * where no contact has a penalty. Refers to the run. Throws NumericsError
+   * where the exact problem has no answer. Collective.
    */
   class PenaltyShare
   {
   public:
     explicit PenaltyShare(const Simulation &run);
 
-    /// Of @p goal, if it has a derivative.
-    std::optional<double>
+    /// Whether some contact has a penalty.
+    bool
+    is_any() const
+    {
+      return dual != nullptr;
+    }
+
+    /// Solves @p poorer, whose numbers are @p numbers, without penetration by
+    /// means of @p others, if one of @p goals wants it.
+    void
+    compare(const std::vector<NamedQuantity> &goals,
+            OtherModels                      &others,
+            const Scene                      &poorer,
+            const ResultNumbers              &numbers);
+
+    /// Of @p goal, one of those that were compared.
+    double
     of(const NamedQuantity &goal) const;
 
   private:
@@ -35,6 +53,8 @@ namespace lamella
     std::vector<double> force;
     /// Of all rows that are active in either state.
     std::unique_ptr<const GoalDual> dual;
+    /// Of the poorer model, with its penalties and without.
+    std::optional<ResultNumbers> soft, exact;
   };
 } // namespace lamella
 

@@ -4,6 +4,7 @@
 #define lamella_estimate_run_goals_h
 
 #include <lamella/base/arithmetic.h>
+#include <lamella/estimate/error_bar.h>
 #include <lamella/recover/named_quantity.h>
 #include <lamella/run/simulation.h>
 
@@ -58,6 +59,13 @@ namespace lamella
     /// in whatever material: stresses of all come from the same solution.
     double
     rounding_of(const NamedQuantity &quantity) const;
+
+    /// The goal @p number with @p bar, to which the share @p of_contact of
+    /// penalties comes, twice and as it is signed.
+    GoalResult
+    with_bar(const unsigned int number,
+             const ErrorBar    &bar,
+             const double       of_contact = 0.) const;
 
     /// Name, value, unit, scale and tolerance of the goal @p number, no bar.
     GoalResult

@@ -98,8 +98,9 @@ namespace lamella
     openings(const BlockVector &v) const;
 
     const Simulation &run;
-    /// A body each.
+    /// A body each: its surplus, halves and quarters of its elements.
     std::vector<std::unique_ptr<const BeamSurplus>> of_beams;
+    std::vector<std::vector<AxisSpan>>              halves, quarters;
     /// To the parts of the displacements.
     std::unique_ptr<const Answer> section, section_before, axis, axis_before;
   };
