@@ -104,7 +104,8 @@ namespace
                        command.output_is_given ? command.output : "");
     else
       run_scene(*simulation, command.output, command.resume, [&] {
-        GoalBars bars = bars_of(*simulation, out);
+        ModelCache cache;
+        GoalBars   bars = bars_of(*simulation, out, cache);
         simulation->set_goals(std::move(bars.goals), bars.why_none);
       });
   }

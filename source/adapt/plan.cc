@@ -57,6 +57,18 @@ namespace lamella
     {
       return size.touched > rules.long_contact;
     }
+
+
+
+    /// What an axis begins with that is touched all along.
+    unsigned int
+    equal_elements(const BodySize &size, const PlanRules &rules)
+    {
+      const double most = rules.equal_elements;
+      return size.held_all_along ?
+               1 :
+               std::lround(std::min(most, std::max(2., size.slenderness)));
+    }
   } // namespace
 
 
@@ -113,9 +125,9 @@ namespace lamella
       result.why_theory = why_layers(facts.size, rules);
     if (!result.why_theory.empty())
       {
-        result.theory = Theory::layerwise(1);
-        result.equal_elements =
-          facts.grades_itself && is_touched_all_along(facts.size, rules);
+        result.theory = Theory::layerwise(rules.first_degree);
+        if (facts.grades_itself && is_touched_all_along(facts.size, rules))
+          result.equal_elements = equal_elements(facts.size, rules);
       }
     if (facts.has_pieces)
       result.all_fields = false;

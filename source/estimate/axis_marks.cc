@@ -101,8 +101,6 @@ namespace lamella
     };
     for (const GoalResult &goal : goals)
       {
-        if (goal.met())
-          continue;
         if (!goal.local)
           return std::nullopt;
         for (const ElementError &element : worst_elements(
@@ -148,8 +146,11 @@ namespace lamella
                 });
               if (own == all.end())
                 return {};
+              const double known =
+                goal.local->of_pairs ? std::pow(0.5, 2. * axis.degree) : 1.;
               span.error =
-                std::max(span.error, std::abs(own->error) / goal.most_error());
+                std::max(span.error,
+                         known * std::abs(own->error) / goal.most_error());
             }
           spans.push_back(span);
           begin += length;

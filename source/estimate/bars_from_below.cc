@@ -90,7 +90,7 @@ namespace lamella
   BarsFromBelow::by_surpluses(const NamedQuantity   &goal,
                               const SurplusBySource &own) const
   {
-    const auto &[section, axis] = own;
+    const Surplus &section = own.section, &axis = own.axis;
     return error_bar_from_below(
       {{section.last,
         section.before,
@@ -107,16 +107,49 @@ namespace lamella
   BarsFromBelow::by_models(const NamedQuantity                  &goal,
                            const std::optional<SurplusBySource> &own) const
   {
-    const double change = of_run.numbers().value(goal) - half->value(goal),
-                 before = half->value(goal) - quarter->value(goal);
-    const double by_source =
-      own ? std::abs(own->section.last) + std::abs(own->axis.last) : 0.;
-    const double last =
-      std::copysign(std::max(std::abs(change), by_source), change);
+    const double change  = of_run.numbers().value(goal) - half->value(goal),
+                 before  = half->value(goal) - quarter->value(goal);
+    const auto by_source = [&](double Surplus::*const level) {
+      return own ? std::abs(own->section.*level) + std::abs(own->axis.*level) :
+                   0.;
+    };
+    // Of both levels the larger: sources cancel in what is solved.
+    const double last  = std::max(std::abs(change), by_source(&Surplus::last));
+    const double least = rules.least_of_before * std::abs(before);
     return error_bar_from_below(
-      {{last, before, rules.least_of_before * std::abs(before)}},
+      {{std::copysign(last, change),
+        std::copysign(std::max(std::abs(before), by_source(&Surplus::before)),
+                      before),
+        least}},
       of_run.scale_of(goal),
       of_run.rounding_of(goal));
+  }
+
+
+
+  BarsFromBelow::Shares
+  BarsFromBelow::shares_of(const NamedQuantity                  &goal,
+                           const ErrorBar                       &bar,
+                           const std::optional<SurplusBySource> &own) const
+  {
+    const std::string section = name_of(Source::section),
+                      axis    = name_of(Source::axis);
+    if (!own)
+      return {
+        {axis + " and " + section,
+         std::copysign(bar.parts[0],
+                       of_run.numbers().value(goal) - half->value(goal))}};
+    const double of_section = own->section.last, of_axis = own->axis.last,
+                 both = std::abs(of_section) + std::abs(of_axis);
+    // Models that are poorer in both do not tell them apart: surpluses do.
+    const bool is_told = bar.parts.size() == 2;
+    const auto part    = [&](const unsigned int k, const double last) {
+      return std::copysign(is_told    ? bar.parts[k] :
+                           both == 0. ? 0.5 * bar.parts[0] :
+                                        bar.parts[0] * std::abs(last) / both,
+                           last);
+    };
+    return {{axis, part(1, of_axis)}, {section, part(0, of_section)}};
   }
 
 
@@ -133,21 +166,15 @@ namespace lamella
           z -= *w;
         own = surpluses->of(z);
       }
-    const double of_contact = penalties.of(quantity);
-    GoalResult   result =
-      of_run.with_bar(number,
-                      wants_models_of(number) ? by_models(quantity, own) :
-                                                by_surpluses(quantity, *own),
-                      of_contact);
+    const double   of_contact = penalties.of(quantity);
+    const ErrorBar bar    = wants_models_of(number) ? by_models(quantity, own) :
+                                                      by_surpluses(quantity, *own);
+    GoalResult     result = of_run.with_bar(number, bar, of_contact);
+    result.shares         = shares_of(quantity, bar, own);
     if (own)
-      result.shares = {{"axis", own->axis.last},
-                       {"section", own->section.last}};
-    else
-      result.shares = {
-        {"axis and section",
-         of_run.numbers().value(quantity) - half->value(quantity)}};
+      result.local = own->along_axis;
     if (penalties.is_any())
-      result.shares.emplace_back(name_of(Source::contact), of_contact);
+      result.shares.emplace_back(name_of(Source::contact), 2. * of_contact);
     return result;
   }
 

@@ -21,14 +21,6 @@ namespace lamella
 
 
     bool
-    has_responses(const BodyDescription &body)
-    {
-      return body.theory.is_of_solutions() && body.theory.order > 0;
-    }
-
-
-
-    bool
     is_of_layers(const BodyDescription &body)
     {
       return body.theory.is_layerwise() && body.pieces.empty();
@@ -68,26 +60,6 @@ namespace lamella
 
 
 
-    /// @p scene with fewer wave numbers for SV-N, by @p fewer, but 1 at least.
-    Scene
-    of_fewer_waves(Scene scene, const unsigned int fewer)
-    {
-      for (BodyDescription &body : scene.bodies)
-        if (has_responses(body))
-          body.theory.order -= std::min(fewer, body.theory.order - 1);
-      return scene;
-    }
-
-
-
-    Scene
-    of_lower_section(Scene scene)
-    {
-      for (BodyDescription &body : scene.bodies)
-        if (body.theory.is_of_solutions() && body.theory.section_order > 1)
-          --body.theory.section_order;
-      return of_one_degree_less(scene);
-    }
   } // namespace
 
 
@@ -102,10 +74,8 @@ namespace lamella
           return "body " + body.name + " is a solid";
         if (!body.pieces.empty())
           return "body " + body.name + " is made of pieces";
-        if (any_body(scene, has_responses) && !has_responses(body) &&
-            !is_of_layers(body))
-          return "body " + body.name + " is of " + body.theory.name() +
-                 " beside bodies of SV-N";
+        if (body.theory.has_responses())
+          return "body " + body.name + " is of " + body.theory.name();
       }
     return "";
   }
@@ -138,10 +108,7 @@ namespace lamella
   std::optional<HalfPlan>
   BarsFromHalf::plan(const Simulation &run, const double most)
   {
-    const Scene &scene = run.model().scene();
-    // They share the run's end fields, and take about half of its seconds.
-    if (any_body(scene, has_responses))
-      return HalfPlan();
+    const Scene                &scene = run.model().scene();
     const std::vector<BodySize> sizes = sizes_of(run.model());
     for (const HalfPlan &plan :
          {HalfPlan{1, 2}, HalfPlan{2, 2}, HalfPlan{1, 1}, HalfPlan{2, 1}})
@@ -165,10 +132,7 @@ namespace lamella
     layerwise =
       std::all_of(scene.bodies.begin(), scene.bodies.end(), is_of_layers);
     OtherModels others(run, out, cache);
-    if (any_body(scene, has_responses))
-      solve_sources(others, scene);
-    else
-      solve_levels(others, scene);
+    solve_levels(others, scene);
   }
 
 
@@ -186,27 +150,6 @@ namespace lamella
         }))
       lower = others.solved(low, "coarser axis, poorer section").numbers;
     penalties.compare(of_run.quantities(), others, half_scene, half);
-  }
-
-
-
-  void
-  BarsFromHalf::solve_sources(OtherModels &others, const Scene &scene)
-  {
-    const auto add = [&](const Source source, const Scene &poor) {
-      poorer.emplace_back(
-        source,
-        others.solved(poor, std::string("poorer in ") + name_of(source))
-          .numbers);
-    };
-    const Scene half_scene = on_half_the_axis(scene);
-    add(Source::axis, half_scene);
-    add(Source::fields, of_fewer_waves(scene, rules.fewer_waves));
-    add(Source::section, of_lower_section(scene));
-    penalties.compare(of_run.quantities(),
-                      others,
-                      half_scene,
-                      poorer.front().second);
   }
 
 
@@ -243,51 +186,20 @@ namespace lamella
 
 
 
-  ErrorBar
-  BarsFromHalf::by_sources(const NamedQuantity &goal) const
-  {
-    const double scale   = of_run.scale_of(goal);
-    double       changed = 0.;
-    ErrorBar     bar;
-    bar.trusted = true;
-    for (const auto &[source, numbers] : poorer)
-      {
-        const double change =
-          of_run.numbers().value(goal) - numbers.value(goal);
-        bar.bar += (source == Source::axis ? rules.of_axis : rules.of_fields) *
-                   std::abs(change);
-        changed += std::abs(change);
-      }
-    if (changed > rules.most_changed * scale)
-      {
-        bar.trusted = false;
-        bar.why     = "models that are a little poorer change it by " +
-                  to_text(100. * changed / scale, 2) + " %" + where_it_grows() +
-                  ", or refine theory and mesh";
-      }
-    return bar;
-  }
-
-
-
   GoalResult
   BarsFromHalf::goal(const unsigned int number) const
   {
     const NamedQuantity &quantity = of_run.quantities()[number];
     const double         value    = of_run.numbers().value(quantity),
                  of_contact       = penalties.of(quantity);
-    ErrorBar bar = poorer.empty() ? by_levels(quantity) : by_sources(quantity);
-    bar.bar      = std::max(bar.bar, of_run.rounding_of(quantity));
+    ErrorBar bar                  = by_levels(quantity);
+    bar.bar           = std::max(bar.bar, of_run.rounding_of(quantity));
     GoalResult result = of_run.with_bar(number, bar, of_contact);
-    if (poorer.empty())
-      result.shares = {{name_of(Source::axis), value - half.value(quantity)},
-                       {name_of(layerwise ? Source::section : Source::fields),
-                        richer.value(quantity) - half.value(quantity)}};
-    for (const auto &[source, numbers] : poorer)
-      result.shares.emplace_back(name_of(source),
-                                 value - numbers.value(quantity));
+    result.shares     = {{name_of(Source::axis), value - half.value(quantity)},
+                         {name_of(layerwise ? Source::section : Source::fields),
+                          2. * (richer.value(quantity) - half.value(quantity))}};
     if (penalties.is_any())
-      result.shares.emplace_back(name_of(Source::contact), of_contact);
+      result.shares.emplace_back(name_of(Source::contact), 2. * of_contact);
     return result;
   }
 

@@ -175,6 +175,8 @@ namespace lamella
             size.fields  = beam->section().n_fields();
             size.cells   = beam->section().n_cells();
             size.touched = touched_share(model, *beam, sizes.size() - 1);
+            size.slenderness =
+              beam->axis().length() / beam->section().extents().second;
           }
       }
     return sizes;

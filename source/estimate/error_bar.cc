@@ -71,32 +71,6 @@ namespace lamella
 
 
   ErrorBar
-  error_bar_after(const double       poorer,
-                  const Refinements &values,
-                  const BarRules    &rules)
-  {
-    Refinements before       = values;
-    before.run               = poorer;
-    before.richer            = values.run;
-    before.richest           = values.richer;
-    Refinements once         = values;
-    once.richest             = values.richer;
-    const ErrorBar of_poorer = error_bar(before, rules);
-    ErrorBar       result    = error_bar(once, rules);
-    result.trusted           = of_poorer.trusted;
-    result.why               = of_poorer.why;
-    const double change      = std::abs(values.richer - values.run),
-                 last        = std::abs(values.run - poorer);
-    if (last > 0.)
-      result.bar =
-        std::max(result.bar,
-                 rules.of_change * change * (1. + std::min(1., change / last)));
-    return result;
-  }
-
-
-
-  ErrorBar
   error_bar_from_below(const std::vector<Levels> &sources,
                        const double               scale,
                        const double               rounding,
@@ -107,17 +81,14 @@ namespace lamella
     for (const Levels &levels : sources)
       {
         const double d = std::abs(levels.last), e = std::abs(levels.before);
-        if (e > 0. && d <= rules.most_left * e)
-          {
-            const double left = (d / e) / (1. - d / e);
-            result.estimate += levels.last * left;
-            result.bar +=
-              std::max({d, rules.of_change * d * left, levels.least});
-            continue;
-          }
-        result.estimate += levels.last;
-        result.bar += std::max(rules.of_change * std::max(d, e), levels.least);
-        if (std::max(d, e) > rules.small * scale)
+        const bool   contracts = e > 0. && d <= rules.most_left * e;
+        const double left      = contracts ? (d / e) / (1. - d / e) : 1.;
+        result.estimate += levels.last * left;
+        result.parts.push_back(
+          contracts ? std::max({d, rules.of_change * d * left, levels.least}) :
+                      std::max(rules.of_change * std::max(d, e), levels.least));
+        result.bar += result.parts.back();
+        if (!contracts && std::max(d, e) > rules.small * scale)
           {
             result.trusted = false;
             result.why     = why_not_trusted(e, d, scale, rules);

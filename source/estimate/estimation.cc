@@ -24,22 +24,12 @@ namespace lamella
 
   Estimation::Estimation(const Simulation &run,
                          std::ostream     &out,
-                         ModelCache       &cache,
-                         const Effort      effort)
+                         ModelCache       &cache)
     : run(run)
     , out(out)
     , cache(cache)
     , others(run, out, cache)
-    , effort(effort)
   {}
-
-
-
-  void
-  Estimation::comes_after(const ResultNumbers &numbers)
-  {
-    poorer = numbers;
-  }
 
 
 
@@ -130,38 +120,6 @@ namespace lamella
 
 
 
-  bool
-  Estimation::agrees_with_poorer() const
-  {
-    if (!poorer)
-      return false;
-    const auto all = of_run->quantities();
-    return std::all_of(all.begin(), all.end(), [this](const auto &quantity) {
-      return error_bar_after(poorer->value(quantity),
-                             first_refinement(quantity))
-        .trusted;
-    });
-  }
-
-
-
-  bool
-  Estimation::is_far_off() const
-  {
-    unsigned int number = 0;
-    for (const NamedQuantity &quantity : of_run->quantities())
-      {
-        const GoalResult  bare   = of_run->bare(number++);
-        const Refinements values = first_refinement(quantity);
-        if (std::max(2. * std::abs(values.richer - values.run),
-                     0.5 * values.shares) > bare.most_error())
-          return true;
-      }
-    return false;
-  }
-
-
-
   std::vector<Source>
   Estimation::sources_that_matter() const
   {
@@ -210,8 +168,6 @@ namespace lamella
          {Source::axis, Source::fields, Source::section, Source::contact})
       if (has_source(models[base].scene, source))
         add_step(source);
-    if (effort == Effort::as_needed && (is_far_off() || agrees_with_poorer()))
-      return;
     climb_once_more();
   }
 
@@ -245,7 +201,6 @@ namespace lamella
         what += std::string(what.empty() ? "" : ", ") + name_of(source);
       }
     models.push_back(others.solved(scene, "once more in " + what));
-    has_richest = true;
   }
 
 
@@ -254,20 +209,9 @@ namespace lamella
   Estimation::bar_of(const NamedQuantity &quantity) const
   {
     Refinements values = first_refinement(quantity);
-    if (!has_richest && poorer)
-      return error_bar_after(poorer->value(quantity), values);
-    values.richest = values.richer;
-    if (has_richest)
-      values.richest += models.back().numbers.value(quantity) -
-                        models[before_richest].numbers.value(quantity);
-    ErrorBar bar = error_bar(values);
-    if (!has_richest)
-      {
-        bar.trusted = false;
-        bar.why     = "one refinement shows that the model is not good enough "
-                      "for the tolerances; no second one was made";
-      }
-    return bar;
+    values.richest     = values.richer + models.back().numbers.value(quantity) -
+                     models[before_richest].numbers.value(quantity);
+    return error_bar(values);
   }
 
 

@@ -3,6 +3,7 @@
 #include <lamella/base/exceptions.h>
 #include <lamella/base/progress.h>
 #include <lamella/base/text.h>
+#include <lamella/estimate/bars_by_source.h>
 #include <lamella/estimate/bars_from_below.h>
 #include <lamella/estimate/bars_from_half.h>
 #include <lamella/estimate/estimation.h>
@@ -10,8 +11,10 @@
 #include <lamella/estimate/operations.h>
 
 #include <algorithm>
+#include <functional>
 #include <optional>
 #include <ostream>
+#include <utility>
 
 namespace lamella
 {
@@ -24,7 +27,11 @@ namespace lamella
     {
       if (!BarsFromHalf::reason_for_none(run).empty())
         return {};
-      if (run.model().scene().goals.bars != ErrorBars::automatic)
+      const GoalParameters &goals = run.model().scene().goals;
+      // A tolerance wants LE-3, which LE-2 is near to: LE-1 is far from LE-2.
+      if (!goals.tolerances.empty())
+        return HalfPlan{1, 3};
+      if (goals.bars != ErrorBars::automatic)
         return HalfPlan();
       const HalfRules rules;
       return BarsFromHalf::plan(run,
@@ -34,29 +41,51 @@ namespace lamella
 
 
 
-    /// The goals of @p run with bars that need no richer model on the whole
-    /// axis; none if these are not wanted, are not to be had, cost too much or
-    /// fail.
-    std::optional<std::vector<GoalResult>>
+    using Goals = std::vector<GoalResult>;
+
+    /// What makes the bars of @p run without richer models of its whole scene,
+    /// and the words for what from; nothing where these are not to be had or
+    /// cost too much.
+    std::pair<std::function<Goals(std::ostream &, ModelCache &)>, std::string>
+    maker_for(const Simulation &run)
+    {
+      if (BarsFromBelow::reason_for_none(run).empty())
+        return {[&run](std::ostream &out, ModelCache &cache) {
+                  return BarsFromBelow(run, out, cache).goals();
+                },
+                "poorer models"};
+      if (BarsBySource::reason_for_none(run).empty())
+        return {[&run](std::ostream &out, ModelCache &cache) {
+                  return BarsBySource(run, out, cache).goals();
+                },
+                "models that differ in one source each"};
+      if (const auto plan = plan_of(run))
+        return {[&run, plan](std::ostream &out, ModelCache &cache) {
+                  return BarsFromHalf(run, *plan, out, cache).goals();
+                },
+                "models on coarser axes"};
+      return {};
+    }
+
+
+
+    /// The goals of @p run with bars by maker_for(); none if these are not
+    /// wanted, are not to be had or fail.
+    std::optional<Goals>
     cheap_goals(const Simulation &run, std::ostream &out, ModelCache &cache)
     {
-      const bool below = BarsFromBelow::reason_for_none(run).empty();
       if (run.model().scene().goals.bars == ErrorBars::richer ||
           !RunGoals::reason_for_none(run).empty())
         return {};
-      const std::optional<HalfPlan> plan = below ? HalfPlan() : plan_of(run);
-      if (!plan)
+      const auto [make, from] = maker_for(run);
+      if (!make)
         return {};
-      out << "Error bars, from "
-          << (below ? "poorer models" : "models on coarser axes") << ":"
-          << std::endl;
-      std::optional<std::vector<GoalResult>> goals;
+      out << "Error bars, from " << from << ":" << std::endl;
       // The run has its numbers: nothing beside it takes them away.
       const Progress::Part part(out, "error bars");
-      const Outcome        outcome = outcome_of([&] {
-        goals = below ? BarsFromBelow(run, out, cache).goals() :
-                               BarsFromHalf(run, *plan, out, cache).goals();
-      });
+      std::optional<Goals> goals;
+      const Outcome        outcome =
+        outcome_of([&, &make = make] { goals = make(out, cache); });
       if (outcome.status != 0)
         out << "  failed: " << trimmed(outcome.message) << std::endl;
       return goals;
@@ -66,9 +95,8 @@ namespace lamella
 
 
   GoalBars
-  bars_of(const Simulation &run, std::ostream &out)
+  bars_of(const Simulation &run, std::ostream &out, ModelCache &cache)
   {
-    ModelCache cache;
     if (const auto goals = cheap_goals(run, out, cache))
       return {*goals, ""};
     Estimation estimation(run, out, cache);

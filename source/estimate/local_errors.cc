@@ -135,13 +135,11 @@ namespace lamella
     const double near  = arithmetic::same_place_along * axis.length();
     const auto   first = result.elements.size();
     for (unsigned int cell = 0; cell < axis.n_cells(); ++cell)
-      {
-        unsigned int dofs = 0;
-        for (const unsigned int node : axis.nodes_of_cell(cell))
-          dofs += rough.dofs().fields(node).size();
-        result.elements.push_back(
-          {body, axis.cell_begin(cell), axis.cell_end(cell), 0., dofs});
-      }
+      result.elements.push_back({body,
+                                 axis.cell_begin(cell),
+                                 axis.cell_end(cell),
+                                 0.,
+                                 rough.n_dofs_of_cell(cell)});
     for (unsigned int node = 0; node < finer.axis().n_nodes(); ++node)
       {
         double error = 0.;
@@ -196,4 +194,32 @@ namespace lamella
     return result;
   }
 
+
+
+  LocalErrors
+  by_pairs(const LocalErrors &errors, const Simulation &finer)
+  {
+    const std::vector<const Beam *> beams  = beams_in(finer);
+    LocalErrors                     result = errors;
+    result.of_pairs                        = true;
+    result.elements.clear();
+    for (const ElementError &whole : errors.elements)
+      {
+        const Beam &beam  = *beams[whole.body];
+        const Axis &axis  = beam.axis();
+        const auto  first = result.elements.size();
+        for (unsigned int cell = 0; cell < axis.n_cells(); ++cell)
+          {
+            const double begin = axis.cell_begin(cell),
+                         end = axis.cell_end(cell), middle = (begin + end) / 2.;
+            if (middle > whole.begin && middle < whole.end)
+              result.elements.push_back(
+                {whole.body, begin, end, 0., beam.n_dofs_of_cell(cell)});
+          }
+        for (auto k = first; k < result.elements.size(); ++k)
+          result.elements[k].error =
+            whole.error / (result.elements.size() - first);
+      }
+    return result;
+  }
 } // namespace lamella

@@ -16,22 +16,22 @@ namespace lamella
     /// they would be fine everywhere. Bodies whose nodes a contact pairs go
     /// together.
     void
-    begin_with_equal_elements(Scene            &scene,
-                              std::vector<bool> is_equal,
-                              const PlanRules  &rules)
+    begin_with_equal_elements(Scene &scene, std::vector<unsigned int> elements)
     {
       for (const ContactPair &contact : scene.contacts)
         if (may_pair_nodes(contact))
           {
             const unsigned int one   = contact.first.body,
                                other = contact.second.body;
-            is_equal[one] = is_equal[other] = is_equal[one] && is_equal[other];
+            const unsigned int most  = std::max(elements[one], elements[other]);
+            elements[one]            = elements[other] =
+              elements[one] > 0 && elements[other] > 0 ? most : 0;
           }
       for (unsigned int b = 0; b < scene.bodies.size(); ++b)
-        if (AxisMesh &axis = scene.bodies[b].axis; is_equal[b])
+        if (AxisMesh &axis = scene.bodies[b].axis; elements[b] > 0)
           {
             axis.fineness = 0.;
-            axis.elements = {rules.equal_elements};
+            axis.elements = {elements[b]};
             axis.breaks.clear();
           }
     }
@@ -42,8 +42,7 @@ namespace lamella
     is_assumed(const Scene &scene, const unsigned int body)
     {
       return scene.goals.theory_is_assumed &&
-             scene.bodies[body].theory.is_of_solutions() &&
-             scene.bodies[body].theory.order > 0 &&
+             scene.bodies[body].theory.has_responses() &&
              scene.bodies[body].pieces.empty();
     }
   } // namespace
@@ -62,7 +61,7 @@ namespace lamella
     std::ostream                nowhere(nullptr);
     const Simulation            model(plain, nowhere);
     const std::vector<BodySize> sizes = sizes_of(model.model());
-    std::vector<bool>           is_equal;
+    std::vector<unsigned int>   elements;
     for (unsigned int b = 0; b < scene.bodies.size(); ++b)
       {
         PlanFacts facts;
@@ -77,16 +76,18 @@ namespace lamella
         if (why != nullptr && !start.why_theory.empty())
           why->push_back("Body " + scene.bodies[b].name + " begins with " +
                          start.theory.name() + ": " + start.why_theory);
-        is_equal.push_back(start.equal_elements);
+        elements.push_back(start.equal_elements);
       }
-    begin_with_equal_elements(scene, is_equal, rules);
+    begin_with_equal_elements(scene, elements);
     return scene;
   }
 
 
 
   bool
-  begin_lower(Scene &scene, const BuiltScene &model)
+  begin_with_layers(Scene            &scene,
+                    const BuiltScene &model,
+                    const PlanRules  &rules)
   {
     const std::vector<const Beam *> beams =
       beams_of(model.structure().bodies());
@@ -97,9 +98,20 @@ namespace lamella
           const Beam &body = *beams[b];
           if (body.n_dofs() < body.axis().n_nodes() * body.section().n_fields())
             continue;
-          scene.bodies[b].theory = Theory::layerwise(1);
+          scene.bodies[b].theory = Theory::layerwise(rules.first_degree);
           any                    = true;
         }
     return any;
+  }
+
+
+
+  Scene
+  with_levels_below(Scene scene, const PlanRules &rules)
+  {
+    for (BodyDescription &body : scene.bodies)
+      if (body.theory.is_layerwise() && body.pieces.empty())
+        body.theory.order = std::max(body.theory.order, rules.first_degree);
+    return scene;
   }
 } // namespace lamella

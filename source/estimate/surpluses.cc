@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <lamella/base/arithmetic.h>
+#include <lamella/estimate/local_errors.h>
 #include <lamella/estimate/poorer.h>
 #include <lamella/estimate/surpluses.h>
 
@@ -153,6 +155,47 @@ namespace lamella
 
 
 
+  void
+  Surpluses::add_spans(const unsigned int body,
+                       const Vector      &products,
+                       LocalErrors       &result) const
+  {
+    const Beam &beam = *beams_of(run.model().structure().bodies())[body];
+    const Axis &axis = beam.axis();
+    for (const AxisSpan &span : halves[body])
+      {
+        const double near =
+          arithmetic::same_in_element * (span.end - span.begin);
+        double error = 0.;
+        for (unsigned int node = 0; node < axis.n_nodes(); ++node)
+          if (const double y = axis.nodes()[node];
+              y > span.begin + near && y < span.end - near)
+            for (unsigned int k = 0; k < beam.dofs().fields(node).size(); ++k)
+              error += products[beam.dofs().first(node) + k];
+        result.elements.push_back({body, span.begin, span.end, error, 0});
+      }
+  }
+
+
+
+  LocalErrors
+  Surpluses::by_elements(const Answer &answer, const BlockVector &z) const
+  {
+    LocalErrors result;
+    for (unsigned int b = 0; b < of_beams.size(); ++b)
+      {
+        Vector products = answer.bodies.block(b);
+        products.scale(z.block(b));
+        add_spans(b, products, result);
+      }
+    const Vector opened = openings(z);
+    for (unsigned int k = 0; k < opened.size(); ++k)
+      result.contact -= answer.rows[k] * opened[k];
+    return by_pairs(result, run);
+  }
+
+
+
   SurplusBySource
   Surpluses::of(const BlockVector &z) const
   {
@@ -162,6 +205,7 @@ namespace lamella
              sizes(*section, parts.section)},
             {work(*axis, parts.axis),
              work(*axis_before, parts.axis_before),
-             sizes(*axis, parts.axis)}};
+             sizes(*axis, parts.axis)},
+            by_elements(*axis, parts.axis)};
   }
 } // namespace lamella

@@ -9,6 +9,7 @@
 #include <lamella/base/sentence.h>
 #include <lamella/base/text.h>
 #include <lamella/estimate/axis_marks.h>
+#include <lamella/estimate/goal_bars.h>
 #include <lamella/estimate/start.h>
 #include <lamella/estimate/tolerance_run.h>
 #include <lamella/report/fields_table.h>
@@ -21,41 +22,6 @@
 
 namespace lamella
 {
-  namespace
-  {
-    // A source with less than this share of what a goal may be off by stays as
-    // it is; the worst goal has to get better by this factor in two passes.
-    constexpr double small_share = 0.25, least_progress = 0.5;
-    // More are a sign that none would be enough.
-    constexpr unsigned int most_passes = 8;
-  } // namespace
-
-
-
-  bool
-  all_met(const std::vector<GoalResult> &goals)
-  {
-    return std::all_of(goals.begin(), goals.end(), [](const GoalResult &goal) {
-      return goal.met();
-    });
-  }
-
-
-
-  double
-  worst_ratio(const std::vector<GoalResult> &goals)
-  {
-    double worst = 0.;
-    for (const GoalResult &goal : goals)
-      worst =
-        std::max(worst,
-                 (goal.trusted ? goal.bar : 2. * std::abs(goal.estimate)) /
-                   goal.most_error());
-    return worst;
-  }
-
-
-
   ToleranceRun::ToleranceRun(const Scene &said, std::ostream &out)
     : scene(start_of(said))
     , out(out)
@@ -82,17 +48,14 @@ namespace lamella
 
 
 
-  void
-  ToleranceRun::make_pass()
+  std::unique_ptr<Simulation>
+  ToleranceRun::next_model(std::ostream &progress)
   {
-    const Progress::Part part(out, "pass " + std::to_string(passes.size() + 1));
-    std::ostream         nowhere(nullptr);
-    nowhere.copyfmt(out); // its progress
     const auto built = [&]() {
-      return std::make_unique<Simulation>(scene, nowhere, rules);
+      return std::make_unique<Simulation>(scene, progress, rules);
     };
     auto next = built();
-    if (passes.empty() && begin_lower(scene, next->model()))
+    if (passes.all().empty() && begin_with_layers(scene, next->model()))
       next = built();
     const double most = scene.goals.budget_dofs;
     if (most > 0 && next->results().n_dofs() > most)
@@ -100,24 +63,40 @@ namespace lamella
                           std::to_string(next->results().n_dofs()) +
                           " DoFs, more than the budget of " +
                           std::to_string(scene.goals.budget_dofs));
-    out << "Pass " << passes.size() + 1 << ": " << next->results().n_dofs()
-        << " DoFs" << std::endl;
+    return next;
+  }
+
+
+
+  void
+  ToleranceRun::make_pass()
+  {
+    const std::string name = "pass " + std::to_string(passes.all().size() + 1);
+    const Progress::Part part(out, name);
+    // One factor at a time: the results of the pass before are all that is
+    // wanted of it.
+    if (simulation != nullptr)
+      simulation->forget_solver();
+    std::ostream nowhere(nullptr);
+    nowhere.copyfmt(out); // its progress
+    auto next = next_model(nowhere);
+    out << "P" << name.substr(1) << ": " << next->results().n_dofs() << " DoFs"
+        << std::endl;
     next->solve();
     check_loads(*next);
-    Pass pass;
-    pass.number = passes.size() + 1;
-    pass.dofs   = next->results().n_dofs();
-    Estimation estimation(*next, out, cache, Estimation::Effort::as_needed);
-    if (simulation != nullptr)
-      estimation.comes_after(ResultNumbers(simulation->results()));
-    else
+    cache.keep({for_estimates(next->model().scene()),
+                ResultNumbers(next->results()),
+                sizes_of(next->model())});
+    if (simulation == nullptr)
       keep_ends(next->model().scene());
-    pass.goals   = estimation.goals();
+    Pass pass;
+    pass.dofs    = next->results().n_dofs();
+    pass.goals   = bars_of(*next, out, cache).goals;
     pass.seconds = wall.wall_time();
     for (const BodyFacts &body : next->results().bodies)
       pass.theories +=
         (pass.theories.empty() ? "" : "; ") + body.name + " " + body.theory;
-    passes.push_back(pass);
+    passes.add(pass, refined);
     simulation = std::move(next);
   }
 
@@ -146,44 +125,6 @@ namespace lamella
 
 
 
-  double
-  ToleranceRun::largest_change() const
-  {
-    double worst = 0.;
-    if (passes.size() > 1)
-      for (unsigned int g = 0; g < passes.back().goals.size(); ++g)
-        {
-          const GoalResult &now    = passes.back().goals[g],
-                           &before = passes[passes.size() - 2].goals[g];
-          worst =
-            std::max(worst,
-                     std::abs(now.value - before.value) / now.most_error());
-        }
-    return worst;
-  }
-
-
-
-  std::vector<Source>
-  ToleranceRun::wanted() const
-  {
-    std::vector<Source> sources;
-    for (const Source source :
-         {Source::axis, Source::fields, Source::section, Source::contact})
-      for (const GoalResult &goal : passes.back().goals)
-        if (!goal.met())
-          for (const auto &[name, share] : goal.shares)
-            if (name == name_of(source) &&
-                (std::abs(share) > small_share * goal.most_error() ||
-                 name == largest_share(goal)) &&
-                std::find(sources.begin(), sources.end(), source) ==
-                  sources.end())
-              sources.push_back(source);
-    return sources;
-  }
-
-
-
   bool
   ToleranceRun::is_late() const
   {
@@ -196,64 +137,40 @@ namespace lamella
 
 
   std::string
-  ToleranceRun::why_no_richer_model() const
-  {
-    for (const GoalResult &goal : passes.back().goals)
-      if (!goal.met() && goal.shares.empty())
-        return goal.why;
-    return "";
-  }
-
-
-
-  std::string
   ToleranceRun::reason_to_stop() const
   {
-    if (all_met(passes.back().goals))
-      return "all goals are within their tolerances";
-    const double worst = worst_ratio(passes.back().goals);
-    if (passes.size() > 2 &&
-        worst > least_progress * worst_ratio(passes[passes.size() - 3].goals))
-      return "the worst goal has got no better in two passes";
-    if (passes.size() == most_passes)
-      return std::to_string(most_passes) + " passes are the most";
-    if (is_late())
-      return "the budget of " + to_text(scene.goals.budget_seconds) +
-             " s is spent";
-    if (!why_no_richer_model().empty())
-      return why_no_richer_model();
-    if (wanted().empty())
-      return "nothing is left to be enriched";
-    return "";
+    const std::string reason = passes.reason_to_stop();
+    return reason.empty() && is_late() ?
+             "the budget of " + to_text(scene.goals.budget_seconds) +
+               " s is spent" :
+             reason;
   }
 
 
 
-  Scene
-  ToleranceRun::next_scene() const
+  void
+  ToleranceRun::refine()
   {
-    // What elements may do to a goal when they stay as they are, over its
-    // tolerance, and what those that are bisected do at least of all.
-    constexpr double most_left = 0.1, least_done = 0.65;
-    // And what elements may do that become one.
-    constexpr double most_merged = 0.05;
-
-    const auto               &goals   = passes.back().goals;
-    Scene                     next    = simulation->model().scene();
-    const Model              &model   = *cache.find(next);
-    const std::vector<Source> sources = wanted();
+    Scene       next   = simulation->model().scene();
+    const auto &wanted = passes.wanted();
+    const auto  wants  = [&wanted](const Source source) {
+      return std::find(wanted.begin(), wanted.end(), source) != wanted.end();
+    };
+    refined = {wanted, {}};
     // Other fields have other errors along the axis: those of EBBT say nothing.
-    if (std::find(sources.begin(), sources.end(), Source::fields) ==
-        sources.end())
-      next = merged(next, kept, goals, most_merged);
-    for (const Source source : sources)
-      {
-        const auto marked = marked_elements(next, goals, most_left, least_done);
-        next              = source == Source::axis && marked ?
-                              bisected(next, *marked) :
-                              enriched(next, source, model.sizes);
-      }
-    return next;
+    if (!wants(Source::fields))
+      next = merged(next, kept, passes.staying(), pass_rules.most_merged);
+    if (wants(Source::axis))
+      refined.marked = marked_elements(next,
+                                       passes.next_goals(),
+                                       pass_rules.most_left,
+                                       pass_rules.least_done);
+    const std::vector<BodySize> sizes = sizes_of(simulation->model());
+    for (const Source source : wanted)
+      next = source == Source::axis && refined.marked ?
+               bisected(next, *refined.marked) :
+               enriched(next, source, sizes);
+    scene = with_levels_below(next);
   }
 
 
@@ -261,7 +178,7 @@ namespace lamella
   void
   ToleranceRun::print_pass() const
   {
-    const Pass &pass = passes.back();
+    const Pass &pass = passes.last();
     out << "  after " << to_text(pass.seconds, 3) << " s: " << pass.theories
         << "\n";
     for (const GoalResult &goal : pass.goals)
@@ -274,9 +191,11 @@ namespace lamella
           out << ", no bar yet";
         out << "\n";
       }
-    if (passes.size() > 1)
+    if (passes.all().size() > 1)
       out << "  since the last pass goals have changed by at most "
-          << to_text(largest_change(), 2) << " of their tolerances\n";
+          << to_text(passes.largest_change(), 2) << " of their tolerances\n";
+    for (const std::string &sentence : passes.farewells())
+      out << "  " << sentence << "\n";
     out << std::flush;
   }
 
@@ -287,13 +206,17 @@ namespace lamella
   {
     std::string text =
       "pass,dofs,seconds,goal,value,estimate,bar,trusted,met\n";
-    for (const Pass &pass : passes)
-      for (const GoalResult &goal : pass.goals)
-        text += std::to_string(pass.number) + "," + std::to_string(pass.dofs) +
-                "," + csv(pass.seconds) + ",\"" + goal.name + "\"," +
-                csv(goal.value) + "," + csv(goal.estimate) + "," +
-                (goal.trusted ? csv(goal.bar) + ",1" : ",0") +
-                (goal.met() ? ",1\n" : ",0\n");
+    unsigned int number = 0;
+    for (const Pass &pass : passes.all())
+      {
+        ++number;
+        for (const GoalResult &goal : pass.goals)
+          text += std::to_string(number) + "," + std::to_string(pass.dofs) +
+                  "," + csv(pass.seconds) + ",\"" + goal.name + "\"," +
+                  csv(goal.value) + "," + csv(goal.estimate) + "," +
+                  (goal.trusted ? csv(goal.bar) + ",1" : ",0") +
+                  (goal.met() ? ",1\n" : ",0\n");
+      }
     return text;
   }
 
@@ -303,24 +226,15 @@ namespace lamella
   ToleranceRun::write_pass(const std::string &directory)
   {
     const Uninterrupted whole;
-    simulation->set_goals(passes.back().goals);
+    simulation->set_goals(passes.last().goals);
     write_run(*simulation, directory);
     if (!is_speaker())
       return;
     write_file(directory + "/passes.csv", table());
-    say_if_interrupted(
-      "interrupted. " + directory + " has the results of pass " +
-      std::to_string(passes.size()) + ". A run to a Tolerance begins anew.");
-  }
-
-
-
-  void
-  ToleranceRun::end_with_bars(const std::string &directory)
-  {
-    passes.back().goals =
-      Estimation(*simulation, out, cache, Estimation::Effort::full).goals();
-    write_pass(directory);
+    say_if_interrupted("interrupted. " + directory +
+                       " has the results of pass " +
+                       std::to_string(passes.all().size()) +
+                       ". A run to a Tolerance begins anew.");
   }
 
 
@@ -328,10 +242,10 @@ namespace lamella
   void
   ToleranceRun::print_end(const std::string &reason) const
   {
-    out << (all_met(passes.back().goals) ? "\nDone in " :
-                                           "\nNot all goals are met after ")
-        << passes.size() << (passes.size() == 1 ? " pass: " : " passes: ")
-        << reason << "." << std::endl;
+    const std::size_t n = passes.all().size();
+    out << (passes.all_met() ? "\nDone in " : "\nNot all goals are met after ")
+        << n << (n == 1 ? " pass: " : " passes: ") << reason << "."
+        << std::endl;
   }
 
 
@@ -352,7 +266,7 @@ namespace lamella
           }
         catch (const std::runtime_error &error)
           {
-            if (passes.empty())
+            if (passes.all().empty())
               throw;
             reason = without_full_stop(error.what());
             break;
@@ -362,11 +276,8 @@ namespace lamella
         reason = reason_to_stop();
         if (!reason.empty())
           break;
-        scene = next_scene();
+        refine();
       }
-    if (!all_met(passes.back().goals) && !is_late() &&
-        why_no_richer_model().empty())
-      end_with_bars(directory);
     say_if_interrupted("");
     print_results(*simulation, directory, out);
     print_end(reason);

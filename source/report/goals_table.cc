@@ -46,6 +46,9 @@ namespace lamella
         {"section",
          "a higher degree over the section (LE-N, Section order) or more cells "
          "in it"},
+        {"axis and section",
+         "shorter elements along the axis (Axis elements) and a higher degree "
+         "over the section (LE-N)"},
         {"contact", "a larger Penalty, or Enforcement = exact"}};
       return all.at(source);
     }

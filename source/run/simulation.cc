@@ -59,11 +59,19 @@ namespace lamella
         }
     if (rules.unsolved.size() == built->rules().unsolved.size())
       return false;
+    forget_solver();
+    build(Scene(scene()), rules);
+    return true;
+  }
+
+
+
+  void
+  Simulation::forget_solver()
+  {
     path.reset();
     recorder.reset();
     solver.reset();
-    build(Scene(scene()), rules);
-    return true;
   }
 
 

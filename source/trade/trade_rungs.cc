@@ -222,7 +222,8 @@ namespace lamella
       if (!job.bars)
         return;
       const dealii::Timer wall;
-      simulation->set_goals(bars_of(*simulation, std::cout).goals);
+      ModelCache          cache;
+      simulation->set_goals(bars_of(*simulation, std::cout, cache).goals);
       seconds_of_bars = wall.wall_time();
     });
     return {{"values", RungValues(simulation->results()).to_json()},

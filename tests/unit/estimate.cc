@@ -49,27 +49,6 @@ BOOST_AUTO_TEST_CASE(bars_hold_of_what_converges)
 
 
 
-BOOST_AUTO_TEST_CASE(a_pass_before_stands_for_the_second_refinement)
-{
-  // Errors c/q, c, c q: the bar of the second knows q by the first, and holds
-  // as far as it is trusted. Errors that change their sign do, too.
-  for (const double c : {1., -0.3, 1e-4})
-    for (const double q : {0.01, 0.1, 0.25, 0.5, 0.65, -0.3, -0.6})
-      {
-        const Refinements values = geometric(c, q);
-        const ErrorBar    bar    = error_bar_after(1. + c / q, values);
-        BOOST_TEST(bar.trusted);
-        BOOST_TEST(bar.bar >= std::abs(c));
-        BOOST_TEST(std::abs(bar.bar - 2. * (1. + std::abs(q)) * (1. - q) *
-                                        std::abs(c)) < 1e-9);
-        BOOST_TEST(std::abs(bar.estimate - c * (q - 1.)) <
-                   1e-15 * (1. + std::abs(c)));
-      }
-  BOOST_TEST(!error_bar_after(1. + 1. / 0.8, geometric(1., 0.8)).trusted);
-}
-
-
-
 BOOST_AUTO_TEST_CASE(no_bar_for_what_grows_or_wavers)
 {
   // A logarithm: as much again at each refinement.

@@ -21,7 +21,7 @@ namespace
   slender()
   {
     PlanFacts facts;
-    facts.size          = {60000, 100, 600, 100, false, 0.1};
+    facts.size          = {60000, 100, 600, 100, false, 0.1, 8.4};
     facts.theory        = Theory::of_solutions(6, 3);
     facts.grades_itself = true;
     facts.held          = 0.;
@@ -33,7 +33,8 @@ namespace
   {
     std::function<void(PlanFacts &)> but;
     const char                      *theory;
-    bool                             equal_elements, all_fields;
+    unsigned int                     equal_elements;
+    bool                             all_fields;
     /// In the reasons; empty: none is given.
     const char *why_theory, *why_fields;
   };
@@ -45,17 +46,17 @@ BOOST_AUTO_TEST_CASE(facts_make_a_plan)
     f.is_assumed = f.has_contacts = true;
   };
   const std::vector<Row> table{
-    {[](PlanFacts &) {}, "SV-6 (of LE-3)", false, false, "", ""},
+    {[](PlanFacts &) {}, "SV-6 (of LE-3)", 0, false, "", ""},
     // What was asked for stays what it is.
     {[](PlanFacts &f) { f.size.touched = 0.9; },
      "SV-6 (of LE-3)",
-     false,
+     0,
      false,
      "",
      ""},
     {[](PlanFacts &f) { f.theory = Theory::layerwise(2); },
      "LE-2 (L9)",
-     false,
+     0,
      true,
      "",
      ""},
@@ -64,18 +65,48 @@ BOOST_AUTO_TEST_CASE(facts_make_a_plan)
        f.wanted = 599;
      },
      "SV (of LE-3)",
-     false,
+     0,
      false,
      "",
      ""},
     // An assumed theory.
-    {[&](PlanFacts &f) { assumed(f); }, "SV-6 (of LE-3)", false, false, "", ""},
+    {[&](PlanFacts &f) { assumed(f); }, "SV-6 (of LE-3)", 0, false, "", ""},
     {[&](PlanFacts &f) {
        assumed(f);
        f.size.touched = 0.51;
      },
-     "LE-1 (L4)",
+     "LE-3 (L16)",
+     8,
      true,
+     "51 % of its length",
+     ""},
+    {[&](PlanFacts &f) {
+       assumed(f);
+       f.size.touched     = 0.51;
+       f.size.slenderness = 0.3;
+     },
+     "LE-3 (L16)",
+     2,
+     true,
+     "51 % of its length",
+     ""},
+    {[&](PlanFacts &f) {
+       assumed(f);
+       f.size.touched     = 0.51;
+       f.size.slenderness = 80.;
+     },
+     "LE-3 (L16)",
+     10,
+     true,
+     "51 % of its length",
+     ""},
+    {[&](PlanFacts &f) {
+       assumed(f);
+       f.size.touched        = 0.51;
+       f.size.held_all_along = true;
+     },
+     "LE-3 (L16)",
+     1,
      true,
      "51 % of its length",
      ""},
@@ -84,8 +115,8 @@ BOOST_AUTO_TEST_CASE(facts_make_a_plan)
        f.size.touched  = 0.51;
        f.grades_itself = false;
      },
-     "LE-1 (L4)",
-     false,
+     "LE-3 (L16)",
+     0,
      true,
      "51 % of its length",
      ""},
@@ -94,7 +125,7 @@ BOOST_AUTO_TEST_CASE(facts_make_a_plan)
        f.size.touched = 0.5;
      },
      "SV-6 (of LE-3)",
-     false,
+     0,
      false,
      "",
      ""},
@@ -103,8 +134,8 @@ BOOST_AUTO_TEST_CASE(facts_make_a_plan)
        assumed(f);
        f.size.cells = 12;
      },
-     "LE-1 (L4)",
-     false,
+     "LE-3 (L16)",
+     0,
      true,
      "LE-2 has some",
      ""},
@@ -113,7 +144,7 @@ BOOST_AUTO_TEST_CASE(facts_make_a_plan)
        f.size.cells = 13;
      },
      "SV-6 (of LE-3)",
-     false,
+     0,
      false,
      "",
      ""},
@@ -123,14 +154,14 @@ BOOST_AUTO_TEST_CASE(facts_make_a_plan)
        f.size.touched = 0.9;
      },
      "SV-6 (of LE-3)",
-     false,
+     0,
      false,
      "",
      ""},
     // Fields, the first rule that speaks.
     {[](PlanFacts &f) { f.is_unsolved = f.size.held_all_along = true; },
      "SV-6 (of LE-3)",
-     false,
+     0,
      true,
      "",
      "double precision"},
@@ -139,7 +170,7 @@ BOOST_AUTO_TEST_CASE(facts_make_a_plan)
        f.size.nodes          = 10;
      },
      "SV-6 (of LE-3)",
-     false,
+     0,
      true,
      "",
      "all along"},
@@ -148,13 +179,13 @@ BOOST_AUTO_TEST_CASE(facts_make_a_plan)
        f.held       = 31.;
      },
      "SV-6 (of LE-3)",
-     false,
+     0,
      true,
      "",
      "15 nodes only"},
     {[](PlanFacts &f) { f.size.nodes = 16; },
      "SV-6 (of LE-3)",
-     false,
+     0,
      false,
      "",
      ""},
@@ -163,7 +194,7 @@ BOOST_AUTO_TEST_CASE(facts_make_a_plan)
        f.wanted = 500;
      },
      "SV-6 (of LE-3)",
-     false,
+     0,
      true,
      "",
      "hold 30 of 600 fields"},
@@ -172,13 +203,13 @@ BOOST_AUTO_TEST_CASE(facts_make_a_plan)
        f.wanted = 300;
      },
      "SV-6 (of LE-3)",
-     false,
+     0,
      false,
      "",
      ""},
     {[](PlanFacts &f) { f.wanted = 301; },
      "SV-6 (of LE-3)",
-     false,
+     0,
      true,
      "",
      "carry 301 of 600"},
@@ -188,7 +219,7 @@ BOOST_AUTO_TEST_CASE(facts_make_a_plan)
        f.wanted = {};
      },
      "SV-6 (of LE-3)",
-     false,
+     0,
      false,
      "",
      ""},
@@ -198,7 +229,7 @@ BOOST_AUTO_TEST_CASE(facts_make_a_plan)
        f.has_pieces = true;
      },
      "SV-6 (of LE-3)",
-     false,
+     0,
      false,
      "",
      ""}};

@@ -3,6 +3,7 @@
 // Bars from poorer models, from models on half of the axis and from exact rows
 // in the place of penalties, against models that are solved.
 
+#include <lamella/estimate/bars_by_source.h>
 #include <lamella/estimate/bars_from_below.h>
 #include <lamella/estimate/bars_from_half.h>
 #include <lamella/estimate/penalty_share.h>
@@ -35,6 +36,12 @@ namespace
     from_half(const HalfPlan &plan = {})
     {
       return BarsFromHalf(run, plan, nowhere, cache).goals().front();
+    }
+
+    GoalResult
+    by_source()
+    {
+      return BarsBySource(run, nowhere, cache).goals().front();
     }
 
     ModelCache cache;
@@ -238,7 +245,7 @@ BOOST_AUTO_TEST_CASE(bars_of_responses_hold)
   const std::string scene = "/tests/scenes/double_t.prm",
                     goals = "Goals/Quantities=edge: uz";
   Solved           run(scene, {"Theory=SV-6", goals});
-  const GoalResult goal = run.from_half();
+  const GoalResult goal = run.by_source();
   // LE-6 on a mesh twice as fine (scripts/measure bars_below).
   const double truth = -0.1304039;
   BOOST_TEST(goal.trusted);
@@ -247,6 +254,22 @@ BOOST_AUTO_TEST_CASE(bars_of_responses_hold)
   BOOST_TEST(goal.shares.size() == 3u);
   // How much of what poorer models change is left nobody has looked at.
   BOOST_TEST(goal.estimate == 0.);
+
+  // With a tolerance models are richer, and what they change is the estimate;
+  // elements tell where.
+  Solved           wanted(scene, {"Theory=SV-6", goals, "Goals/Tolerance=1"});
+  const GoalResult closer = wanted.by_source();
+  BOOST_TEST(closer.value == goal.value);
+  BOOST_TEST(std::abs(truth - closer.value) <= closer.bar);
+  BOOST_TEST(closer.estimate != 0.);
+  BOOST_REQUIRE(closer.local.has_value());
+  double sum = closer.local->contact + closer.local->remainder;
+  for (const ElementError &element : closer.local->elements)
+    sum += element.error;
+  BOOST_TEST(closer.shares.front().first == "axis");
+  // Half of the bar's part is the change.
+  BOOST_TEST(std::abs(sum - 0.5 * closer.shares.front().second) <
+             1e-9 * goal.scale);
 }
 
 

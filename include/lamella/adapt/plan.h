@@ -42,6 +42,8 @@ namespace lamella
     bool held_all_along = false;
     /// The share of its length along which others may touch it.
     double touched = 0.;
+    /// Of a beam its length over the largest extent of its section.
+    double slenderness = 0.;
   };
 
   /// All that is known of a body when its model is chosen.
@@ -67,8 +69,9 @@ namespace lamella
   struct BodyPlan
   {
     Theory theory;
-    /// Whether its axis has equal elements, though it would grade itself.
-    bool equal_elements = false;
+    /// How many equal elements its axis has, though it would grade itself; 0
+    /// where it has those that are asked for.
+    unsigned int equal_elements = 0;
     /// Whether all nodes carry all fields of its section: chosen ones are no
     /// gain, or there is nothing to choose.
     bool all_fields = true;
@@ -82,9 +85,11 @@ namespace lamella
    * The model of a body of which @p facts are known; a rule that waits for a
    * fact that is not known does not speak. In this order:
    *
-   *   theory   as asked for; of an assumed one in a scene with contacts LE-1
-   *            and equal elements where contacts may touch more than
-   *            long_contact of it, LE-1 where LE-2 has cheap_dofs or less
+   *   theory   as asked for; of an assumed one in a scene with contacts LE-3
+   *            (first_degree) where contacts may touch more than long_contact
+   *            of it, on equal elements, one where supports hold it all along,
+   *            else two or as many as its section fits into its length, up to
+   *            equal_elements; and LE-3 where LE-2 has cheap_dofs or less
    *   fields   all of the section where the theory has no others; chosen ones
    *            of SV and where `Theories` say so; of SV-N all if the scene was
    *            not to be solved with fewer, the body is held all along, has

@@ -31,10 +31,13 @@ namespace lamella
     /// gets more, the least that is worth while, and the most.
     unsigned int many_waves = 10, more_waves = 4, least_waves = 6,
                  most_waves = 40;
+    /// The degree of LE that a run begins with: the least that has poorer
+    /// levels to tell its errors by.
+    unsigned int first_degree = 3;
     /// The degree from which on the cells of a section are divided instead.
     unsigned int highest_degree = 8;
     /// What axes that would grade themselves to a contact that is everywhere
-    /// begin with: as where a scene says nothing of the axis.
+    /// begin with at most: as where a scene says nothing of the axis.
     unsigned int equal_elements = 10;
     /// A body of SV-N keeps all fields of its section where its nodes would
     /// carry more than this share of them on average, or where its axis has no

@@ -87,6 +87,16 @@ namespace lamella
     {
       return dof_map.n_dofs();
     }
+
+    /// Of the nodes of the element @p cell of its axis.
+    unsigned int
+    n_dofs_of_cell(const unsigned int cell) const
+    {
+      unsigned int sum = 0;
+      for (const unsigned int node : axis().nodes_of_cell(cell))
+        sum += dof_map.fields(node).size();
+      return sum;
+    }
     /// Exact where all nodes carry all fields: the non-zeros of A times those
     /// of S. Communicates nothing.
     double

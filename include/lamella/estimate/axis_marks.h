@@ -18,11 +18,10 @@ namespace lamella
   bisected(Scene scene, const std::vector<ElementError> &marked);
 
   /**
-   * Which elements to bisect for @p goals that are not met: of each, the worst
-   * one first, those with the largest |error| per DoF until what all others do
-   * is below @p left of the tolerance, and no less than @p share of the sum.
-   * None if a goal that is not met has no LocalErrors, or a contact pairs
-   * nodes: then all elements are to be halved.
+   * Which elements to bisect for @p goals: of each those with the largest
+   * |error| per DoF until what all others do is below @p left of the tolerance,
+   * and no less than @p share of the sum. None if a goal has no LocalErrors, or
+   * a contact pairs nodes: then all elements are to be halved.
    */
   std::optional<std::vector<ElementError>>
   marked_elements(const Scene                   &scene,
@@ -35,7 +34,8 @@ namespace lamella
    * @p goals: of two neighbours with the lengths h_1, h_2 and the degree p
    * along the axis the error is expected to be
    *   (|e_1| + |e_2|) ((h_1 + h_2) / min(h_1, h_2))^(2 p),
-   * what a smooth solution makes of it, and pairs are merged, also ones that
+   * what a smooth solution makes of it (e is 2^(-2 p) of what is known of
+   * pairs), and pairs are merged, also ones that
    * are merged already, the least error first, while all of them together are
    * below @p left of each tolerance. Ends of elements at @p kept, of each body,
    * stay. Nothing is merged where a goal has no LocalErrors, where these are

@@ -13,6 +13,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace lamella
@@ -40,7 +41,8 @@ namespace lamella
    * Else from two poorer models, on half of the elements with one degree less
    * and on a quarter with two: with the run's J_0 and theirs, J_1 and J_2, and
    * the surpluses s of the goals that have any,
-   *   d = max(|s_section| + |s_axis|, |J_0 - J_1|),   e = |J_1 - J_2|.
+   *   d = max(|s_section| + |s_axis|, |J_0 - J_1|)
+   * and e likewise of the levels before; d is at least |J_1 - J_2| / 8.
    * Each has gap rows of its own mesh and its own active set: what the run's
    * frozen one cannot see, that it is wrong, these see.
    *
@@ -78,6 +80,12 @@ namespace lamella
     /// The bar by poorer models, and by surpluses where there are @p own.
     ErrorBar
     by_models(const NamedQuantity                  &goal,
+              const std::optional<SurplusBySource> &own) const;
+    using Shares = std::vector<std::pair<std::string, double>>;
+    /// What each source has of @p bar, with the sign of its last change.
+    Shares
+    shares_of(const NamedQuantity                  &goal,
+              const ErrorBar                       &bar,
               const std::optional<SurplusBySource> &own) const;
     GoalResult
     goal(const unsigned int number) const;

@@ -24,15 +24,6 @@ namespace lamella
     double most_left = 0.8, small = 1e-2;
     /// Of the change before: what the error is held to be at least.
     double least_of_before = 1. / 8.;
-    /// Of what a model of SV-N is poorer in: wave numbers.
-    unsigned int fewer_waves = 3;
-    /// Of a run of SV-N what the error is held to be at most, of the change
-    /// that poorer fields and sections make, and halves of the elements: these
-    /// divide it by two at least, also beside corners.
-    double of_fields = 2., of_axis = 1.;
-    /// No bar where all three change a goal by more than this share of the
-    /// scale.
-    double most_changed = 0.1;
     /// Bars that nobody asks for may take this share of the run's
     /// multiplications, or so many: about a second.
     double most_of_run = 0.5, free_operations = 5e9;
@@ -58,12 +49,6 @@ namespace lamella
    * 8, or of others than LE |J(H_r) - J(H_l)|: their families are no levels of
    * LE. The value plus s is the better number (the combination technique).
    *
-   * Runs of SV-N are compared with three models each of which is poorer in one
-   * source, wave numbers, the section's order and elements of the axis; the bar
-   * sums the sizes of what they change, twice but of the axis. How much of that
-   * is left nobody has looked at: the estimate is nothing but what penalties
-   * do.
-   *
    * Penalties: as in BarsFromBelow.
    */
   class BarsFromHalf
@@ -75,7 +60,7 @@ namespace lamella
     reason_for_none(const Simulation &run);
 
     /// The best of the plans that costs at most @p most multiplications, if one
-    /// does. Runs of SV-N have one in any case.
+    /// does.
     static std::optional<HalfPlan>
     plan(const Simulation &run, const double most);
 
@@ -97,14 +82,10 @@ namespace lamella
                const HalfPlan              &plan);
     void
     solve_levels(OtherModels &others, const Scene &scene);
-    void
-    solve_sources(OtherModels &others, const Scene &scene);
     GoalResult
     goal(const unsigned int number) const;
     ErrorBar
     by_levels(const NamedQuantity &goal) const;
-    ErrorBar
-    by_sources(const NamedQuantity &goal) const;
 
     const Simulation &run;
     HalfPlan          chosen;
@@ -116,8 +97,6 @@ namespace lamella
     /// H_p, H_r and H_l.
     ResultNumbers                half, richer;
     std::optional<ResultNumbers> lower;
-    /// Of SV-N models that are poorer in one source; empty for others.
-    std::vector<std::pair<Source, ResultNumbers>> poorer;
   };
 } // namespace lamella
 

@@ -27,6 +27,9 @@ namespace lamella
     /// A bar over the change that it is made of, and over the sum of the
     /// shares, which may cancel in the change.
     double of_change = 2., of_shares = 0.5;
+    /// What a goal is held to be off by at least after a pass, of what the
+    /// sources that it has less of could have done before.
+    double of_pass = 1. / 8.;
   };
 
   /// What a run, a richer model of the same scene and a still richer one give
@@ -60,6 +63,8 @@ namespace lamella
     bool trusted = false;
     /// If not, why not: a sentence without a full stop.
     std::string why = {};
+    /// What each of several sources has of it, if it was made of such.
+    std::vector<double> parts = {};
   };
 
   /**
@@ -79,20 +84,6 @@ namespace lamella
    */
   ErrorBar
   error_bar(const Refinements &values, const BarRules &rules = {});
-
-  /**
-   * The bar of v_0 where v_1 alone is known of the richer models, and @p poorer
-   * of a model that v_0 is a refinement of. It is trusted if that one's is,
-   * with v_0 and v_1 for its refinements. With q = |v_1 - v_0| / |v_0 -
-   * poorer|, at most 1, the refinement that nobody made would have changed the
-   * value by q times as much again, so the bar is at least 2 (1 + q) |v_1 -
-   * v_0|, that of error_bar() if it had; the estimate is v_1 - v_0. Of @p
-   * values, richest is not looked at.
-   */
-  ErrorBar
-  error_bar_after(const double       poorer,
-                  const Refinements &values,
-                  const BarRules    &rules = {});
 
   /// What the last two levels below a run, poorer in one source of error, have
   /// changed a quantity by, in its unit: the last change and the one before it,

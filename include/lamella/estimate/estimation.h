@@ -35,10 +35,10 @@ namespace lamella
    * made of, J(M_i) - J(M_j), and with the estimate of the first refinement,
    * J_1 = J(M_0) + sum of shares, the bar is that of error_bar() with J_1 and
    * J_1 + J(M_r) - J(M_j). Each is made of the last one before it, so the
-   * shares sum to J(M_k) - J(M_0); but in a run to a tolerance of the last one
-   * whose share is a tenth of a tolerance or more for some goal, and M_r has
-   * less of the sources with such shares only, or of the one with the largest:
-   * what does not matter costs little.
+   * shares sum to J(M_k) - J(M_0); but where goals have tolerances of the last
+   * one whose share is a tenth of a tolerance or more for some goal, and M_r
+   * has less of the sources with such shares only, or of the one with the
+   * largest: what does not matter costs little.
    *
    * Each model is solved whole, with contact rows of its own mesh and its own
    * active set: what a frozen active set cannot see, that it is wrong, this
@@ -51,26 +51,9 @@ namespace lamella
   class Estimation
   {
   public:
-    /// What M_r is made for.
-    enum class Effort
-    {
-      full,     ///< all goals
-      as_needed ///< goals whose bar may be within their tolerance, where there
-                ///< is no poorer model that does instead
-    };
-
     /// @p run, whose last step is solved, @p out and @p cache are referred to.
     /// @p out is told of each model, a line each.
-    Estimation(const Simulation &run,
-               std::ostream     &out,
-               ModelCache       &cache,
-               const Effort      effort = Effort::full);
-
-    /// Hands in the numbers of a poorer model than the run, that of an earlier
-    /// pass: with Effort::as_needed it, the run and M_k are two successive
-    /// refinements of each goal, and where these agree M_r is not made.
-    void
-    comes_after(const ResultNumbers &poorer);
+    Estimation(const Simulation &run, std::ostream &out, ModelCache &cache);
 
     /// The goals of the scene with their bars. Where a richer model cannot be
     /// solved, the goals say why there is no bar. Empty without goals, or where
@@ -114,18 +97,11 @@ namespace lamella
     /// Of the goal @p quantity what the first refinement changes by @p step.
     double
     share_of(const Step &step, const NamedQuantity &quantity) const;
-    /// Whether the first refinement tells that a goal's bar will be larger than
-    /// its tolerance.
-    bool
-    is_far_off() const;
     /// What the first refinement makes of @p quantity.
     Refinements
     first_refinement(const NamedQuantity &quantity) const;
     ErrorBar
     bar_of(const NamedQuantity &quantity) const;
-    /// Whether two refinements of all goals agree without M_r.
-    bool
-    agrees_with_poorer() const;
     /// LocalErrors of all quantities, from the model with shorter elements.
     void
     localise(const Simulation &finer);
@@ -136,18 +112,13 @@ namespace lamella
     std::ostream     &out;
     ModelCache       &cache;
     OtherModels       others;
-    Effort            effort;
     /// From goals() on.
     std::unique_ptr<const RunGoals> of_run;
     /// The run first, and M_r last if it was made.
     std::vector<Model> models;
     std::vector<Step>  steps;
-    /// The model that the next one is made of, and whether M_r was made.
-    unsigned int base        = 0;
-    bool         has_richest = false;
-    /// The one that M_r is made of.
-    unsigned int                 before_richest = 0;
-    std::optional<ResultNumbers> poorer;
+    /// The model that the next one is made of, and the one that M_r is.
+    unsigned int base = 0, before_richest = 0;
     /// Of each of quantities(); empty where they are not known.
     std::vector<std::optional<LocalErrors>> local;
     /// Why there is no richer model; empty if there is.

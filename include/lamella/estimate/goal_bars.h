@@ -3,6 +3,7 @@
 #ifndef lamella_estimate_goal_bars_h
 #define lamella_estimate_goal_bars_h
 
+#include <lamella/estimate/other_models.h>
 #include <lamella/run/simulation.h>
 
 #include <iosfwd>
@@ -25,10 +26,11 @@ namespace lamella
    *   auto    with goals that have no derivative left without,
    *   true    if all goals have one;
    * else, and where they are to be `richer`, from richer models (Estimation).
-   * @p out is told of it, a line a model. Collective.
+   * Where goals have tolerances they are made whatever they cost. @p out is
+   * told of it, a line a model, which @p cache keeps. Collective.
    */
   GoalBars
-  bars_of(const Simulation &run, std::ostream &out);
+  bars_of(const Simulation &run, std::ostream &out, ModelCache &cache);
 } // namespace lamella
 
 #endif

@@ -12,6 +12,11 @@
 
 namespace lamella
 {
+  /// @p errors of the elements of a coarser model by those of @p finer: each
+  /// has its share of the one that it lies in.
+  LocalErrors
+  by_pairs(const LocalErrors &errors, const Simulation &finer);
+
   /**
    * Tells where the error of a goal comes from, by dual weighted residuals.
    * With u_H of the coarser model on the finer one's nodes, K, the gap rows B

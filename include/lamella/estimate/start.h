@@ -20,11 +20,17 @@ namespace lamella
            std::vector<std::string> *why   = nullptr,
            const PlanRules          &rules = {});
 
-  /// @p scene, out of which @p model was made, with LE-1 for the bodies of SV-N
-  /// that keep all fields of their section (PlanRules::most_fields): these are
-  /// compact, and lower degrees come first. Whether any changed.
+  /// @p scene, out of which @p model was made, with LE-3 (first_degree) for the
+  /// bodies of SV-N that keep all fields of their section
+  /// (PlanRules::most_fields): these are compact. Whether any changed.
   bool
-  begin_lower(Scene &scene, const BuiltScene &model);
+  begin_with_layers(Scene            &scene,
+                    const BuiltScene &model,
+                    const PlanRules  &rules = {});
+
+  /// @p scene with LE-3 (first_degree) for bodies of a lower degree.
+  Scene
+  with_levels_below(Scene scene, const PlanRules &rules = {});
 } // namespace lamella
 
 #endif

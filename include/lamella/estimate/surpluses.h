@@ -4,6 +4,7 @@
 #define lamella_estimate_surpluses_h
 
 #include <lamella/body/beam_surplus.h>
+#include <lamella/recover/goal_result.h>
 #include <lamella/run/simulation.h>
 
 #include <memory>
@@ -25,10 +26,11 @@ namespace lamella
     double by_nodes = 0.;
   };
 
-  /// By source.
+  /// By source, and what the axis has of it by elements (`last`).
   struct SurplusBySource
   {
-    Surplus section, axis;
+    Surplus     section, axis;
+    LocalErrors along_axis;
   };
 
   /**
@@ -93,6 +95,14 @@ namespace lamella
     /// The same by the sizes of what nodes and rows have of it.
     double
     sizes(const Answer &answer, const BlockVector &z) const;
+    /// work() by elements, which share what the span has that they are in.
+    LocalErrors
+    by_elements(const Answer &answer, const BlockVector &z) const;
+    /// What the spans of @p body have of the products @p products of its DoFs.
+    void
+    add_spans(const unsigned int body,
+              const Vector      &products,
+              LocalErrors       &result) const;
     /// How far @p v opens the active rows.
     Vector
     openings(const BlockVector &v) const;

@@ -3,7 +3,9 @@
 #ifndef lamella_estimate_tolerance_run_h
 #define lamella_estimate_tolerance_run_h
 
-#include <lamella/estimate/estimation.h>
+#include <lamella/estimate/other_models.h>
+#include <lamella/estimate/passes.h>
+#include <lamella/run/simulation.h>
 
 #include <iosfwd>
 #include <memory>
@@ -16,18 +18,19 @@ namespace lamella
    * A tolerance instead of a mesh: models of one scene, each with less of the
    * errors that matter, until the bars of all goals are within their
    * tolerances. A pass
-   *   1. solves the model and estimates its goals (Estimation),
+   *   1. solves the model and makes the bars of its goals as any run has them
+   *      (bars_of()),
    *   2. writes its results, so that an interrupted run leaves those of its
    *      last whole pass,
    *   3. ends the run if all goals are met, or enriches the model in each
-   * source of error with more than a quarter of what a goal may be off by,
-   * along the axis in the elements that matter (marked_elements()). The first
-   * model is the scene as it is said (SV, SV-6 with contacts, and graded axes
-   * where it does not say).
+   *      source of error that matters to those that are open (Passes), along
+   *      the axis in the elements that matter (marked_elements()). The first
+   *      model is the scene as it is said (SV, SV-6 or LE-3 with contacts, and
+   *      graded axes where it does not say).
    *
    * It also ends when the next model would exceed a budget, cannot be solved,
-   * or when the worst goal has got no better in two passes; the result is then
-   * that of the last pass with its bars, and a note says why.
+   * or would help no goal; the result is then that of the last pass with its
+   * bars, and a note says why.
    */
   class ToleranceRun
   {
@@ -52,34 +55,21 @@ namespace lamella
     /// Says which ends of elements stay, from @p first, the first pass.
     void
     keep_ends(const Scene &first);
-    /// One model with its bars.
-    struct Pass
-    {
-      unsigned int            number = 0, dofs = 0;
-      double                  seconds = 0.;
-      std::string             theories;
-      std::vector<GoalResult> goals;
-    };
-
-    /// Solves and estimates `scene`; the simulation and its goals.
+    /// `scene`, built, which tells @p progress and may not exceed the budget.
+    std::unique_ptr<Simulation>
+    next_model(std::ostream &progress);
+    /// Solves `scene` and makes its bars; the simulation and its goals.
     void
     make_pass();
     /// Throws NumericsError unless the loads of @p next sum to those of the
     /// last pass, to 1e-7 of their size.
     void
     check_loads(const Simulation &next) const;
-    /// The plain mesh check: what the goals have changed by since the last
-    /// pass, the largest over its tolerance; 0 in the first pass.
-    double
-    largest_change() const;
-    /// The sources that the goals want less of.
-    std::vector<Source>
-    wanted() const;
-    /// The present scene with less of these: along the axis the elements that
-    /// matter are bisected (marked_elements()), and those that do not are
-    /// merged (merged()).
-    Scene
-    next_scene() const;
+    /// Makes `scene` one with less of what the goals want less of: along the
+    /// axis the elements that matter are bisected (marked_elements()), and
+    /// those that do not are merged (merged()).
+    void
+    refine();
     /// Whether the budget of seconds is spent.
     bool
     is_late() const;
@@ -87,13 +77,6 @@ namespace lamella
     /// @p directory, which a run that is interrupted says from then on.
     void
     write_pass(const std::string &directory);
-    /// Makes the bars of the last pass with both refinements, and writes them.
-    void
-    end_with_bars(const std::string &directory);
-    /// Of the first goal that is not met and has no richer model to compare
-    /// with: why; empty if all have one.
-    std::string
-    why_no_richer_model() const;
     /// Why no further pass is made; empty if one is.
     std::string
     reason_to_stop() const;
@@ -116,19 +99,13 @@ namespace lamella
     std::unique_ptr<Simulation>      simulation;
     ModelCache                       cache;
     /// Of all models, so that they share end fields.
-    FieldRules        rules;
-    std::vector<Pass> passes;
-    dealii::Timer     wall;
+    FieldRules rules;
+    PassRules  pass_rules;
+    /// In what the next pass is better than the last one.
+    Refined       refined;
+    Passes        passes;
+    dealii::Timer wall;
   };
-
-  /// Whether all of @p goals have bars within their tolerances.
-  bool
-  all_met(const std::vector<GoalResult> &goals);
-
-  /// The largest of bar over tolerance; where there is no bar twice the
-  /// estimate stands for it.
-  double
-  worst_ratio(const std::vector<GoalResult> &goals);
 } // namespace lamella
 
 #endif

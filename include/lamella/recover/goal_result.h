@@ -29,6 +29,9 @@ namespace lamella
   struct LocalErrors
   {
     std::vector<ElementError> elements;
+    /// Whether the run is the finer one: what pairs of its elements would do as
+    /// one, half of that to each.
+    bool of_pairs = false;
     /// What the gap rows of the finer model find between the surfaces of the
     /// coarser one, and its forces that they do not have.
     double contact = 0.;
@@ -64,7 +67,9 @@ namespace lamella
     double scale = 0.;
     /// If one was asked for.
     std::optional<Tolerance> tolerance;
-    /// What the estimate is the sum of, by the source of the error.
+    /// By the source of the error: what each has of the bar, with the sign of
+    /// the change that it is made of; of bars from richer models what the
+    /// estimate is the sum of.
     std::vector<std::pair<std::string, double>> shares;
     /// The share of the axis, by elements; none where that is not known.
     std::optional<LocalErrors> local;

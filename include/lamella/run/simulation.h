@@ -89,6 +89,11 @@ namespace lamella
     void
     set_goals(std::vector<GoalResult> goals, const std::string &why_none = "");
 
+    /// Gives back the memory of what solves: results() is all that is left to
+    /// ask for.
+    void
+    forget_solver();
+
     /// Seconds, memory and solvers so far, into the results.
     void
     count_costs();

@@ -126,6 +126,12 @@ namespace lamella
     {
       return kind == Kind::SV;
     }
+    /// Whether these answer at wave numbers, SV-N with N of 1 or more.
+    bool
+    has_responses() const
+    {
+      return is_of_solutions() && order > 0;
+    }
     /// Whether sections stay normal to the axis, which ties rotations to
     /// deflections and leaves no shear strain.
     bool

@@ -1,0 +1,220 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <lamella/base/text.h>
+#include <lamella/estimate/bars_by_source.h>
+#include <lamella/estimate/local_errors.h>
+#include <lamella/estimate/poorer.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace lamella
+{
+  namespace
+  {
+    /// @p scene with fewer wave numbers for SV-N, by @p fewer, but 1 at least.
+    Scene
+    of_fewer_waves(Scene scene, const unsigned int fewer)
+    {
+      for (BodyDescription &body : scene.bodies)
+        if (body.theory.has_responses())
+          body.theory.order -= std::min(fewer, body.theory.order - 1);
+      return scene;
+    }
+
+
+
+    Scene
+    of_lower_section(Scene scene)
+    {
+      for (BodyDescription &body : scene.bodies)
+        if (body.theory.is_of_solutions() && body.theory.section_order > 1)
+          --body.theory.section_order;
+      return of_one_degree_less(scene);
+    }
+  } // namespace
+
+
+
+  std::string
+  BarsBySource::reason_for_none(const Simulation &run)
+  {
+    bool any = false;
+    for (const BodyDescription &body : run.model().scene().bodies)
+      {
+        any = any || body.theory.has_responses();
+        if (!body.pieces.empty())
+          return "body " + body.name + " is made of pieces";
+        if (!body.theory.has_responses() && !body.theory.is_layerwise())
+          return "body " + body.name + " is of " + body.theory.name();
+      }
+    return any ? "" : "no body is of SV-N";
+  }
+
+
+
+  BarsBySource::BarsBySource(const Simulation &run,
+                             std::ostream     &out,
+                             ModelCache       &cache)
+    : run(run)
+    , of_run(run)
+    , penalties(run)
+  {
+    const Scene scene = for_estimates(run.model().scene());
+    OtherModels models(run, out, cache);
+    if (scene.goals.tolerances.empty())
+      compare_with_poorer(models, scene);
+    else
+      compare_with_richer(models, scene);
+    compare_sections(models, scene);
+  }
+
+
+
+  void
+  BarsBySource::compare_with_poorer(OtherModels &models, const Scene &scene)
+  {
+    others.push_back(
+      {Source::axis,
+       false,
+       rules.of_axis,
+       models.solved(on_half_the_axis(scene), "poorer in axis").numbers});
+    others.push_back(
+      {Source::fields,
+       false,
+       rules.of_fields,
+       models
+         .solved(of_fewer_waves(scene, rules.fewer_waves), "poorer in fields")
+         .numbers});
+  }
+
+
+
+  void
+  BarsBySource::compare_with_richer(OtherModels &models, const Scene &scene)
+  {
+    const std::vector<BodySize> sizes = sizes_of(run.model());
+    const auto look = [this](const Simulation &finer) { localise(finer); };
+    others.push_back(
+      {Source::axis,
+       true,
+       rules.of_richer,
+       models
+         .solved(enriched(scene, Source::axis, sizes), "richer in axis", look)
+         .numbers});
+    others.push_back(
+      {Source::fields,
+       true,
+       rules.of_richer,
+       models.solved(enriched(scene, Source::fields, sizes), "richer in fields")
+         .numbers});
+  }
+
+
+
+  void
+  BarsBySource::compare_sections(OtherModels &models, const Scene &scene)
+  {
+    const bool is_low =
+      std::any_of(scene.bodies.begin(),
+                  scene.bodies.end(),
+                  [this](const auto &body) {
+                    return body.theory.has_responses() &&
+                           body.theory.section_order < rules.least_order;
+                  });
+    const bool  is_richer = is_low && !scene.goals.tolerances.empty();
+    const Scene other =
+      is_richer ? enriched(scene, Source::section, sizes_of(run.model())) :
+                  of_lower_section(scene);
+    const ResultNumbers numbers =
+      models
+        .solved(other, is_richer ? "richer in section" : "poorer in section")
+        .numbers;
+    others.push_back({Source::section,
+                      is_richer,
+                      is_richer ? rules.of_richer : rules.of_fields,
+                      numbers});
+    penalties.compare(of_run.quantities(), models, other, numbers);
+  }
+
+
+
+  void
+  BarsBySource::localise(const Simulation &finer)
+  {
+    if (!Localisation::is_possible(run, finer))
+      return;
+    const ResultNumbers numbers(finer.results());
+    const Localisation  localisation(run, finer);
+    for (const NamedQuantity &quantity : of_run.quantities())
+      local.push_back(localisation.errors(quantity,
+                                          numbers.value(quantity) -
+                                            of_run.numbers().value(quantity)));
+  }
+
+
+
+  double
+  BarsBySource::change_by(const Other &other, const NamedQuantity &goal) const
+  {
+    const double change =
+      of_run.numbers().value(goal) - other.numbers.value(goal);
+    return other.is_richer ? -change : change;
+  }
+
+
+
+  ErrorBar
+  BarsBySource::bar_of(const NamedQuantity &goal) const
+  {
+    const double scale   = of_run.scale_of(goal);
+    double       changed = 0.;
+    ErrorBar     bar;
+    bar.trusted = true;
+    for (const Other &other : others)
+      {
+        const double change = change_by(other, goal);
+        bar.bar += other.factor * std::abs(change);
+        bar.estimate += other.is_richer ? change : 0.;
+        changed += std::abs(change);
+      }
+    if (changed > rules.most_changed * scale)
+      {
+        bar.trusted = false;
+        bar.why     = "models that are a little other change it by " +
+                  to_text(100. * changed / scale, 2) + " %" + where_it_grows() +
+                  ", or refine theory and mesh";
+      }
+    bar.bar = std::max(bar.bar, of_run.rounding_of(goal));
+    return bar;
+  }
+
+
+
+  GoalResult
+  BarsBySource::goal(const unsigned int number) const
+  {
+    const NamedQuantity &quantity   = of_run.quantities()[number];
+    const double         of_contact = penalties.of(quantity);
+    GoalResult result = of_run.with_bar(number, bar_of(quantity), of_contact);
+    for (const Other &other : others)
+      result.shares.emplace_back(name_of(other.source),
+                                 other.factor * change_by(other, quantity));
+    if (penalties.is_any())
+      result.shares.emplace_back(name_of(Source::contact), 2. * of_contact);
+    if (!local.empty())
+      result.local = local[number];
+    return result;
+  }
+
+
+
+  std::vector<GoalResult>
+  BarsBySource::goals() const
+  {
+    std::vector<GoalResult> results;
+    for (unsigned int k = 0; k < of_run.quantities().size(); ++k)
+      results.push_back(goal(k));
+    return results;
+  }
+} // namespace lamella

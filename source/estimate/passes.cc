@@ -1,0 +1,286 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <lamella/estimate/passes.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace lamella
+{
+  bool
+  all_met(const std::vector<GoalResult> &goals)
+  {
+    return std::all_of(goals.begin(), goals.end(), [](const GoalResult &goal) {
+      return goal.met();
+    });
+  }
+
+
+
+  double
+  error_ratio(const GoalResult &goal)
+  {
+    return (goal.trusted ? goal.bar : 2. * std::abs(goal.estimate)) /
+           goal.most_error();
+  }
+
+
+
+  namespace
+  {
+    /// Whether @p share, by name, is one of @p source: some are of two that
+    /// cannot be told apart.
+    bool
+    is_of(const std::string &share, const Source source)
+    {
+      return share.find(name_of(source)) != std::string::npos;
+    }
+
+
+
+    /// What elements do to @p goal that are not bisected, if the axis is
+    /// refined.
+    double
+    of_others(const GoalResult &goal, const Refined &refined)
+    {
+      double sum = 0.;
+      if (refined.marked && goal.local)
+        for (const ElementError &element : goal.local->elements)
+          if (std::none_of(refined.marked->begin(),
+                           refined.marked->end(),
+                           [&element](const ElementError &other) {
+                             return other.body == element.body &&
+                                    other.begin == element.begin;
+                           }))
+            sum += std::abs(element.error);
+      return sum;
+    }
+  } // namespace
+
+
+
+  void
+  shorten(GoalResult &goal, const Course &course, const BarRules &rules)
+  {
+    const auto &[first, before, then, now] = course;
+    if (!goal.trusted || !before.trusted || then.sources != now.sources)
+      return;
+    const auto is_refined = [&now = now](const std::string &share) {
+      return std::any_of(now.sources.begin(),
+                         now.sources.end(),
+                         [&share](const Source source) {
+                           return is_of(share, source);
+                         });
+    };
+    double b = 0., own = 0., rest = 0.;
+    for (const auto &[name, share] : before.shares)
+      b += is_refined(name) ? std::abs(share) : 0.;
+    for (const auto &[name, share] : goal.shares)
+      (is_refined(name) ? own : rest) += std::abs(share);
+    const double d = std::abs(goal.value - before.value),
+                 q = d / std::min(b, std::abs(before.value - first.value));
+    if (!(q <= rules.most_left))
+      return;
+    const double by_pass =
+      std::max({d, rules.of_change * d * q / (1. - q), rules.of_pass * b}) +
+      of_others(before, now);
+    if (by_pass >= own)
+      return;
+    for (auto &[name, share] : goal.shares)
+      share *= is_refined(name) ? by_pass / own : 1.;
+    goal.bar = std::max(by_pass + rest, rules.digits * goal.scale);
+  }
+
+
+
+  Passes::Passes(const PassRules &rules)
+    : rules(rules)
+  {}
+
+
+
+  void
+  Passes::add(const Pass &pass, const Refined &refined)
+  {
+    made.push_back(pass);
+    refinements.push_back(refined);
+    const std::size_t n = made.size();
+    if (n > 2)
+      for (unsigned int g = 0; g < pass.goals.size(); ++g)
+        shorten(made.back().goals[g],
+                {made[n - 3].goals[g],
+                 made[n - 2].goals[g],
+                 refinements[n - 2],
+                 refined});
+    left_in.resize(pass.goals.size(), 0);
+    for (unsigned int g = 0; g < left_in.size(); ++g)
+      if (left_in[g] == 0 && has_to_leave(g))
+        left_in[g] = made.size();
+  }
+
+
+
+  double
+  Passes::change(const unsigned int number) const
+  {
+    return std::abs(last().goals[number].value -
+                    made[made.size() - 2].goals[number].value);
+  }
+
+
+
+  bool
+  Passes::is_met(const unsigned int number) const
+  {
+    if (!last().goals[number].met())
+      return false;
+    if (made.size() < 2)
+      return true;
+    // What the pass before did not know of is another source, or other rows.
+    const GoalResult &before = made[made.size() - 2].goals[number];
+    return !before.trusted || change(number) <= before.bar;
+  }
+
+
+
+  bool
+  Passes::has_to_leave(const unsigned int number) const
+  {
+    const GoalResult &goal       = last().goals[number];
+    const auto        has_no_bar = [number](const Pass &pass) {
+      return !pass.goals[number].trusted;
+    };
+    // A number without a limit: no bar twice, and another number each time.
+    if (made.size() >= rules.patience &&
+        std::all_of(made.end() - rules.patience, made.end(), has_no_bar) &&
+        change(number) > goal.most_error())
+      return true;
+    if (made.size() <= rules.slow_passes || goal.met())
+      return false;
+    double before = 0.;
+    for (unsigned int k = 1; k <= rules.slow_passes; ++k)
+      before =
+        std::max(before, error_ratio(made[made.size() - 1 - k].goals[number]));
+    return error_ratio(goal) > rules.least_progress * before;
+  }
+
+
+
+  bool
+  Passes::all_met() const
+  {
+    for (unsigned int g = 0; g < last().goals.size(); ++g)
+      if (!is_met(g))
+        return false;
+    return true;
+  }
+
+
+
+  std::vector<GoalResult>
+  Passes::next_goals() const
+  {
+    std::vector<GoalResult> with_bar, open;
+    for (unsigned int g = 0; g < last().goals.size(); ++g)
+      if (!is_met(g) && left_in[g] == 0)
+        {
+          open.push_back(last().goals[g]);
+          if (last().goals[g].trusted)
+            with_bar.push_back(last().goals[g]);
+        }
+    return with_bar.empty() ? open : with_bar;
+  }
+
+
+
+  std::vector<GoalResult>
+  Passes::staying() const
+  {
+    std::vector<GoalResult> goals;
+    for (unsigned int g = 0; g < last().goals.size(); ++g)
+      if (left_in[g] == 0)
+        goals.push_back(last().goals[g]);
+    return goals;
+  }
+
+
+
+  std::vector<std::string>
+  Passes::farewells() const
+  {
+    std::vector<std::string> sentences;
+    for (unsigned int g = 0; g < last().goals.size(); ++g)
+      if (const GoalResult &goal = last().goals[g]; left_in[g] == made.size())
+        sentences.push_back(
+          "no further pass is made for " + goal.name + ": " +
+          (goal.trusted ? "passes do not make its bar any shorter" : goal.why));
+    return sentences;
+  }
+
+
+
+  std::vector<Source>
+  Passes::wanted() const
+  {
+    std::vector<std::string> names;
+    for (const GoalResult &goal : next_goals())
+      {
+        auto shares = goal.shares;
+        std::sort(shares.begin(),
+                  shares.end(),
+                  [](const auto &one, const auto &other) {
+                    return std::abs(one.second) > std::abs(other.second);
+                  });
+        double left = 0.;
+        for (const auto &share : shares)
+          left += std::abs(share.second);
+        for (const auto &[name, share] : shares)
+          {
+            const bool is_first = name == shares.front().first;
+            if (is_first || left > rules.small_share * goal.most_error())
+              names.push_back(name);
+            left -= std::abs(share);
+          }
+      }
+    std::vector<Source> sources;
+    for (const Source source :
+         {Source::axis, Source::fields, Source::section, Source::contact})
+      if (std::any_of(names.begin(), names.end(), [source](const auto &name) {
+            return is_of(name, source);
+          }))
+        sources.push_back(source);
+    return sources;
+  }
+
+
+
+  double
+  Passes::largest_change() const
+  {
+    double worst = 0.;
+    if (made.size() > 1)
+      for (unsigned int g = 0; g < last().goals.size(); ++g)
+        worst = std::max(worst, change(g) / last().goals[g].most_error());
+    return worst;
+  }
+
+
+
+  std::string
+  Passes::reason_to_stop() const
+  {
+    if (all_met())
+      return "all goals are within their tolerances";
+    const std::vector<GoalResult> goals = next_goals();
+    if (goals.empty())
+      return "no pass would help the others";
+    for (const GoalResult &goal : goals)
+      if (goal.shares.empty())
+        return goal.why;
+    if (made.size() == rules.most_passes)
+      return std::to_string(rules.most_passes) + " passes are the most";
+    if (wanted().empty())
+      return "nothing is left to be enriched";
+    return "";
+  }
+} // namespace lamella
