@@ -219,7 +219,8 @@ namespace lamella
                                  "the scene has neither probes nor References "
                                  "of supports and contacts",
                                  "Add a probe, or name Quantities.");
-        goals.bars = ErrorBars::always;
+        if (goals.bars == ErrorBars::automatic)
+          goals.bars = ErrorBars::always;
       }
     return goals;
   }

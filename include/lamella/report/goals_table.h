@@ -23,7 +23,8 @@ namespace lamella
   /// The file indicators.csv: what each element along a beam does to the share
   /// of the axis in a goal's error, a line each (goal, body, begin and end
   /// along its axis, error), then what contact and a remainder do
-  /// (LocalErrors). The errors of a goal sum to its share `axis`.
+  /// (LocalErrors). With bars from richer models the errors of a goal sum to
+  /// its share `axis`.
   std::string
   indicators_csv(const Results &results);
 
