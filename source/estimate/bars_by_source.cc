@@ -94,7 +94,9 @@ namespace lamella
   BarsBySource::compare_with_richer(OtherModels &models, const Scene &scene)
   {
     const std::vector<BodySize> sizes = sizes_of(run.model());
-    const auto look = [this](const Simulation &finer) { localise(finer); };
+    const auto                  look  = [this](const Simulation &finer) {
+      local = errors_of(of_run, run, finer);
+    };
     others.push_back(
       {Source::axis,
        true,
@@ -135,21 +137,6 @@ namespace lamella
                       is_richer ? rules.of_richer : rules.of_fields,
                       numbers});
     penalties.compare(of_run.quantities(), models, other, numbers);
-  }
-
-
-
-  void
-  BarsBySource::localise(const Simulation &finer)
-  {
-    if (!Localisation::is_possible(run, finer))
-      return;
-    const ResultNumbers numbers(finer.results());
-    const Localisation  localisation(run, finer);
-    for (const NamedQuantity &quantity : of_run.quantities())
-      local.push_back(localisation.errors(quantity,
-                                          numbers.value(quantity) -
-                                            of_run.numbers().value(quantity)));
   }
 
 

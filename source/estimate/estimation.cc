@@ -58,22 +58,6 @@ namespace lamella
 
 
 
-  void
-  Estimation::localise(const Simulation &finer)
-  {
-    if (!Localisation::is_possible(run, finer))
-      return;
-    const ResultNumbers numbers(finer.results());
-    const Localisation  localisation(run, finer);
-    for (const NamedQuantity &quantity : of_run->quantities())
-      local.push_back(
-        localisation.errors(quantity,
-                            numbers.value(quantity) -
-                              models.front().numbers.value(quantity)));
-  }
-
-
-
   double
   Estimation::share_of(const Step &step, const NamedQuantity &quantity) const
   {
@@ -143,7 +127,9 @@ namespace lamella
     const Scene scene =
       enriched(models[base].scene, source, models[base].sizes);
     const std::string what = std::string("richer in ") + name_of(source);
-    const auto look     = [this](const Simulation &finer) { localise(finer); };
+    const auto        look = [this](const Simulation &finer) {
+      local = errors_of(*of_run, run, finer);
+    };
     const bool is_first = source == Source::axis && base == 0;
     const bool is_known = cache.find(scene) != nullptr;
     models.push_back(is_first && !is_known ? others.solved(scene, what, look) :
@@ -250,8 +236,6 @@ namespace lamella
       {
         failure =
           "a richer model has no result (" + trimmed(outcome.message) + ")";
-        if (local.size() != of_run->quantities().size())
-          local.clear();
         out << "failed" << std::endl;
       }
     std::vector<GoalResult> results;

@@ -222,4 +222,23 @@ namespace lamella
       }
     return result;
   }
+
+
+
+  std::vector<std::optional<LocalErrors>>
+  errors_of(const RunGoals   &goals,
+            const Simulation &run,
+            const Simulation &finer)
+  {
+    std::vector<std::optional<LocalErrors>> result;
+    if (!Localisation::is_possible(run, finer))
+      return result;
+    const ResultNumbers numbers(finer.results());
+    const Localisation  localisation(run, finer);
+    for (const NamedQuantity &quantity : goals.quantities())
+      result.push_back(localisation.errors(quantity,
+                                           numbers.value(quantity) -
+                                             goals.numbers().value(quantity)));
+    return result;
+  }
 } // namespace lamella

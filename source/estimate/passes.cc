@@ -7,27 +7,19 @@
 
 namespace lamella
 {
-  bool
-  all_met(const std::vector<GoalResult> &goals)
-  {
-    return std::all_of(goals.begin(), goals.end(), [](const GoalResult &goal) {
-      return goal.met();
-    });
-  }
-
-
-
-  double
-  error_ratio(const GoalResult &goal)
-  {
-    return (goal.trusted ? goal.bar : 2. * std::abs(goal.estimate)) /
-           goal.most_error();
-  }
-
-
-
   namespace
   {
+    /// What @p goal may be off by as it is held to be, over its tolerance;
+    /// where there is no bar twice the estimate stands for it.
+    double
+    error_ratio(const GoalResult &goal)
+    {
+      return (goal.trusted ? goal.bar : 2. * std::abs(goal.estimate)) /
+             goal.most_error();
+    }
+
+
+
     /// Whether @p share, by name, is one of @p source: some are of two that
     /// cannot be told apart.
     bool

@@ -71,8 +71,8 @@ namespace lamella
   void
   ToleranceRun::make_pass()
   {
-    const std::string name = "pass " + std::to_string(passes.all().size() + 1);
-    const Progress::Part part(out, name);
+    const std::string    number = std::to_string(passes.all().size() + 1);
+    const Progress::Part part(out, "pass " + number);
     // One factor at a time: the results of the pass before are all that is
     // wanted of it.
     if (simulation != nullptr)
@@ -80,7 +80,7 @@ namespace lamella
     std::ostream nowhere(nullptr);
     nowhere.copyfmt(out); // its progress
     auto next = next_model(nowhere);
-    out << "P" << name.substr(1) << ": " << next->results().n_dofs() << " DoFs"
+    out << "Pass " << number << ": " << next->results().n_dofs() << " DoFs"
         << std::endl;
     next->solve();
     check_loads(*next);
@@ -151,9 +151,9 @@ namespace lamella
   void
   ToleranceRun::refine()
   {
-    Scene       next   = simulation->model().scene();
-    const auto &wanted = passes.wanted();
-    const auto  wants  = [&wanted](const Source source) {
+    Scene                     next   = simulation->model().scene();
+    const std::vector<Source> wanted = passes.wanted();
+    const auto                wants  = [&wanted](const Source source) {
       return std::find(wanted.begin(), wanted.end(), source) != wanted.end();
     };
     refined = {wanted, {}};

@@ -75,9 +75,6 @@ namespace lamella
     compare_with_richer(OtherModels &models, const Scene &scene);
     void
     compare_sections(OtherModels &models, const Scene &scene);
-    /// LocalErrors of all quantities, from the model with shorter elements.
-    void
-    localise(const Simulation &finer);
     /// Of @p goal what @p other changes, the richer less the poorer one.
     double
     change_by(const Other &other, const NamedQuantity &goal) const;
@@ -91,7 +88,8 @@ namespace lamella
     RunGoals           of_run;
     PenaltyShare       penalties;
     std::vector<Other> others;
-    /// Of each of the quantities; empty where nobody asks where errors are.
+    /// Of each of the quantities, from the model with shorter elements; empty
+    /// where nobody asks where errors are.
     std::vector<std::optional<LocalErrors>> local;
   };
 } // namespace lamella

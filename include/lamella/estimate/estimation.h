@@ -102,9 +102,6 @@ namespace lamella
     first_refinement(const NamedQuantity &quantity) const;
     ErrorBar
     bar_of(const NamedQuantity &quantity) const;
-    /// LocalErrors of all quantities, from the model with shorter elements.
-    void
-    localise(const Simulation &finer);
     /// What the models say of it.
     GoalResult
     goal(const NamedQuantity &quantity, const unsigned int number) const;

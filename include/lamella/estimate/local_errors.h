@@ -4,6 +4,7 @@
 #define lamella_estimate_local_errors_h
 
 #include <lamella/estimate/goal_dual.h>
+#include <lamella/estimate/run_goals.h>
 #include <lamella/recover/named_quantity.h>
 #include <lamella/run/simulation.h>
 
@@ -78,6 +79,13 @@ namespace lamella
     /// s of the active rows.
     Vector mismatch;
   };
+
+  /// Of each of @p goals, those of @p run, where the model @p finer changes it;
+  /// empty where Localisation is not possible.
+  std::vector<std::optional<LocalErrors>>
+  errors_of(const RunGoals   &goals,
+            const Simulation &run,
+            const Simulation &finer);
 } // namespace lamella
 
 #endif

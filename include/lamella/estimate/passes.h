@@ -148,15 +148,6 @@ namespace lamella
     /// Of each goal the pass in which it has left, from 1 on; 0 of others.
     std::vector<unsigned int> left_in;
   };
-
-  /// Whether all of @p goals have bars within their tolerances.
-  bool
-  all_met(const std::vector<GoalResult> &goals);
-
-  /// What @p goal may be off by as it is held to be, over its tolerance; where
-  /// there is no bar twice the estimate stands for it.
-  double
-  error_ratio(const GoalResult &goal);
 } // namespace lamella
 
 #endif
