@@ -5,7 +5,8 @@ import resource
 import subprocess
 import sys
 
-from measure_bars import BarRun, cantilever
+from measure_bar_scenes import cantilever
+from measure_bars import BarRun
 from measure_fields import laminate
 from measure_tools import ENVIRONMENT, PROGRAM, ROOT, table
 

@@ -144,6 +144,7 @@ namespace lamella
                  materials,
                  sections,
                  divisions,
+                 corner_layers,
                  bodies,
                  supports,
                  loads,
@@ -170,6 +171,9 @@ namespace lamella
     for (const auto &[section, times] : divisions)
       if (times > 0)
         key += section + "/" + words_of(times);
+    for (const auto &[section, layers] : corner_layers)
+      if (layers > 0)
+        key += section + ": " + words_of(layers) + " corner layers";
     for (const ContactPair &contact : contacts)
       key += words_of(contact) + "; ";
     return key;

@@ -5,6 +5,7 @@
 #include <lamella/scene/size_check.h>
 #include <lamella/scene/stacks.h>
 #include <lamella/scene/subsection_kinds.h>
+#include <lamella/shape/corner_layers.h>
 #include <lamella/shape/properties.h>
 
 #include <algorithm>
@@ -419,6 +420,9 @@ namespace lamella
         auto mesh = make_section_mesh(shape, scene.materials);
         if (const unsigned int times = scene.divisions_of(name); times > 0)
           mesh = divided(*mesh, times, "Section " + name);
+        if (const auto layers = scene.corner_layers.find(name);
+            layers != scene.corner_layers.end() && layers->second > 0)
+          mesh = graded_to_corners(*mesh, layers->second, "Section " + name);
         check_proportions(*mesh, "Section " + name);
         meshes[name] = mesh;
       }

@@ -52,6 +52,8 @@ namespace lamella
       reading.scene.sections[name] = shape;
       reading.scene.divisions[name] =
         in["Cells divided"].whole(0, SectionParameters::most_divisions);
+      reading.scene.corner_layers[name] =
+        in["Corner layers"].whole(0, SectionParameters::most_corner_layers);
     }
 
 

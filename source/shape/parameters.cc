@@ -195,7 +195,14 @@ namespace lamella
          Whole(0, SectionParameters::most_divisions),
          "LDEBWTF",
          "How often all cells of the section are divided in four, also those of "
-         "a file, 0 to 4."}};
+         "a file, 0 to 4."},
+        {"Corner layers",
+         "0",
+         Whole(0, SectionParameters::most_corner_layers),
+         "LBWF",
+         "How many layers of cells, each 0.15 of the next, lie at corners where "
+         "stresses have no limit: re-entrant ones, and where plies that differ "
+         "end at a side, 0 to 6."}};
     }
 
 

@@ -64,6 +64,8 @@ namespace lamella
     std::map<std::string, SectionShape> sections;
     /// By name: how often all cells of the section are divided in four.
     std::map<std::string, unsigned int> divisions;
+    /// By name: how many layers of cells lie at the corners of the section.
+    std::map<std::string, unsigned int> corner_layers;
     /// Name, section, theory (Eq. 1), axis and placement of each body.
     std::vector<BodyDescription> bodies;
 

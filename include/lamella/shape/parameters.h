@@ -18,6 +18,8 @@ namespace lamella
   {
     /// `Cells divided` at most.
     static constexpr unsigned int most_divisions = 4;
+    /// `Corner layers` at most.
+    static constexpr unsigned int most_corner_layers = 6;
 
     /// Declares them in the subsection that @p prm is in.
     static void
