@@ -106,14 +106,17 @@ class Bar:
 
 
 def bar_of(run, quantity, name, theory, true=None, nearly_true=None):
-    goal = run.summary["goals"][quantity]
+    # A run that has no bars since they would cost too much has no goals.
+    value = run.value(quantity)
+    goal = run.summary.get("goals", {}).get(quantity, {
+        "value": value, "scale": abs(value), "estimate": 0., "trusted": False})
     scale = goal["scale"]
     bar = goal["bar"] / scale if goal["trusted"] else None
     if true is None:
         return Bar(name, theory, quantity, 0., goal["estimate"] / scale, bar, 0.)
-    value = true.value(quantity)
-    return Bar(name, theory, quantity, (value - goal["value"]) / scale,
-               goal["estimate"] / scale, bar, abs(value - nearly_true.value(quantity)) / scale)
+    exact = true.value(quantity)
+    return Bar(name, theory, quantity, (exact - goal["value"]) / scale,
+               goal["estimate"] / scale, bar, abs(exact - nearly_true.value(quantity)) / scale)
 
 
 class Judged:

@@ -28,6 +28,17 @@ namespace lamella
 
 
 
+    /// Whether LE-1 is not richer than the theory of @p body: TE-3 and SV have
+    /// what it lacks, and may be off as it is.
+    bool
+    is_above_linear(const BodyDescription &body)
+    {
+      return body.theory.is_of_solutions() ||
+             (body.theory.is_taylor() && body.theory.order > 1);
+    }
+
+
+
     /// @p scene on axes that are halved so often.
     Scene
     on_coarser_axis(Scene scene, const unsigned int times)
@@ -108,11 +119,13 @@ namespace lamella
   std::optional<HalfPlan>
   BarsFromHalf::plan(const Simulation &run, const double most)
   {
-    const Scene                &scene = run.model().scene();
-    const std::vector<BodySize> sizes = sizes_of(run.model());
+    const Scene                &scene        = run.model().scene();
+    const std::vector<BodySize> sizes        = sizes_of(run.model());
+    const bool                  any_is_above = any_body(scene, is_above_linear);
     for (const HalfPlan &plan :
          {HalfPlan{1, 2}, HalfPlan{2, 2}, HalfPlan{1, 1}, HalfPlan{2, 1}})
-      if (operations(scene, sizes, plan) <= most)
+      if (operations(scene, sizes, plan) <= most &&
+          !(any_is_above && plan.degree == 1))
         return plan;
     return std::nullopt;
   }

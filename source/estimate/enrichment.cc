@@ -2,6 +2,8 @@
 
 #include <lamella/body/beam.h>
 #include <lamella/estimate/enrichment.h>
+#include <lamella/shape/corner_layers.h>
+#include <lamella/shape/parameters.h>
 
 #include <algorithm>
 #include <cmath>
@@ -79,14 +81,34 @@ namespace lamella
 
 
 
-    /// Whether the degree of @p body's section cannot grow any more.
+    /// Whether the section of @p body has corners that could have more layers.
     bool
-    has_highest_degree(const BodyDescription &body, const PlanRules &rules)
+    may_have_layers(const Scene           &scene,
+                    const BodyDescription &body,
+                    const BodySize        &size)
     {
-      const Theory &theory = body.theory;
-      return (theory.is_layerwise() && theory.order >= rules.highest_degree) ||
-             (theory.is_of_solutions() &&
-              theory.section_order >= rules.highest_degree);
+      const auto known = scene.corner_layers.find(body.section);
+      return size.corners > 0 &&
+             (known == scene.corner_layers.end() ||
+              known->second < SectionParameters::most_corner_layers);
+    }
+
+
+
+    /// Whether the degree of @p body's section stays as it is: its cells are
+    /// divided instead.
+    bool
+    keeps_degree(const Scene           &scene,
+                 const BodyDescription &body,
+                 const BodySize        &size,
+                 const PlanRules       &rules)
+    {
+      const unsigned int most   = may_have_layers(scene, body, size) ?
+                                    rules.corner_degree :
+                                    rules.highest_degree;
+      const Theory      &theory = body.theory;
+      return (theory.is_layerwise() && theory.order >= most) ||
+             (theory.is_of_solutions() && theory.section_order >= most);
     }
 
 
@@ -94,6 +116,7 @@ namespace lamella
     void
     enrich_section(BodyDescription &body,
                    const BodySize  &size,
+                   const bool       keeps_degree,
                    const PlanRules &rules)
     {
       if (body.theory.is_solid())
@@ -104,10 +127,11 @@ namespace lamella
             ++body.refinement.everywhere;
           return;
         }
-      const double growth = has_highest_degree(body, rules) ?
-                              2. :
-                              (body.theory.order + 1.) / body.theory.order;
+      const double growth =
+        keeps_degree ? 2. : (body.theory.order + 1.) / body.theory.order;
       keep_small(body, size, growth * growth, rules);
+      if (keeps_degree)
+        return;
       for (Theory *theory : theories_of(body))
         {
           if (theory->is_layerwise())
@@ -119,16 +143,23 @@ namespace lamella
 
 
 
-    /// Divides all cells of the sections of bodies that have the highest
-    /// degree.
+    /// Divides the sections of bodies that keep their degrees: towards their
+    /// corners where there are any, else all cells.
     void
-    divide_cells(Scene &result, const Scene &scene, const PlanRules &rules)
+    divide_sections(Scene                       &result,
+                    const Scene                 &scene,
+                    const std::vector<BodySize> &sizes,
+                    const PlanRules             &rules)
     {
-      std::set<std::string> sections;
-      for (const BodyDescription &body : scene.bodies)
-        if (has_highest_degree(body, rules))
-          sections.insert(body.section);
-      for (const std::string &section : sections)
+      std::set<std::string> at_corners, everywhere;
+      for (unsigned int b = 0; b < scene.bodies.size(); ++b)
+        if (const BodyDescription &body = scene.bodies[b];
+            keeps_degree(scene, body, sizes[b], rules))
+          (may_have_layers(scene, body, sizes[b]) ? at_corners : everywhere)
+            .insert(body.section);
+      for (const std::string &section : at_corners)
+        ++result.corner_layers[section];
+      for (const std::string &section : everywhere)
         ++result.divisions[section];
     }
 
@@ -171,9 +202,11 @@ namespace lamella
           is_held_all_along(model.scene().supports, sizes.size() - 1);
         if (const Beam *const beam = beams[sizes.size() - 1])
           {
-            size.nodes   = beam->axis().n_nodes();
-            size.fields  = beam->section().n_fields();
-            size.cells   = beam->section().n_cells();
+            size.nodes  = beam->axis().n_nodes();
+            size.fields = beam->section().n_fields();
+            size.cells  = beam->section().n_cells();
+            size.corners =
+              singular_corners(beam->section().element().section_mesh()).size();
             size.touched = touched_share(model, *beam, sizes.size() - 1);
             size.slenderness =
               beam->axis().length() / beam->section().extents().second;
@@ -244,10 +277,13 @@ namespace lamella
         else if (source == Source::fields && !body.theory.is_solid())
           enrich_fields(body, sizes[b], rules);
         else if (source == Source::section)
-          enrich_section(body, sizes[b], rules);
+          enrich_section(body,
+                         sizes[b],
+                         keeps_degree(scene, body, sizes[b], rules),
+                         rules);
       }
     if (source == Source::section)
-      divide_cells(result, scene, rules);
+      divide_sections(result, scene, sizes, rules);
     if (source == Source::contact)
       for (ContactPair &contact : result.contacts)
         contact.enforcement = Enforcement::exact;

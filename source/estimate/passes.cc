@@ -85,6 +85,19 @@ namespace lamella
 
 
 
+  void
+  hold_share(GoalResult &goal, const Source source, const double least)
+  {
+    for (auto &[name, share] : goal.shares)
+      if (name == name_of(source) && std::abs(share) < least)
+        {
+          goal.bar += least - std::abs(share);
+          share = std::copysign(least, share);
+        }
+  }
+
+
+
   Passes::Passes(const PassRules &rules)
     : rules(rules)
   {}
@@ -242,6 +255,41 @@ namespace lamella
           }))
         sources.push_back(source);
     return sources;
+  }
+
+
+
+  bool
+  Passes::degrees_stall() const
+  {
+    const auto &now = refinements.back().sources;
+    if (std::find(now.begin(), now.end(), Source::section) == now.end())
+      return false;
+    const auto share_of = [](const GoalResult &goal) {
+      for (const auto &[name, share] : goal.shares)
+        if (name == name_of(Source::section))
+          return std::abs(share);
+      return 0.;
+    };
+    for (const GoalResult &goal : next_goals())
+      for (const GoalResult &before : made[made.size() - 2].goals)
+        if (before.name == goal.name &&
+            share_of(goal) > rules.most_of_degree * share_of(before) &&
+            share_of(goal) > rules.small_share * goal.most_error())
+          return true;
+    return false;
+  }
+
+
+
+  bool
+  Passes::can_lose(const std::vector<double> &lost) const
+  {
+    for (unsigned int g = 0; g < lost.size(); ++g)
+      if (const GoalResult &goal = last().goals[g];
+          left_in[g] == 0 && lost[g] > rules.small_share * goal.most_error())
+        return false;
+    return true;
   }
 
 

@@ -10,6 +10,7 @@
 #include <lamella/base/text.h>
 #include <lamella/estimate/axis_marks.h>
 #include <lamella/estimate/goal_bars.h>
+#include <lamella/estimate/stand_in.h>
 #include <lamella/estimate/start.h>
 #include <lamella/estimate/tolerance_run.h>
 #include <lamella/report/fields_table.h>
@@ -18,6 +19,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <ostream>
 
 namespace lamella
@@ -90,8 +92,10 @@ namespace lamella
     if (simulation == nullptr)
       keep_ends(next->model().scene());
     Pass pass;
-    pass.dofs    = next->results().n_dofs();
-    pass.goals   = bars_of(*next, out, cache).goals;
+    pass.dofs  = next->results().n_dofs();
+    pass.goals = bars_of(*next, out, cache).goals;
+    for (unsigned int g = 0; g < lost_by_fields.size(); ++g)
+      hold_share(pass.goals[g], Source::fields, lost_by_fields[g]);
     pass.seconds = wall.wall_time();
     for (const BodyFacts &body : next->results().bodies)
       pass.theories +=
@@ -148,6 +152,19 @@ namespace lamella
 
 
 
+  Scene
+  ToleranceRun::with_less_of(Scene next, const PlanRules &plan_rules) const
+  {
+    const std::vector<BodySize> sizes = sizes_of(simulation->model());
+    for (const Source source : refined.sources)
+      next = source == Source::axis && refined.marked ?
+               bisected(next, *refined.marked) :
+               enriched(next, source, sizes, plan_rules);
+    return next;
+  }
+
+
+
   void
   ToleranceRun::refine()
   {
@@ -165,12 +182,19 @@ namespace lamella
                                        passes.next_goals(),
                                        pass_rules.most_left,
                                        pass_rules.least_done);
-    const std::vector<BodySize> sizes = sizes_of(simulation->model());
-    for (const Source source : wanted)
-      next = source == Source::axis && refined.marked ?
-               bisected(next, *refined.marked) :
-               enriched(next, source, sizes);
-    scene = with_levels_below(next);
+    PlanRules plan_rules;
+    if (passes.degrees_stall())
+      plan_rules.corner_degree = plan_rules.first_degree;
+    Scene richer = with_less_of(next, plan_rules);
+    if (const auto lost = lost_by_stand_ins(*simulation, richer, out, cache);
+        !lost.empty() && !passes.can_lose(lost))
+      {
+        plan_rules.most_dofs_of_layers = std::numeric_limits<double>::max();
+        richer                         = with_less_of(next, plan_rules);
+      }
+    else if (!lost.empty())
+      lost_by_fields = lost;
+    scene = with_levels_below(richer);
   }
 
 

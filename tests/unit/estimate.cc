@@ -158,6 +158,7 @@ BOOST_AUTO_TEST_CASE(keys_of_models)
     [](Scene &s) { s.bodies[0].refinement.everywhere = 1; },
     [](Scene &s) { s.bodies[0].refinement.balls[0].radius = 2.; },
     [](Scene &s) { s.divisions["strip"] = 1; },
+    [](Scene &s) { s.corner_layers["strip"] = 1; },
     [](Scene &s) { s.contacts[0].enforcement = Enforcement::exact; },
     [](Scene &s) { s.contacts[0].penalty.value = 7.; },
     [](Scene &s) { s.contacts[0].points_on = PointsOn::second; },
@@ -216,6 +217,28 @@ BOOST_AUTO_TEST_CASE(richer_models)
   BOOST_TEST(enriched(divided, Source::section, large).divisions.at("strip") ==
              2u);
   BOOST_TEST(enriched(scene_of("LE-8"), Source::axis, large).divisions.empty());
+
+  // Sections with corners get layers there: at once where degrees stall, and
+  // as many as a section may have.
+  std::vector<BodySize> cornered = large;
+  for (BodySize &size : cornered)
+    size.corners = 4;
+  PlanRules stalled;
+  stalled.corner_degree = 3;
+  Scene layered         = scene_of("LE-3");
+  for (unsigned int layers = 1; layers <= 6; ++layers)
+    {
+      layered = enriched(layered, Source::section, cornered, stalled);
+      BOOST_TEST(layered.bodies[0].theory.order == 3u);
+      BOOST_TEST(layered.corner_layers.at("strip") == layers);
+    }
+  BOOST_TEST(enriched(layered, Source::section, cornered, stalled)
+               .bodies[0]
+               .theory.order == 4u);
+  const Scene plain =
+    enriched(scene_of("LE-3"), Source::section, large, stalled);
+  BOOST_TEST(plain.bodies[0].theory.order == 4u);
+  BOOST_TEST(plain.corner_layers.empty());
 
   BOOST_TEST(!has_source(scene_of("LE-2"), Source::fields));
   BOOST_TEST(!has_source(scene_of("EBBT"), Source::section));

@@ -81,6 +81,50 @@ BOOST_AUTO_TEST_CASE(sources_are_wanted_until_the_rest_is_half_of_the_tolerance)
 
 
 
+BOOST_AUTO_TEST_CASE(degrees_stall_where_more_than_half_is_left)
+{
+  const auto is_stalled = [](const double               left,
+                             const std::vector<Source> &refined,
+                             const double               tolerance = 1e-2) {
+    const auto goal = [tolerance](const double share) {
+      GoalResult one = goal_of(1., {{"axis", 0.02}, {"section", share}});
+      one.tolerance  = Tolerance{tolerance};
+      return one;
+    };
+    Passes passes;
+    passes.add(pass_of({goal(-0.05)}));
+    passes.add(pass_of({goal(left)}), {refined});
+    return passes.degrees_stall();
+  };
+  const std::vector<Source> both{Source::axis, Source::section};
+  BOOST_TEST(!is_stalled(0.024, both));
+  BOOST_TEST(is_stalled(0.026, both));
+  // Elements say nothing of degrees, and what is small need not contract.
+  BOOST_TEST(!is_stalled(0.026, {Source::axis}));
+  BOOST_TEST(!is_stalled(0.026, both, 0.06));
+}
+
+
+
+BOOST_AUTO_TEST_CASE(fields_may_stand_in_where_half_of_the_tolerance_is_left)
+{
+  Passes passes;
+  passes.add(pass_of({goal_of(1., {{"axis", 0.02}})}));
+  BOOST_TEST(passes.can_lose({4.9e-3}));
+  BOOST_TEST(!passes.can_lose({5.1e-3}));
+  // What they lose is the least that the fields have of a bar.
+  for (const double lost : {1e-3, 4e-3})
+    {
+      GoalResult goal = goal_of(1., {{"axis", 0.02}, {"fields", -2e-3}});
+      hold_share(goal, Source::fields, lost);
+      const double expected = std::max(lost, 2e-3);
+      BOOST_TEST(std::abs(goal.bar - (0.02 + expected)) < 1e-15);
+      BOOST_TEST(std::abs(goal.shares[1].second + expected) < 1e-15);
+    }
+}
+
+
+
 BOOST_AUTO_TEST_CASE(a_number_without_limit_leaves_and_keeps_no_other)
 {
   const GoalResult open = goal_of(1., {{"axis", 0.03}, {"section", 1e-3}}),

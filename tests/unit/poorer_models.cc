@@ -240,13 +240,30 @@ BOOST_AUTO_TEST_CASE(a_theory_that_is_far_off_says_so_in_a_number)
 
 
 
+BOOST_AUTO_TEST_CASE(a_theory_that_is_no_level_is_not_taken_for_one)
+{
+  // LE-1 has nothing of what TE-3 and SV lack, and lacks what they have: of a
+  // tube of plies both were off alike, and a bar made of their difference was
+  // 6.8 times too short.
+  for (const char *theory : {"TE-3", "SV"})
+    {
+      const Solved run("/prm/sandwich.prm", {std::string("Theory=") + theory});
+      for (double most = 1e6; most < 1e16; most *= 1.5)
+        if (const auto plan = BarsFromHalf::plan(run.run, most))
+          BOOST_TEST(plan->degree == 2u);
+      BOOST_TEST(BarsFromHalf::plan(run.run, 1e16).has_value());
+    }
+}
+
+
+
 BOOST_AUTO_TEST_CASE(bars_of_responses_hold)
 {
   const std::string scene = "/tests/scenes/double_t.prm",
                     goals = "Goals/Quantities=edge: uz";
   Solved           run(scene, {"Theory=SV-6", goals});
   const GoalResult goal = run.by_source();
-  // LE-6 on a mesh twice as fine (scripts/measure bars_below).
+  // LE-6 on a mesh twice as fine (scripts/measure bars).
   const double truth = -0.1304039;
   BOOST_TEST(goal.trusted);
   BOOST_TEST(std::abs(truth - goal.value) <= goal.bar);

@@ -44,6 +44,8 @@ namespace lamella
     double touched = 0.;
     /// Of a beam its length over the largest extent of its section.
     double slenderness = 0.;
+    /// Of its section, at which stresses have no limit (singular_corners()).
+    unsigned int corners = 0;
   };
 
   /// All that is known of a body when its model is chosen.

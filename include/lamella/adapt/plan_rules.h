@@ -36,6 +36,9 @@ namespace lamella
     unsigned int first_degree = 3;
     /// The degree from which on the cells of a section are divided instead.
     unsigned int highest_degree = 8;
+    /// The same of sections with corners, which get layers there
+    /// (graded_to_corners()): lower in runs whose degrees do not contract.
+    unsigned int corner_degree = 8;
     /// What axes that would grade themselves to a contact that is everywhere
     /// begin with at most: as where a scene says nothing of the axis.
     unsigned int equal_elements = 10;

@@ -60,7 +60,8 @@ namespace lamella
     reason_for_none(const Simulation &run);
 
     /// The best of the plans that costs at most @p most multiplications, if one
-    /// does.
+    /// does; LE-1 stands for EBBT, TBT and TE-1 alone, since it is not richer
+    /// than others.
     static std::optional<HalfPlan>
     plan(const Simulation &run, const double most);
 

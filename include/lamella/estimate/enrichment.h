@@ -52,8 +52,10 @@ namespace lamella
    * SV-N gets four wave numbers more; LE-N has all fields of its section
    *             already;
    *   section   LE-N becomes LE-(N+1); the section order of SV-N grows by one;
-   *             where either is 8 already the cells of the section are divided
-   *             in four instead (degrees come first: they converge at twice the
+   *             where either is 8 already (PlanRules::highest_degree,
+   *             corner_degree) a layer of cells comes to the corners of the
+   *             section, or where it has none its cells are divided in four
+   *             (degrees come first: they converge at twice the
    *             rate of equal cells where plies end, Szabo and Babuska 1991);
    *             solid-1 becomes solid-2, whose hexahedra are divided in eight;
    *   contact   penalties become exact.

@@ -24,6 +24,9 @@ namespace lamella
     /// tolerance has not got better by this factor in so many.
     unsigned int patience = 2, slow_passes = 3;
     double       least_progress = 0.5;
+    /// What one degree more leaves of the section's share of a bar at most for
+    /// degrees to go on: a corner holds them back else.
+    double most_of_degree = 0.5;
     /// More are a sign that none would be enough.
     unsigned int most_passes = 8;
     /// Of a tolerance: what elements may do to a goal that stay as they are,
@@ -69,6 +72,10 @@ namespace lamella
    */
   void
   shorten(GoalResult &goal, const Course &course, const BarRules &rules = {});
+
+  /// Makes what @p source has of the bar of @p goal @p least, if it is less.
+  void
+  hold_share(GoalResult &goal, const Source source, const double least);
 
   /**
    * The passes of a run to a tolerance, and what they say of the next one. Of
@@ -122,6 +129,18 @@ namespace lamella
     /// (PassRules::small_share).
     std::vector<Source>
     wanted() const;
+
+    /// Whether degrees do not contract: of one of next_goals() the section has
+    /// more left of its share, after a pass that was refined in it, than
+    /// PassRules::most_of_degree.
+    bool
+    degrees_stall() const;
+
+    /// Whether goals may have lost this much, @p lost of each, beside all
+    /// other errors: at most PassRules::small_share of what those may be off by
+    /// that have not left.
+    bool
+    can_lose(const std::vector<double> &lost) const;
 
     /// The plain mesh check: what the goals have changed by since the last
     /// pass, the largest over its tolerance; 0 in the first pass.

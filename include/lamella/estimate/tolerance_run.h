@@ -67,9 +67,14 @@ namespace lamella
     check_loads(const Simulation &next) const;
     /// Makes `scene` one with less of what the goals want less of: along the
     /// axis the elements that matter are bisected (marked_elements()), and
-    /// those that do not are merged (merged()).
+    /// those that do not are merged (merged()). Own fields of sections stand in
+    /// for many DoFs only where the goals can lose what they leave out
+    /// (lost_by_stand_ins(), Passes::can_lose()).
     void
     refine();
+    /// @p next with less of the sources that are to be refined.
+    Scene
+    with_less_of(Scene next, const PlanRules &plan_rules) const;
     /// Whether the budget of seconds is spent.
     bool
     is_late() const;
@@ -101,6 +106,8 @@ namespace lamella
     /// Of all models, so that they share end fields.
     FieldRules rules;
     PassRules  pass_rules;
+    /// Of each goal what fields that stand in have lost; empty where none do.
+    std::vector<double> lost_by_fields;
     /// In what the next pass is better than the last one.
     Refined       refined;
     Passes        passes;
