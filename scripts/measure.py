@@ -10,6 +10,7 @@ from concurrent.futures import ThreadPoolExecutor
 from measure_aims import (aims, compact, flexure, growth_length, growth_plies, hairs,
                           paper, three_plies, walls)
 from measure_bars import bars, bars_richer
+from measure_corners import corners
 from measure_beyond import beyond
 from measure_fields import fields
 from measure_foreseen import foreseen
@@ -331,7 +332,7 @@ def main():
                                       theories, stability, solids, hanging, calculix,
                                       parallel, million, fields, aims, hairs, walls,
                                       compact, flexure, three_plies, paper,
-                                      growth_plies, growth_length, bars, bars_richer,
+                                      growth_plies, growth_length, bars, bars_richer, corners,
                                       rates, tolerances, indentation, leaves, c3d20r, beyond,
                                       foreseen)}
     unknown = [name for name in sys.argv[1:] if name not in tables]
@@ -340,7 +341,7 @@ def main():
     # A million DoFs take minutes and gigabytes: only when asked for.
     only_asked = ("parallel", "million", "fields", "aims", "hairs", "walls", "compact",
                   "flexure", "three_plies", "paper", "growth_plies", "growth_length", "bars",
-                  "bars_richer", "tolerances", "indentation", "c3d20r", "beyond",
+                  "bars_richer", "corners", "tolerances", "indentation", "c3d20r", "beyond",
                   "foreseen")
     for name in sys.argv[1:] or [name for name in tables if name not in only_asked]:
         print(f"## {name}: {tables[name].__doc__}\n")

@@ -5,6 +5,7 @@
 #include <lamella/base/text.h>
 #include <lamella/body/beam.h>
 #include <lamella/linear/linear_solver.h>
+#include <lamella/section/corners.h>
 
 #include <algorithm>
 #include <cmath>
@@ -37,6 +38,14 @@ namespace lamella
                                                      region.is_whole_body();
                                             });
                        });
+  }
+
+
+
+  unsigned int
+  n_corners(const Beam &beam)
+  {
+    return n_corners(beam.section());
   }
 
 

@@ -2,8 +2,6 @@
 
 #include <lamella/body/beam.h>
 #include <lamella/estimate/enrichment.h>
-#include <lamella/shape/corner_layers.h>
-#include <lamella/shape/parameters.h>
 
 #include <algorithm>
 #include <cmath>
@@ -85,12 +83,12 @@ namespace lamella
     bool
     may_have_layers(const Scene           &scene,
                     const BodyDescription &body,
-                    const BodySize        &size)
+                    const BodySize        &size,
+                    const PlanRules       &rules)
     {
       const auto known = scene.corner_layers.find(body.section);
-      return size.corners > 0 &&
-             (known == scene.corner_layers.end() ||
-              known->second < SectionParameters::most_corner_layers);
+      return size.corners > 0 && (known == scene.corner_layers.end() ||
+                                  known->second < rules.most_corner_layers);
     }
 
 
@@ -103,7 +101,7 @@ namespace lamella
                  const BodySize        &size,
                  const PlanRules       &rules)
     {
-      const unsigned int most   = may_have_layers(scene, body, size) ?
+      const unsigned int most   = may_have_layers(scene, body, size, rules) ?
                                     rules.corner_degree :
                                     rules.highest_degree;
       const Theory      &theory = body.theory;
@@ -155,7 +153,8 @@ namespace lamella
       for (unsigned int b = 0; b < scene.bodies.size(); ++b)
         if (const BodyDescription &body = scene.bodies[b];
             keeps_degree(scene, body, sizes[b], rules))
-          (may_have_layers(scene, body, sizes[b]) ? at_corners : everywhere)
+          (may_have_layers(scene, body, sizes[b], rules) ? at_corners :
+                                                           everywhere)
             .insert(body.section);
       for (const std::string &section : at_corners)
         ++result.corner_layers[section];
@@ -202,11 +201,10 @@ namespace lamella
           is_held_all_along(model.scene().supports, sizes.size() - 1);
         if (const Beam *const beam = beams[sizes.size() - 1])
           {
-            size.nodes  = beam->axis().n_nodes();
-            size.fields = beam->section().n_fields();
-            size.cells  = beam->section().n_cells();
-            size.corners =
-              singular_corners(beam->section().element().section_mesh()).size();
+            size.nodes   = beam->axis().n_nodes();
+            size.fields  = beam->section().n_fields();
+            size.cells   = beam->section().n_cells();
+            size.corners = n_corners(*beam);
             size.touched = touched_share(model, *beam, sizes.size() - 1);
             size.slenderness =
               beam->axis().length() / beam->section().extents().second;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <lamella/base/arithmetic.h>
 #include <lamella/base/exceptions.h>
 #include <lamella/base/text.h>
 #include <lamella/shape/corner_layers.h>
@@ -158,7 +159,8 @@ namespace lamella
           return on_edge(end, begin, 1. - fraction);
         // Fractions from both ends differ by rounding.
         const auto key =
-          std::make_pair(edge_of(begin, end), std::lround(fraction / rounding));
+          std::make_pair(edge_of(begin, end),
+                         std::lround(fraction / arithmetic::same_place));
         const auto [place, is_new] = known.insert({key, points.size()});
         if (is_new)
           points.push_back(points[begin] +
@@ -180,7 +182,6 @@ namespace lamella
       }
 
     private:
-      static constexpr double                       rounding = 1e-9;
       std::vector<Point<2>>                         points;
       std::map<std::pair<Edge, long>, unsigned int> known;
     };

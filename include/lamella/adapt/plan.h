@@ -14,6 +14,8 @@
 
 namespace lamella
 {
+  class Beam;
+
   /**
    * Whether the support on @p region is a clamp at @p y of a body's axis of the
    * length @p length: it holds the section there as a whole, in one direction
@@ -47,6 +49,10 @@ namespace lamella
     /// Of its section, at which stresses have no limit (singular_corners()).
     unsigned int corners = 0;
   };
+
+  /// Of the section of @p beam, for BodySize::corners.
+  unsigned int
+  n_corners(const Beam &beam);
 
   /// All that is known of a body when its model is chosen.
   struct PlanFacts

@@ -39,6 +39,8 @@ namespace lamella
     /// The same of sections with corners, which get layers there
     /// (graded_to_corners()): lower in runs whose degrees do not contract.
     unsigned int corner_degree = 8;
+    /// As many as a scene may say (`Corner layers`).
+    unsigned int most_corner_layers = 6;
     /// What axes that would grade themselves to a contact that is everywhere
     /// begin with at most: as where a scene says nothing of the axis.
     unsigned int equal_elements = 10;
