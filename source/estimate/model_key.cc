@@ -5,6 +5,7 @@
 #include <lamella/estimate/model_key.h>
 
 #include <limits>
+#include <map>
 
 namespace lamella
 {
@@ -132,6 +133,19 @@ namespace lamella
       return words + words_of(value) + words_of(tolerance) +
              (search_distance ? words_of(*search_distance) : "");
     }
+
+
+    /// What is done to sections, @p what, and how often, where it is at all.
+    std::string
+    words_of(const std::string                         &what,
+             const std::map<std::string, unsigned int> &times)
+    {
+      std::string words;
+      for (const auto &[section, number] : times)
+        if (number > 0)
+          words += section + " " + what + words_of(number) + "; ";
+      return words;
+    }
   } // namespace
 
 
@@ -168,12 +182,8 @@ namespace lamella
     std::string key        = resolved;
     for (const BodyDescription &body : bodies)
       key += words_of(body) + "; ";
-    for (const auto &[section, times] : divisions)
-      if (times > 0)
-        key += section + "/" + words_of(times);
-    for (const auto &[section, layers] : corner_layers)
-      if (layers > 0)
-        key += section + ": " + words_of(layers) + " corner layers";
+    key += words_of("divided", divisions);
+    key += words_of("corner layers", corner_layers);
     for (const ContactPair &contact : contacts)
       key += words_of(contact) + "; ";
     return key;

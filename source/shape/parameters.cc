@@ -158,7 +158,7 @@ namespace lamella
 
 
 
-    /// Half discs and ellipses; and how often cells are divided.
+    /// Half discs and ellipses.
     std::vector<Declaration>
     entries_of_discs_and_ellipses()
     {
@@ -189,7 +189,16 @@ namespace lamella
          "1",
          Whole(0, ShapeReader::most_refinements),
          "E",
-         "Ellipse: how often 12 cells are cut into four each, 0 to 6."},
+         "Ellipse: how often 12 cells are cut into four each, 0 to 6."}};
+    }
+
+
+
+    /// How the cells of a shape are divided.
+    std::vector<Declaration>
+    entries_of_divisions()
+    {
+      return {
         {"Cells divided",
          "0",
          Whole(0, SectionParameters::most_divisions),
@@ -324,6 +333,7 @@ namespace lamella
         for (const auto &some : {entries_of_extensions_and_plies(),
                                  entries_of_pieces_and_fabric(),
                                  entries_of_discs_and_ellipses(),
+                                 entries_of_divisions(),
                                  entries_of_walls(),
                                  entries_of_wall_plies(),
                                  entries_of_files()})
