@@ -112,31 +112,34 @@ def shipped():
 
 # Scenes that no rule was fitted to.
 
-def hexagon():
-    """A hollow hexagon that Gmsh has meshed, clamped, bent and twisted by its end."""
+def twisted(title, material, section, width, length, probes):
+    """A tube of @p width, clamped at its start, bent and twisted by a force over its end."""
+    (name, entries), = section.items()
     return {
-        "Title": "Hexagon", "Units": "mm, N", "Material carbon": ALUMINIUM,
-        "Section hexagon": {"Shape": "file", "File": ROOT / "prm/sections/hexagon.msh"},
-        "Body tube": {"Section": "hexagon", "Length": 100,
+        "Title": title, "Units": "mm, N", "Material carbon": material,
+        f"Section {name}": entries,
+        "Body tube": {"Section": name, "Length": length,
                       "Kinematics": {"Axis elements": "auto"}},
         "Support clamp": {"On": "tube: start"},
-        "Load tip": {"On": "tube: end", "Force": "0, 0, -0.01*(1+x/20)"},
-        "Probe tip": {"At": "tube: 19, 100, 0"}, "Probe top": {"At": "tube: 10, 50, 8.66025"},
-        "Probe side": {"At": "tube: 19, 30, 0"}}
+        "Load tip": {"On": "tube: end", "Force": f"0, 0, -0.01*(1+x/{width})"},
+        **{f"Probe {probe}": {"At": f"tube: {at}"} for probe, at in probes.items()}}
+
+
+def hexagon():
+    """One that Gmsh has meshed."""
+    return twisted("Hexagon", ALUMINIUM,
+                   {"hexagon": {"Shape": "file", "File": ROOT / "prm/sections/hexagon.msh"}},
+                   20, 100, {"tip": "19, 100, 0", "top": "10, 50, 8.66025",
+                             "side": "19, 30, 0"})
 
 
 def tube():
-    """A tube of carbon, wound at 0/45/-45, clamped, bent and twisted by its end."""
-    return {
-        "Title": "Tube", "Units": "mm, N", "Material carbon": {"Library": "IM7-8552"},
-        "Section tube": {"Shape": "tube", "Width": 40, "Height": 40, "Wall thickness": 3,
-                         "Wall layup": "0/45/-45", "Material": "carbon"},
-        "Body tube": {"Section": "tube", "Length": 200,
-                      "Kinematics": {"Axis elements": "auto"}},
-        "Support clamp": {"On": "tube: start"},
-        "Load tip": {"On": "tube: end", "Force": "0, 0, -0.01*(1+x/40)"},
-        "Probe tip": {"At": "tube: 39, 200, 20"}, "Probe top": {"At": "tube: 20, 100, 39.5"},
-        "Probe side": {"At": "tube: 39.5, 60, 20"}}
+    """One of carbon, wound at 0/45/-45."""
+    return twisted("Tube", {"Library": "IM7-8552"},
+                   {"tube": {"Shape": "tube", "Width": 40, "Height": 40, "Wall thickness": 3,
+                             "Wall layup": "0/45/-45", "Material": "carbon"}},
+                   40, 200, {"tip": "39, 200, 20", "top": "20, 100, 39.5",
+                             "side": "39.5, 60, 20"})
 
 
 def leaves():

@@ -100,10 +100,6 @@ class Bar:
     def holds(self):
         return abs(self.error) <= self.bar + 1e-12
 
-    def is_of_layers(self):
-        """Whether it is of LE-3 or more, whose bars are made of what the run has."""
-        return self.theory.startswith("LE") and int(self.theory[3:]) > 2
-
 
 def bar_of(run, quantity, name, theory, true=None, nearly_true=None):
     # A run that has no bars since they would cost too much has no goals.
@@ -156,10 +152,15 @@ class Judged:
                dict.fromkeys(bar.theory for bar in self.bars)])
         for label, of in (("LE-3 and more", True), ("the others", False)):
             costs = [cost for (_, theory), cost in self.costs.items()
-                     if (theory in ("LE-3", "LE-4")) == of]
+                     if is_from_below(theory) == of]
             if costs:
                 print(f"Bars take {median(costs):.2f} times the run without them in the "
                       f"median of {len(costs)} runs of {label}, {max(costs):.2f} at most.\n")
+
+
+def is_from_below(theory):
+    """Whether its bars are made of what the run has: LE-3 and more."""
+    return theory.startswith("LE-") and int(theory[3:]) > 2
 
 
 def cost_of_bars(run):
