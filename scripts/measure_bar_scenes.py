@@ -233,6 +233,17 @@ def singular():
         scene["Probe edge"] = {"At": f"beam: {section['Width'] / 2}, 0, 1"}
         scene["Probe corner"] = {"At": f"beam: {section['Width']}, 0, 1"}
         yield (f"edge of a clamp, {name}", scene, ["edge: syy", "corner: szz"], theories)
+    carbon = {"Library": "IM7-8552"}
+    angle = {"angle": {"Shape": "angle", "Width": 20, "Height": 20, "Wall thickness": 4}}
+    yield ("corner of an angle, twisted",
+           twisted("Angle", carbon, angle, 20, 200, {"corner": "4, 100, 4"}),
+           ["corner: sxy", "corner: syz"], theories)
+    scene = cantilever(laminate("45/-45"), 10)
+    scene["Probe edge"] = {"At": f"beam: 0, 5, 0.5"}
+    yield ("free edge, [45/-45]", scene, ["edge/1: syy", "edge/2: sxy"], theories)
+    scene = leaves()
+    scene["Probe edge"] = {"At": "upper: 10, 80, 5"}
+    yield ("where a leaf ends on another", scene, ["edge: szz", "edge: syz"], theories[:3])
     scene = cantilever(ISOTROPIC, 10)
     scene["Load tip"] = {"On": "beam: line", "At": "0, 5, 1; 1, 5, 1", "Force": "0, 0, -1e-3"}
     scene["Probe below"] = {"At": "beam: 0.5, 5, 1"}

@@ -45,7 +45,7 @@ namespace lamella
   unsigned int
   n_corners(const Beam &beam)
   {
-    return n_corners(beam.section());
+    return corners_of(beam.section()).size();
   }
 
 

@@ -155,7 +155,9 @@ namespace lamella
     const auto        has_no_bar = [number](const Pass &pass) {
       return !pass.goals[number].trusted;
     };
-    // A number without a limit: no bar twice, and another number each time.
+    if (!goal.has_limit)
+      return true;
+    // That it has none shows: no bar twice, and another number each time.
     if (made.size() >= rules.patience &&
         std::all_of(made.end() - rules.patience, made.end(), has_no_bar) &&
         change(number) > goal.most_error())

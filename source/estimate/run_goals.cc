@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <lamella/adapt/singular_places.h>
+#include <lamella/estimate/error_bar.h>
 #include <lamella/estimate/run_goals.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace lamella
@@ -29,6 +32,32 @@ namespace lamella
     for (const std::string &probe : goals.whole_probes)
       for (const NamedQuantity &quantity : values.largest_at(probe))
         all.push_back(quantity);
+  }
+
+
+
+  std::string
+  RunGoals::reason_for_no_limit(const NamedQuantity &quantity) const
+  {
+    for (const NamedQuantity &term : quantity.terms)
+      if (const std::string reason = reason_for_no_limit(term); !reason.empty())
+        return reason;
+    if (quantity.of != NamedQuantity::Of::probe ||
+        (quantity.kind() != 'e' && quantity.kind() != 's'))
+      return "";
+    const Scene &scene = run.model().scene();
+    const auto   probe =
+      std::find_if(scene.probes.begin(),
+                   scene.probes.end(),
+                   [&](const Probe &one) { return one.name == quantity.name; });
+    if (probe->box.norm() > 0.)
+      return "";
+    return lamella::reason_for_no_limit(probe->position,
+                                        probe->body,
+                                        run.model().structure().bodies(),
+                                        scene.supports,
+                                        scene.loads,
+                                        scene.contacts);
   }
 
 
@@ -65,8 +94,11 @@ namespace lamella
     GoalResult result = bare(number);
     result.estimate   = bar.estimate + of_contact;
     result.bar        = bar.bar + 2. * std::abs(of_contact);
-    result.trusted    = bar.trusted;
-    result.why        = bar.why;
+    if (result.has_limit)
+      {
+        result.trusted = bar.trusted;
+        result.why     = bar.why;
+      }
     return result;
   }
 
@@ -83,6 +115,12 @@ namespace lamella
     result.value = values.value(quantity);
     result.unit  = quantity.unit(run.model().scene().units);
     result.scale = scale_of(quantity);
+    if (const std::string reason = reason_for_no_limit(quantity);
+        !reason.empty())
+      {
+        result.has_limit = false;
+        result.why       = reason + ". Ask for it at some distance from there";
+      }
     if (!tolerances.empty())
       result.tolerance =
         tolerances.size() == 1 ? tolerances[0] : tolerances.at(number);

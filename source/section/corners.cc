@@ -5,9 +5,13 @@
 
 namespace lamella
 {
-  unsigned int
-  n_corners(const Section &section)
+  std::vector<dealii::Point<2>>
+  corners_of(const Section &section)
   {
-    return singular_corners(section.element().section_mesh()).size();
+    const SectionMesh            &mesh = section.element().section_mesh();
+    std::vector<dealii::Point<2>> corners;
+    for (const unsigned int vertex : singular_corners(mesh))
+      corners.push_back(mesh.mesh.get_vertices()[vertex]);
+    return corners;
   }
 } // namespace lamella

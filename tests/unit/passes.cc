@@ -146,6 +146,17 @@ BOOST_AUTO_TEST_CASE(a_number_without_limit_leaves_and_keeps_no_other)
   passes.add(pass_of({met, without_bar(1.4)}), {{Source::axis}});
   BOOST_TEST(passes.farewells().empty());
 
+  // Of some places it is known before: no pass has to show it.
+  GoalResult known = without_bar(1.);
+  known.has_limit  = false;
+  known.why        = "below a load";
+  Passes first;
+  first.add(pass_of({open, known}));
+  BOOST_REQUIRE(first.farewells().size() == 1u);
+  BOOST_TEST(first.farewells().front() ==
+             "no further pass is made for tip: uz: below a load");
+  BOOST_TEST(first.staying().size() == 1u);
+
   // What settles may have its bar yet.
   Passes settling;
   settling.add(pass_of({without_bar(1.)}));

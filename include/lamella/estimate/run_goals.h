@@ -48,6 +48,12 @@ namespace lamella
       return values;
     }
 
+    /// Why @p quantity, a strain or a stress of a probe, has no limit at its
+    /// place (lamella::reason_for_no_limit()); empty of all others, of a
+    /// measure that of its terms. The mean over a box has one.
+    std::string
+    reason_for_no_limit(const NamedQuantity &quantity) const;
+
     /// |value| of @p quantity, or where that is near zero the largest of its
     /// kind, of strains and stresses that in its material
     /// (ResultNumbers::largest_in_material()).
@@ -60,14 +66,16 @@ namespace lamella
     double
     rounding_of(const NamedQuantity &quantity) const;
 
-    /// The goal @p number with @p bar, to which the share @p of_contact of
+    /// The goal @p number with @p bar, which one without a limit is not held
+    /// to, and to which the share @p of_contact of
     /// penalties comes, twice and as it is signed.
     GoalResult
     with_bar(const unsigned int number,
              const ErrorBar    &bar,
              const double       of_contact = 0.) const;
 
-    /// Name, value, unit, scale and tolerance of the goal @p number, no bar.
+    /// Name, value, unit, scale and tolerance of the goal @p number, no bar,
+    /// and why there cannot be one if it has no limit.
     GoalResult
     bare(const unsigned int number) const;
 

@@ -62,6 +62,9 @@ namespace lamella
     /// Whether the bar can be held to; if not, why.
     bool        trusted = false;
     std::string why;
+    /// Whether richer models could come to one: not so of stresses at an edge
+    /// of a clamp, say (reason_for_no_limit()).
+    bool has_limit = true;
     /// What per cent are of: |value|, or where that is near zero the largest
     /// of its kind (RunGoals::scale_of()).
     double scale = 0.;

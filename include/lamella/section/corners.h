@@ -5,12 +5,14 @@
 
 #include <lamella/section/section.h>
 
+#include <vector>
+
 namespace lamella
 {
-  /// How many places @p section has at which stresses have no limit
+  /// The places of @p section (x, z) at which stresses have no limit
   /// (singular_corners()).
-  unsigned int
-  n_corners(const Section &section);
+  std::vector<dealii::Point<2>>
+  corners_of(const Section &section);
 } // namespace lamella
 
 #endif
