@@ -13,7 +13,7 @@ from measure_bars import bars, bars_richer
 from measure_corners import corners
 from measure_beyond import beyond
 from measure_fields import fields
-from measure_foreseen import foreseen
+from measure_foreseen import foreseen, plans
 from measure_rates import rates
 from measure_solids import calculix, hanging, million, solids
 from measure_leaves import leaves
@@ -334,7 +334,7 @@ def main():
                                       compact, flexure, three_plies, paper,
                                       growth_plies, growth_length, bars, bars_richer, corners,
                                       rates, tolerances, indentation, leaves, c3d20r, beyond,
-                                      foreseen)}
+                                      foreseen, plans)}
     unknown = [name for name in sys.argv[1:] if name not in tables]
     if unknown:
         sys.exit(f"no table {unknown[0]}; there are: {', '.join(tables)}")
@@ -342,7 +342,7 @@ def main():
     only_asked = ("parallel", "million", "fields", "aims", "hairs", "walls", "compact",
                   "flexure", "three_plies", "paper", "growth_plies", "growth_length", "bars",
                   "bars_richer", "corners", "tolerances", "indentation", "c3d20r", "beyond",
-                  "foreseen")
+                  "foreseen", "plans")
     for name in sys.argv[1:] or [name for name in tables if name not in only_asked]:
         print(f"## {name}: {tables[name].__doc__}\n")
         tables[name]()

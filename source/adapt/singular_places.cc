@@ -18,35 +18,6 @@ namespace lamella
 
   namespace
   {
-    double
-    distance_to_segment(const Point<3> &x,
-                        const Point<3> &begin,
-                        const Point<3> &end)
-    {
-      const Tensor<1, 3> along = end - begin;
-      const double       t =
-        std::clamp((x - begin) * along / along.norm_square(), 0., 1.);
-      return (x - begin - t * along).norm();
-    }
-
-
-
-    /// Whether @p region has points or lines at @p x, up to @p near.
-    bool
-    is_on_points(const Region &region, const Point<3> &x, const double near)
-    {
-      if (region.kind == Region::Kind::line)
-        return distance_to_segment(x, region.at[0], region.at[1]) < near;
-      return region.kind == Region::Kind::point &&
-             std::any_of(region.at.begin(),
-                         region.at.end(),
-                         [&](const Point<3> &point) {
-                           return x.distance(point) < near;
-                         });
-    }
-
-
-
     /// Of the scene's axes those along which some displacements are given.
     class HeldAxes
     {
@@ -266,7 +237,7 @@ namespace lamella
     const double near = arithmetic::as_written * bodies[body]->size();
     for (const Load &load : loads)
       for (const Region &region : load.on)
-        if (region.body == body && is_on_points(region, position, near))
+        if (region.body == body && region.has_point_at(position, near))
           return "below the load " + load.name +
                  ", at a point or along a line, stresses have no limit";
     if (is_at_clamp(position, body, bodies, supports))

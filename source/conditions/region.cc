@@ -5,6 +5,8 @@
 #include <lamella/body/surface_names.h>
 #include <lamella/conditions/region.h>
 
+#include <algorithm>
+
 namespace lamella
 {
   using namespace dealii;
@@ -21,6 +23,35 @@ namespace lamella
   Region::covers_end(const bool at_start) const
   {
     return covers(surface_names::of_end(at_start));
+  }
+
+
+
+  namespace
+  {
+    double
+    distance_to_segment(const Point<3> &x,
+                        const Point<3> &begin,
+                        const Point<3> &end)
+    {
+      const Tensor<1, 3> along = end - begin;
+      const double       t =
+        std::clamp((x - begin) * along / along.norm_square(), 0., 1.);
+      return (x - begin - t * along).norm();
+    }
+  } // namespace
+
+
+
+  bool
+  Region::has_point_at(const Point<3> &x, const double near) const
+  {
+    if (kind == Kind::line)
+      return distance_to_segment(x, at[0], at[1]) < near;
+    return kind == Kind::point &&
+           std::any_of(at.begin(), at.end(), [&](const Point<3> &point) {
+             return x.distance(point) < near;
+           });
   }
 
 

@@ -56,6 +56,8 @@ namespace lamella
     undeformed.decide(interface.discretisation,
                       interface.points_on_second ? PointsOn::second :
                                                    PointsOn::first);
+    if (contact.friction > 0.)
+      write_slips();
     if (contact.overclosure != Overclosure::adjust)
       return;
     find_points();
@@ -208,6 +210,36 @@ namespace lamella
         if (integrals[k].area > 0. && interface.second_body)
           row.parts.push_back(second[k]);
         set_tangent_plane(k, u, factor);
+      }
+    if (undeformed.contact().friction > 0.)
+      write_slips();
+  }
+
+
+
+  void
+  Contact::write_slips()
+  {
+    const auto parts = slip_rows();
+    for (unsigned int k = 0; k < interface.rows.size(); ++k)
+      {
+        GapRow &row         = interface.rows[k];
+        row.friction        = undeformed.contact().friction;
+        const auto tangents = tangents_of(interface.points[k].normal);
+        SymmetricTensor<2, 3> across;
+        for (const auto &[number, node] : integrals[k].carrying)
+          across += node.tangential;
+        row.slips.clear();
+        for (unsigned int a = 0; a < 2; ++a)
+          {
+            SlipRow slip;
+            slip.parts   = parts[k][a];
+            slip.tangent = tangents[a];
+            if (interface.obstacle != nullptr)
+              slip.rate =
+                tangents[a] * (across * interface.obstacle->displacement);
+            row.slips.push_back(slip);
+          }
       }
   }
 

@@ -260,6 +260,16 @@ namespace lamella
 
 
 
+  bool
+  GapRows::rub() const
+  {
+    return std::any_of(rows.begin(), rows.end(), [](const GapRow *const row) {
+      return row->friction > 0.;
+    });
+  }
+
+
+
   std::pair<unsigned int, unsigned int>
   GapRows::in_contact(const unsigned int row) const
   {
@@ -270,20 +280,9 @@ namespace lamella
 
 
 
-  ArrayView<const double>
-  GapRows::of_contact(const unsigned int         contact,
-                      const std::vector<double> &values) const
-  {
-    AssertDimension(values.size(), size());
-    return {values.data() + firsts[contact],
-            firsts[contact + 1] - firsts[contact]};
-  }
-
-
-
   std::vector<unsigned int>
-  GapRows::of_contact(const unsigned int               contact,
-                      const std::vector<unsigned int> &some) const
+  GapRows::among_contact(const unsigned int               contact,
+                         const std::vector<unsigned int> &some) const
   {
     std::vector<unsigned int> result;
     for (const unsigned int row : some)

@@ -93,11 +93,13 @@ namespace lamella
                       patterns::positive(),
                       "How far sideways facing nodes may be off, over the root "
                       "of the tributary area.");
-    prm.declare_entry("Friction",
-                      "none",
-                      patterns::WordOr("none",
-                                       patterns::optional(patterns::number())),
-                      "Not modelled: none, or 0.");
+    prm.declare_entry(
+      "Friction",
+      "none",
+      patterns::WordOr("none", patterns::optional(patterns::number())),
+      "Coulomb's coefficient mu: shear tractions are at most mu "
+      "times the pressure, and that where it slips; none: no "
+      "friction.");
   }
 
 
@@ -180,13 +182,21 @@ namespace lamella
 
 
 
-    void
-    check_no_friction(const Entry &friction)
+    /// Zero for none.
+    double
+    parse_friction(const Entry &friction)
     {
-      if (friction.text() != "none" && !friction.is_empty() &&
-          friction.number() != 0.)
-        friction.refuse("friction is not modelled",
-                        "Contacts are frictionless; leave the entry out.");
+      // Rubber on rubber has 1 to 2; above that something else was meant.
+      constexpr double most = 10.;
+      if (friction.text() == "none" || friction.is_empty())
+        return 0.;
+      const double mu = friction.number();
+      if (!(mu >= 0. && mu <= most))
+        friction.refuse(
+          "a coefficient of friction lies between 0 and 10",
+          "Write the ratio of shear to pressure at which it slips, "
+          "as 0.3, or none.");
+      return mu;
     }
 
 
@@ -238,7 +248,6 @@ namespace lamella
     ContactPair contact;
     contact.name = name;
     parse_sides(in, bodies, obstacles, contact);
-    check_no_friction(in["Friction"]);
     contact.discretisation = in["Discretisation"].choice<Discretisation>();
     contact.enforcement    = in["Enforcement"].choice<Enforcement>();
     contact.points_on      = in["Points on"].choice<PointsOn>();
@@ -248,6 +257,7 @@ namespace lamella
     contact.search_distance = parse_search_distance(in["Search distance"]);
     contact.penalty         = parse_penalty(in);
     contact.tolerance       = parse_tolerance(in["Tolerance"]);
+    contact.friction        = parse_friction(in["Friction"]);
     return contact;
   }
 

@@ -121,9 +121,10 @@ namespace lamella
                    points_on,
                    penalty,
                    tolerance,
-                   search_distance] = contact;
-      const auto &[kind, value]     = penalty;
-      std::string words             = name;
+                   search_distance,
+                   friction]    = contact;
+      const auto &[kind, value] = penalty;
+      std::string words         = name;
       for (const auto choice : {static_cast<unsigned int>(discretisation),
                                 static_cast<unsigned int>(enforcement),
                                 static_cast<unsigned int>(overclosure),
@@ -131,6 +132,7 @@ namespace lamella
                                 static_cast<unsigned int>(kind)})
         words += " " + words_of(choice);
       return words + words_of(value) + words_of(tolerance) +
+             words_of(friction) +
              (search_distance ? words_of(*search_distance) : "");
     }
 

@@ -17,6 +17,11 @@ namespace lamella
       return "the scene has neither Quantities in Goals nor probes";
     if (goals.bars == ErrorBars::never)
       return "Error bars = false, in Goals";
+    for (const ContactPair &contact : run.model().scene().contacts)
+      if (contact.friction > 0.)
+        return "contact " + contact.name +
+               " has friction: a bar would have to know what the mesh did to the "
+               "steps before";
     return "";
   }
 

@@ -129,6 +129,12 @@ namespace lamella
           << to_text(kkt.law_error, 2) << length << ", smallest force "
           << to_text(kkt.min_force, 4) << force << ", force times open gap "
           << to_text(kkt.complementarity, 2) << work << "\n";
+      if (contact.friction > 0.)
+        out << "    friction " << to_text(contact.friction) << ": "
+            << to_text(kkt.shear) << force << " of it, an area of "
+            << to_text(kkt.sticking, 3) << " sticks and "
+            << to_text(kkt.slipping, 3) << " slips, dissipated so far "
+            << to_text(kkt.dissipated, 4) << work << "\n";
     }
 
 

@@ -43,7 +43,10 @@ namespace boost
       for (unsigned int b = 0; b < sizes.size(); ++b)
         archive &state.u.block(b);
       archive &state.force &state.active &state.rest &state.iterations &state
-        .free_corrections &state.contact_corrections;
+        .free_corrections    &state.contact_corrections;
+      lamella::FrictionState &friction = state.friction;
+      archive &friction.shear &friction.direction &friction.before &friction
+        .length &friction.dissipated;
     }
 
 

@@ -55,6 +55,12 @@ namespace lamella
                 {"law_error", kkt.law_error},
                 {"initial_gap_min", contact.initial_gap_min},
                 {"initial_gap_max", contact.initial_gap_max}};
+      if (contact.friction > 0.)
+        json["friction"] = {{"coefficient", contact.friction},
+                            {"force", to_json(kkt.shear)},
+                            {"sticking_area", kkt.sticking},
+                            {"slipping_area", kkt.slipping},
+                            {"dissipated", kkt.dissipated}};
       // A step that another run solved has no points.
       if (const auto &points = results.steps.back().contacts; k < points.size())
         {

@@ -85,7 +85,16 @@ namespace lamella
                                      row.force,
                                      row.force / at.area})
             text += "," + csv(value);
-          text += row.touches() ? ",1\n" : ",0\n";
+          text += row.touches() ? ",1" : ",0";
+          if (row.friction)
+            text += std::string(",") +
+                    (!row.touches()      ? "open" :
+                     row.friction->slips ? "slip" :
+                                           "stick") +
+                    components(row.friction->shear) + "," +
+                    csv(row.friction->length) + "," +
+                    csv(row.friction->dissipated / at.area);
+          text += "\n";
         }
       return text;
     }
@@ -111,7 +120,11 @@ namespace lamella
     for (const ContactFacts &contact : results.contacts)
       headers["contact_" + contact.name + ".csv"] =
         "step,x,y,z,x2,y2,z2,nx,ny,nz,area,initial_gap,gap,force,pressure,"
-        "active\n";
+        "active" +
+        std::string(contact.friction > 0. ?
+                      ",state,shear_x,shear_y,shear_z,slid,dissipated" :
+                      "") +
+        "\n";
     if (!results.steps.empty() && !results.last().plies.empty())
       {
         headers["plies.csv"]       = plies_header();

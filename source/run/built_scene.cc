@@ -55,6 +55,7 @@ namespace lamella
               contact.unpaired_second,
               least->initial_gap,
               greatest->initial_gap,
+              least->friction,
               contact.surface};
     }
   } // namespace

@@ -54,17 +54,22 @@ namespace lamella
     for (unsigned int c = 0; c < built.interfaces().size(); ++c)
       {
         const ContactInterface &contact = built.interfaces()[c];
-        const auto              force   = all.of_contact(c, solved.state.force);
-        auto                   &rows    = results.contacts.emplace_back();
-        auto                   &change  = results.changes.emplace_back();
+        const RowForces         forces(all, c, solved.state);
+        auto                   &rows   = results.contacts.emplace_back();
+        auto                   &change = results.changes.emplace_back();
         for (unsigned int k = 0; k < contact.rows.size(); ++k)
           {
             rows.push_back(
               {contact.points[k],
                contact.rows[k].initial_gap,
                contact.rows[k].gap(solved.state.u, solved.load_factor),
-               force[k],
+               forces.normal[k],
                solved.checks.contacts[c].of_rows[k]});
+            if (contact.rows[k].friction > 0.)
+              rows.back().friction = {forces.shear[k],
+                                      forces.slips(k),
+                                      forces.length[k],
+                                      forces.dissipated[k]};
             const bool touched = !previous.force.empty() &&
                                  all.of_contact(c, previous.force)[k] > 0.;
             change.closed += rows.back().touches() && !touched;
@@ -139,11 +144,12 @@ namespace lamella
     if (scene.solve.is_judged)
       add(built.plausibility().doubts(solved.state.u));
     for (unsigned int k = 0; k < contacts.size(); ++k)
-      add(broken_assumptions(contacts[k],
-                             structure.bodies(),
-                             solved.state.u,
-                             solved.load_factor,
-                             built.rows().of_contact(k, solved.state.active)));
+      add(
+        broken_assumptions(contacts[k],
+                           structure.bodies(),
+                           solved.state.u,
+                           solved.load_factor,
+                           built.rows().among_contact(k, solved.state.active)));
     add(warnings_of_holds(solved.checks));
     return warnings;
   }

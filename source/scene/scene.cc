@@ -254,6 +254,34 @@ namespace lamella
 
 
 
+    /// What friction is not made for: a matrix that is not symmetric, models
+    /// that are compared without the path that led to them, and branches of it.
+    void
+    check_friction(const Scene &scene, const Entries &in)
+    {
+      for (const ContactPair &contact : scene.contacts)
+        {
+          if (contact.friction == 0.)
+            continue;
+          const std::string rule = "contact " + contact.name + " has friction";
+          if (scene.solve.strategy == Strategy::full)
+            in["Contact strategy"].refuse(
+              rule, "Take condensed, or Friction = none.");
+          if (scene.find_first_failure)
+            in["Find"].refuse(
+              rule + ", and what a load does depends on those before it",
+              "Leave Find out, and give the Load factors of the path.");
+          if (!scene.goals.tolerances.empty())
+            throw InputError("Goals/Tolerance",
+                             "",
+                             rule + ", and a run to a tolerance knows no load "
+                                    "path",
+                             "Leave Tolerance out.");
+        }
+    }
+
+
+
     /// The second pass, over what @p prm has parsed.
     Scene
     resolve(ParameterHandler &prm,
@@ -276,6 +304,7 @@ namespace lamella
         finds_first_failure(in["Find"], scene.strength);
       check_sizes(scene);
       check_equilibrium(scene, in["Gravity"]);
+      check_friction(scene, in);
       return scene;
     }
   } // namespace

@@ -40,11 +40,11 @@ namespace lamella
     public:
       BucklingModes(const Structure                                 &structure,
                     ContactSolver                                   &solver,
-                    const std::vector<unsigned int>                 &active,
+                    const ClosedRows                                &closed,
                     const std::vector<std::unique_ptr<SecondOrder>> &bodies)
         : structure(structure)
         , solver(solver)
-        , active(active)
+        , closed(closed)
         , bodies(bodies)
       {}
 
@@ -75,7 +75,7 @@ namespace lamella
 
       const Structure                                 &structure;
       ContactSolver                                   &solver;
-      const std::vector<unsigned int>                 &active;
+      const ClosedRows                                 closed;
       const std::vector<std::unique_ptr<SecondOrder>> &bodies;
       /// Of unit energy q . K q and orthogonal, and K times them.
       std::vector<BlockVector> q, Kq;
@@ -89,8 +89,8 @@ namespace lamella
     BucklingModes::solve(const BlockVector &load)
     {
       BlockVector du;
-      Vector      gaps(active.size()), forces;
-      solver.solve_linear(active, load, gaps, du, forces);
+      Vector      gaps(closed.numbers.size()), forces;
+      solver.solve_linear(closed, load, gaps, du, forces);
       return du;
     }
 
@@ -237,8 +237,9 @@ namespace lamella
       BlockVector load = structure.zero(), v;
       for (unsigned int b = 0; b < bodies.size(); ++b)
         bodies[b]->add_load(load.block(b));
-      Vector gaps(state.active.size()), forces;
-      solver.solve_linear(state.active, load, gaps, v, forces);
+      const ClosedRows held = solver.held_rows(state);
+      Vector           gaps(held.numbers.size()), forces;
+      solver.solve_linear(held, load, gaps, v, forces);
 
       std::vector<double> stretched;
       double              all = 0.;
@@ -307,7 +308,7 @@ namespace lamella
     // What is stretched that far buckles otherwise, if at all.
     if (found.stiffening > most_stiffening)
       return found;
-    BucklingModes modes(structure, solver, state.active, bodies);
+    BucklingModes modes(structure, solver, solver.held_rows(state), bodies);
     if (const auto buckling = modes.largest(worth_solving))
       {
         const auto &[mu, mode] = *buckling;

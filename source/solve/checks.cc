@@ -261,9 +261,12 @@ namespace lamella
       const GapRows rows(contacts);
       for (unsigned int c = 0; c < contacts.size(); ++c)
         {
-          const auto force = rows.of_contact(c, state.force);
+          const RowForces forces(rows, c, state);
           for (unsigned int k = 0; k < contacts[c].rows.size(); ++k)
-            contacts[c].rows[k].add_to(load, force[k]);
+            add_force(contacts[c].rows[k],
+                      forces.normal[k],
+                      forces.shear_of(k),
+                      load);
         }
       return load;
     }
@@ -285,7 +288,7 @@ namespace lamella
       const GapRows rows(contacts);
       for (unsigned int c = 0; c < contacts.size(); ++c)
         checks.contacts.push_back(check_contact(contacts[c],
-                                                rows.of_contact(c, state.force),
+                                                RowForces(rows, c, state),
                                                 state.u,
                                                 factor,
                                                 checks.max_displacement,

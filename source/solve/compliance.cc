@@ -8,7 +8,7 @@ namespace lamella
                          const GapRows       &rows)
     : structure(linearisation.of())
     , rows(rows)
-    , place(rows.size(), dealii::numbers::invalid_unsigned_int)
+    , place(rows.end_of_slips(), dealii::numbers::invalid_unsigned_int)
   {
     for (unsigned int b = 0; b < structure.bodies().size(); ++b)
       bodies.push_back({linearisation.solver(b).solved_rows(), {}});
@@ -36,7 +36,7 @@ namespace lamella
         const unsigned int first = bodies[b].solved->size();
         std::vector<Row>   reduced;
         for (const unsigned int r : fresh)
-          for (const BodyRow &part : rows[r].parts)
+          for (const BodyRow &part : rows.pair_row(r).parts)
             if (part.body == b)
               {
                 reduced.push_back(

@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <lamella/base/exceptions.h>
+#include <lamella/base/text.h>
+#include <lamella/linear/dense_lu.h>
 #include <lamella/solve/complementarity.h>
 #include <lamella/solve/condensed_strategy.h>
 
@@ -8,6 +11,8 @@
 
 namespace lamella
 {
+  using dealii::Tensor;
+
   namespace
   {
     // Of the row's compliance, and of 1/penalty for a row between points that
@@ -18,6 +23,28 @@ namespace lamella
     // Rows that may idle beside active ones, and how many of these: below that
     // they cost next to nothing.
     constexpr std::size_t few_rows = 64, idle_for_each = 3;
+
+
+
+    /// Throws NumericsError if @p found misses the law of friction, or obeys it
+    /// in a state that no load path leads to.
+    void
+    require_law(const CoulombSolution &found)
+    {
+      // Of the problem's scale: forces that are no better are none.
+      constexpr double  sound = 1e-6;
+      const std::string remedy =
+        ". Try more Substeps, a smaller step in Load factors, or a softer "
+        "penalty.";
+      if (!(found.error <= sound))
+        throw NumericsError(
+          "The contact did not settle with friction: the law is missed by " +
+          to_text(found.error, 2) + " of its size" + remedy);
+      if (found.stability < 0)
+        throw NumericsError("With friction the contact found an answer that is "
+                            "unstable: bodies that press with their ends jam" +
+                            remedy);
+    }
 
 
 
@@ -39,49 +66,122 @@ namespace lamella
 
 
   double
-  CondensedStrategy::softness(const unsigned int row) const
+  CondensedStrategy::softness(const unsigned int number) const
   {
-    const double given = numerical_softness(rows[row]),
-                 least = std::max(smallest_softness * compliance.diagonal(row),
-                                  smallest_of_given * given);
-    return rows[row].enforcement == Enforcement::exact ? least :
-                                                         std::max(given, least);
+    const GapRow &row   = rows[rows.row_of(number)];
+    const double  given = numerical_softness(row),
+                 least =
+                   std::max(smallest_softness * compliance.diagonal(number),
+                            smallest_of_given * given);
+    return row.enforcement == Enforcement::exact ? least :
+                                                   std::max(given, least);
+  }
+
+
+
+  std::vector<unsigned int>
+  CondensedStrategy::with_slips(const std::vector<unsigned int> &part) const
+  {
+    std::vector<unsigned int> numbers;
+    for (const unsigned int r : part)
+      {
+        numbers.push_back(r);
+        for (unsigned int a = 0; a < rows[r].slips.size(); ++a)
+          numbers.push_back(rows.slip(r, a));
+      }
+    return numbers;
+  }
+
+
+
+  std::vector<double>
+  CondensedStrategy::system_of(const ClosedRows &closed)
+  {
+    const std::vector<unsigned int> &numbers = closed.numbers;
+    const std::size_t                n       = numbers.size();
+    std::vector<unsigned int>        all     = numbers;
+    for (const auto &[row, along] : closed.sliding)
+      for (unsigned int a = 0; a < 2; ++a)
+        all.push_back(rows.slip(row, a));
+    compliance.include(all);
+    const std::vector<double> C = compliance.among(all);
+    std::vector<double>       system(n * n);
+    for (std::size_t j = 0; j < n; ++j)
+      std::copy_n(C.begin() + j * all.size(), n, system.begin() + j * n);
+    for (std::size_t s = 0; s < closed.sliding.size(); ++s)
+      {
+        const auto &[row, along] = closed.sliding[s];
+        const std::size_t j =
+          std::find(numbers.begin(), numbers.end(), row) - numbers.begin();
+        for (unsigned int a = 0; a < 2; ++a)
+          for (std::size_t i = 0; i < n; ++i)
+            system[j * n + i] += along[a] * C[(n + 2 * s + a) * all.size() + i];
+      }
+    for (std::size_t i = 0; i < n; ++i)
+      system[i * n + i] += softness(numbers[i]);
+    return system;
   }
 
 
 
   void
-  CondensedStrategy::solve(const std::vector<unsigned int> &active,
-                           const BlockVector               &r_u,
-                           const Vector                    &r_lambda,
-                           BlockVector                     &du,
-                           Vector                          &dlambda)
+  CondensedStrategy::solve_closed(const ClosedRows    &closed,
+                                  std::vector<double> &lambda)
   {
-    du = linearisation.solve(r_u);
-    dlambda.reinit(active.size());
-    if (active.empty())
-      return;
-
-    const std::size_t n = active.size();
-    compliance.include(active);
-    std::vector<double> d;
-    for (const unsigned int r : active)
-      d.push_back(softness(r));
-    if (!factor || factorised_for != active || factorised_with != d)
+    const std::size_t n = closed.numbers.size();
+    if (!closed.sliding.empty())
       {
-        std::vector<double> system = compliance.among(active);
-        for (std::size_t i = 0; i < n; ++i)
-          system[i * n + i] += d[i];
-        factor.emplace(std::move(system), n, "The compliance of contact");
-        factorised_for  = active;
+        const DenseLU sliding(system_of(closed), n);
+        if (sliding.is_singular())
+          throw NumericsError(
+            "The equations of rows that slip are singular to rounding.");
+        return sliding.solve(lambda);
+      }
+    compliance.include(closed.numbers);
+    std::vector<double> d;
+    for (const unsigned int number : closed.numbers)
+      d.push_back(softness(number));
+    if (!factor || factorised_for != closed.numbers || factorised_with != d)
+      {
+        factor.emplace(system_of(closed), n, "The compliance of contact");
+        factorised_for  = closed.numbers;
         factorised_with = d;
       }
-    std::vector<double> lambda(n);
-    for (std::size_t i = 0; i < n; ++i)
-      lambda[i] = r_lambda[i] - rows[active[i]].opening(du);
     factor->solve(lambda);
+  }
+
+
+
+  void
+  CondensedStrategy::solve(const ClosedRows  &closed,
+                           const BlockVector &r_u,
+                           const Vector      &r_lambda,
+                           BlockVector       &du,
+                           Vector            &dlambda)
+  {
+    const std::vector<unsigned int> &numbers = closed.numbers;
+    du                                       = linearisation.solve(r_u);
+    dlambda.reinit(numbers.size());
+    if (numbers.empty())
+      return;
+
+    std::vector<double> lambda(numbers.size());
+    for (std::size_t i = 0; i < numbers.size(); ++i)
+      lambda[i] = r_lambda[i] - rows.pair_row(numbers[i]).opening(du);
+    solve_closed(closed, lambda);
     std::copy(lambda.begin(), lambda.end(), dlambda.begin());
-    du += compliance.displacement(active, lambda);
+    std::vector<unsigned int> of = numbers;
+    for (const auto &[row, along] : closed.sliding)
+      {
+        const std::size_t k =
+          std::find(numbers.begin(), numbers.end(), row) - numbers.begin();
+        for (unsigned int a = 0; a < 2; ++a)
+          {
+            of.push_back(rows.slip(row, a));
+            lambda.push_back(along[a] * dlambda[k]);
+          }
+      }
+    du += compliance.displacement(of, lambda);
   }
 
 
@@ -91,6 +191,8 @@ namespace lamella
                                 const std::vector<unsigned int> &part,
                                 ContactSolution                 &solution)
   {
+    if (!problem.slip.empty())
+      return solve_with_friction(problem, part, solution);
     // s = g_state + C (lambda - lambda_state) + a lambda +
     //     (d - a) (lambda - lambda_bar).
     const std::size_t      n = part.size();
@@ -122,6 +224,82 @@ namespace lamella
           solution.active.push_back(part[i]);
       }
     solution.du = compliance.displacement(part, change);
+  }
+
+
+
+  CoulombProblem
+  CondensedStrategy::coulomb_problem(const ContactProblem            &problem,
+                                     const std::vector<unsigned int> &part,
+                                     const std::vector<double> &forces) const
+  {
+    // v = [g_state; s_state - s_0] + C (lambda - lambda_state) + a lambda.
+    CoulombProblem                  small;
+    PointCompliance                &W       = small.compliance;
+    const std::vector<unsigned int> numbers = with_slips(part);
+    for (const unsigned int r : part)
+      {
+        W.first.push_back(W.first.back() + 1 + rows[r].slips.size());
+        small.friction.push_back(rows[r].friction);
+      }
+    W.matrix    = compliance.among(numbers);
+    small.about = W.by_points(forces);
+    for (std::size_t i = 0; i < part.size(); ++i)
+      {
+        const double a = law_softness(rows[part[i]]);
+        small.q.push_back(a * small.about[i]);
+        small.q[i][0] += problem.gap[part[i]];
+        for (unsigned int t = 0; t < rows[part[i]].slips.size(); ++t)
+          small.q[i][1 + t] += problem.slip[part[i]][t];
+        for (unsigned int k = W.first[i]; k < W.first[i + 1]; ++k)
+          W(k, k) += a;
+      }
+    return small;
+  }
+
+
+
+  void
+  CondensedStrategy::solve_with_friction(const ContactProblem &problem,
+                                         const std::vector<unsigned int> &part,
+                                         ContactSolution &solution)
+  {
+    std::vector<double> before;
+    PointVectors        start;
+    for (const unsigned int r : part)
+      {
+        before.push_back(problem.force[r]);
+        for (unsigned int a = 0; a < rows[r].slips.size(); ++a)
+          before.push_back(problem.shear[r][a]);
+        start.push_back(problem.first_forces[r]);
+      }
+    const CoulombProblem  small = coulomb_problem(problem, part, before);
+    const CoulombSolution found = solve_coulomb(small, start);
+    require_law(found);
+
+    solution.active.clear();
+    solution.direction.assign(rows.size(), {});
+    for (std::size_t i = 0; i < part.size(); ++i)
+      {
+        const unsigned int  r     = part[i];
+        const Tensor<1, 3> &force = found.force[i];
+        solution.force[r]         = std::max(0., force[0]);
+        const bool is_closed      = found.states[i] != PointState::open;
+        solution.shear[r]         = {};
+        for (unsigned int a = 0; a < rows[r].slips.size() && is_closed; ++a)
+          solution.shear[r][a] = force[1 + a];
+        if (!is_closed)
+          solution.force[r] = 0.;
+        else
+          solution.active.push_back(r);
+        if (found.states[i] == PointState::slip &&
+            solution.shear[r].norm() > 0.)
+          solution.direction[r] = solution.shear[r] / solution.shear[r].norm();
+      }
+    std::vector<double> change = small.compliance.by_rows(found.force);
+    for (std::size_t k = 0; k < change.size(); ++k)
+      change[k] -= before[k];
+    solution.du = compliance.displacement(with_slips(part), change);
   }
 
 
@@ -205,7 +383,8 @@ namespace lamella
   {
     std::set<unsigned int> part(problem.start.begin(), problem.start.end());
     for (unsigned int r = 0; r < rows.size(); ++r)
-      if (problem.force[r] != 0. || problem.estimate[r] != 0.)
+      if (problem.force[r] != 0. || problem.estimate[r] != 0. ||
+          (!problem.first_forces.empty() && problem.first_forces[r][0] != 0.))
         part.insert(r);
     if (part.empty() && rows_below(-problem.closed, {}, problem.gap).empty())
       return {};
@@ -228,6 +407,7 @@ namespace lamella
     solution.du     = linearisation.of().zero();
     solution.force  = problem.force;
     solution.active = problem.start;
+    solution.shear  = problem.shear;
 
     std::vector<unsigned int> part = first_part(problem);
     Violations joining = rows_below(-problem.closed, part, problem.gap);
@@ -242,7 +422,7 @@ namespace lamella
         for (const auto &[violation, r] : joining)
           for (std::vector<unsigned int> *set : {&part, &solution.active})
             set->insert(std::upper_bound(set->begin(), set->end(), r), r);
-        compliance.include(part);
+        compliance.include(with_slips(part));
         solve_part(problem, part, solution);
 
         std::vector<double> g = problem.gap;

@@ -60,8 +60,14 @@ namespace lamella
                                const double factor,
                                const State &previous)
   {
-    State                     state   = free;
-    ContactProblem            problem = first_problem(free, factor, previous);
+    State state = free;
+    if (rows.rub())
+      {
+        state.friction = FrictionState::at_rest(rows.size());
+        if (!previous.friction.empty())
+          state.friction.before = previous.friction.before;
+      }
+    ContactProblem            problem = first_problem(state, factor, previous);
     double                    before  = std::numeric_limits<double>::max();
     std::vector<unsigned int> last;
     while (true)
@@ -84,7 +90,8 @@ namespace lamella
                 stands_by_forces(state, settled, factor))
           return state;
         check_iterations(state.iterations,
-                         united(missed.opening, missed.closing));
+                         united(united(missed.opening, missed.closing),
+                                missed.rubbing));
         if (slow)
           strategy->stiffen();
         before  = missed.gap;
@@ -101,7 +108,8 @@ namespace lamella
                                const State &previous) const
   {
     // Rows that would be open without any contact start open: in unloading they
-    // pull, and pull others in.
+    // pull, and pull others in. With friction they may be jammed, and keep
+    // their forces as a start.
     ContactProblem problem = problem_about(free, factor);
     problem.start.clear();
     for (const unsigned int r : previous.active)
@@ -110,7 +118,24 @@ namespace lamella
           problem.start.push_back(r);
           problem.estimate[r] = previous.force[r];
         }
+    if (!previous.friction.empty())
+      problem.first_forces = forces_by_rows(previous);
     return problem;
+  }
+
+
+
+  std::vector<Tensor<1, 3>>
+  ContactSolver::forces_by_rows(const State &state) const
+  {
+    std::vector<Tensor<1, 3>> forces(rows.size());
+    for (unsigned int r = 0; r < rows.size(); ++r)
+      {
+        const Tensor<1, 2> shear =
+          along_tangents(rows[r], state.friction.shear[r]);
+        forces[r] = Tensor<1, 3>({state.force[r], shear[0], shear[1]});
+      }
+    return forces;
   }
 
 
@@ -118,22 +143,79 @@ namespace lamella
   ContactProblem
   ContactSolver::problem_about(const State &state, const double factor) const
   {
-    return {gaps(state.u, factor),
-            state.force,
-            state.force,
-            state.active,
-            parameters.rounding * size_of(state, factor)};
+    ContactProblem problem;
+    problem.gap      = gaps(state.u, factor);
+    problem.force    = state.force;
+    problem.estimate = state.force;
+    problem.start    = state.active;
+    problem.closed   = parameters.rounding * size_of(state, factor);
+    if (state.friction.empty())
+      return problem;
+    problem.first_forces = forces_by_rows(state);
+    for (unsigned int r = 0; r < rows.size(); ++r)
+      {
+        problem.shear.push_back(
+          along_tangents(rows[r], state.friction.shear[r]));
+        problem.slip.push_back(
+          slip_of(rows[r], state.u, factor) -
+          along_tangents(rows[r], state.friction.before[r]));
+      }
+    return problem;
   }
 
 
 
   State
-  ContactSolver::with(State state, const ContactSolution &found)
+  ContactSolver::with(State state, const ContactSolution &found) const
   {
     state.u += found.du;
     state.force  = found.force;
     state.active = found.active;
+    if (!state.friction.empty())
+      for (unsigned int r = 0; r < rows.size(); ++r)
+        {
+          state.friction.shear[r]     = in_scene(rows[r], found.shear[r]);
+          state.friction.direction[r] = found.direction.empty() ?
+                                          Tensor<1, 3>() :
+                                          in_scene(rows[r], found.direction[r]);
+        }
     return state;
+  }
+
+
+
+  Tensor<1, 2>
+  ContactSolver::slip_in_step(const State       &state,
+                              const double       factor,
+                              const unsigned int r) const
+  {
+    return slip_of(rows[r], state.u, factor) +
+           along_tangents(rows[r],
+                          law_softness(rows[r]) * state.friction.shear[r] -
+                            state.friction.before[r]);
+  }
+
+
+
+  void
+  ContactSolver::add_misses_of_friction(const State       &state,
+                                        const double       factor,
+                                        const unsigned int r,
+                                        const double       closed,
+                                        const double       small,
+                                        Misses            &found) const
+  {
+    const Tensor<1, 2> v     = slip_in_step(state, factor, r),
+                       shear = along_tangents(rows[r], state.friction.shear[r]),
+                       e = along_tangents(rows[r], state.friction.direction[r]);
+    const bool sticks    = e.norm() == 0.;
+    if (sticks)
+      found.gap = std::max(found.gap, v.norm());
+    const bool is_wrong =
+      sticks ? shear.norm() > rows[r].friction * state.force[r] + small :
+               (v + v.norm() * e).norm() > closed;
+    if (is_wrong)
+      found.rubbing.push_back(r);
   }
 
 
@@ -143,15 +225,28 @@ namespace lamella
                         const double factor,
                         const double closed) const
   {
-    const std::vector<double> g = gaps(state.u, factor);
-    Misses                    found;
+    const std::vector<double> g       = gaps(state.u, factor);
+    double                    largest = 0.;
+    for (const double lambda : state.force)
+      largest = std::max(largest, std::abs(lambda));
+    Misses found;
     for (const unsigned int r : state.active)
-      if (state.force[r] < 0.)
-        found.opening.push_back(r);
-      else
-        found.gap =
-          std::max(found.gap,
-                   std::abs(g[r] + law_softness(rows[r]) * state.force[r]));
+      {
+        if (state.force[r] < 0.)
+          found.opening.push_back(r);
+        else
+          found.gap =
+            std::max(found.gap,
+                     std::abs(g[r] + law_softness(rows[r]) * state.force[r]));
+        if (!rows[r].slips.empty())
+          add_misses_of_friction(
+            state,
+            factor,
+            r,
+            std::max(closed, parameters.good_enough * size_of(state, factor)),
+            parameters.good_enough * largest,
+            found);
+      }
     for (unsigned int r = 0; r < rows.size(); ++r)
       if (g[r] < -closed &&
           !std::binary_search(state.active.begin(), state.active.end(), r))
@@ -191,7 +286,7 @@ namespace lamella
                                   const State &settled,
                                   const double factor)
   {
-    if (!strategy->forces_stand_alone())
+    if (!strategy->forces_stand_alone() || !state.friction.empty())
       return false;
     const double good_enough = parameters.good_enough * size_of(state, factor);
     state                    = settled;
@@ -207,6 +302,8 @@ namespace lamella
   bool
   ContactSolver::correct_set(State &state, const double factor)
   {
+    if (!state.friction.empty())
+      return false;
     State at = state;
     for (unsigned int round = 0; round < parameters.max_set_corrections;
          ++round)
@@ -233,6 +330,36 @@ namespace lamella
         at.contact_corrections = refine(at, factor, 1);
       }
     return false;
+  }
+
+
+
+  void
+  ContactSolver::end_step(const State &before,
+                          const double factor,
+                          State       &state) const
+  {
+    if (state.friction.empty())
+      return;
+    FrictionState       &now  = state.friction;
+    const FrictionState &then = before.friction;
+    for (unsigned int r = 0; r < rows.size(); ++r)
+      {
+        const double slid = slip_in_step(state, factor, r).norm(),
+                     pressed =
+                       0.5 * (state.force[r] +
+                              (before.force.empty() ? 0. : before.force[r]));
+        const bool slips  = now.direction[r].norm() > 0.;
+        now.length[r]     = then.empty() ? 0. : then.length[r];
+        now.dissipated[r] = then.empty() ? 0. : then.dissipated[r];
+        if (slips)
+          {
+            now.length[r] += slid;
+            now.dissipated[r] += rows[r].friction * pressed * slid;
+          }
+        now.before[r] = in_scene(rows[r], slip_of(rows[r], state.u, factor)) +
+                        law_softness(rows[r]) * now.shear[r];
+      }
   }
 
 
@@ -351,24 +478,95 @@ namespace lamella
 
 
 
+  ClosedRows
+  ContactSolver::closed_rows(const State &state) const
+  {
+    ClosedRows closed(state.active);
+    for (const unsigned int r : state.active)
+      if (!rows[r].slips.empty())
+        {
+          const Tensor<1, 2> e =
+            along_tangents(rows[r], state.friction.direction[r]);
+          if (e.norm() > 0.)
+            closed.sliding.emplace_back(r, rows[r].friction * e);
+          else
+            for (unsigned int a = 0; a < 2; ++a)
+              closed.numbers.push_back(rows.slip(r, a));
+        }
+    return closed;
+  }
+
+
+
+  ClosedRows
+  ContactSolver::held_rows(const State &state) const
+  {
+    ClosedRows held(state.active);
+    for (const unsigned int r : state.active)
+      for (unsigned int a = 0; a < rows[r].slips.size(); ++a)
+        held.numbers.push_back(rows.slip(r, a));
+    return held;
+  }
+
+
+
+  Vector
+  ContactSolver::law_residual(const State      &state,
+                              const double      factor,
+                              const ClosedRows &closed) const
+  {
+    Vector residual(closed.numbers.size());
+    for (unsigned int i = 0; i < residual.size(); ++i)
+      {
+        const unsigned int number = closed.numbers[i], r = rows.row_of(number);
+        residual[i] =
+          number == r ?
+            -(rows[r].gap(state.u, factor) +
+              law_softness(rows[r]) * state.force[r]) :
+            -slip_in_step(state, factor, r)[number - rows.slip(r, 0)];
+      }
+    return residual;
+  }
+
+
+
+  void
+  ContactSolver::add_forces(const ClosedRows &closed,
+                            const Vector     &dlambda,
+                            State            &state) const
+  {
+    for (unsigned int i = 0; i < closed.numbers.size(); ++i)
+      {
+        const unsigned int number = closed.numbers[i], r = rows.row_of(number);
+        if (number == r)
+          state.force[r] += dlambda[i];
+        else
+          state.friction.shear[r] +=
+            dlambda[i] * rows[r].slips[number - rows.slip(r, 0)].tangent;
+      }
+    for (const auto &[r, along] : closed.sliding)
+      state.friction.shear[r] = in_scene(rows[r], state.force[r] * along);
+  }
+
+
+
   double
   ContactSolver::correct(State &state, const double factor)
   {
     BlockVector r_u = structure.residual(state.u, factor, state.rest);
-    Vector      r_lambda(state.active.size());
-    for (unsigned int i = 0; i < state.active.size(); ++i)
-      {
-        const GapRow &row    = rows[state.active[i]];
-        const double  lambda = state.force[state.active[i]];
-        row.add_to(r_u, lambda);
-        r_lambda[i] = -(row.gap(state.u, factor) + law_softness(row) * lambda);
-      }
-    BlockVector du;
-    Vector      dlambda;
-    strategy->solve(state.active, r_u, r_lambda, du, dlambda);
+    for (const unsigned int r : state.active)
+      add_force(rows[r],
+                state.force[r],
+                state.friction.empty() ? Tensor<1, 3>() :
+                                         state.friction.shear[r],
+                r_u);
+    const ClosedRows closed = closed_rows(state);
+    BlockVector      du;
+    Vector           dlambda;
+    strategy->solve(
+      closed, r_u, law_residual(state, factor, closed), du, dlambda);
     state.u += du;
-    for (unsigned int i = 0; i < state.active.size(); ++i)
-      state.force[state.active[i]] += dlambda[i];
+    add_forces(closed, dlambda, state);
 
     // Written so that what is not a number stays none.
     const double size = state.u.linfty_norm(), change = du.l2_norm();

@@ -47,12 +47,15 @@ namespace lamella
 
 
   void
-  FullStrategy::solve(const std::vector<unsigned int> &active,
-                      const BlockVector               &r_u,
-                      const Vector                    &r_lambda,
-                      BlockVector                     &du,
-                      Vector                          &dlambda)
+  FullStrategy::solve(const ClosedRows  &closed,
+                      const BlockVector &r_u,
+                      const Vector      &r_lambda,
+                      BlockVector       &du,
+                      Vector            &dlambda)
   {
+    const std::vector<unsigned int> &active = closed.numbers;
+    Assert(closed.sliding.empty(),
+           dealii::ExcMessage("This strategy has no friction."));
     const auto softness = [&](const unsigned int k) {
       return numerical_softness(rows[active[k]]);
     };

@@ -40,18 +40,18 @@ namespace lamella
 
     /// What the rows say of gaps and forces, each for itself.
     void
-    check_rows(const ContactInterface        &contact,
-               const ArrayView<const double> &force,
-               const BlockVector             &u,
-               const double                   factor,
-               const double                   displacement,
-               KuhnTucker                    &kkt)
+    check_rows(const ContactInterface &contact,
+               const RowForces        &forces,
+               const BlockVector      &u,
+               const double            factor,
+               const double            displacement,
+               KuhnTucker             &kkt)
     {
       double smallest = std::numeric_limits<double>::max(), largest = 0.;
       for (unsigned int k = 0; k < contact.rows.size(); ++k)
         {
           const GapRow &row    = contact.rows[k];
-          const double  lambda = force[k];
+          const double  lambda = forces.normal[k];
           const double  g      = row.gap(u, factor);
           kkt.max_penetration  = std::max(kkt.max_penetration, -g);
           kkt.law_error =
@@ -81,19 +81,43 @@ namespace lamella
 
 
 
+    /// What rubs.
+    void
+    check_friction(const ContactInterface &contact,
+                   const RowForces        &forces,
+                   KuhnTucker             &kkt)
+    {
+      for (unsigned int k = 0; k < contact.rows.size(); ++k)
+        {
+          kkt.dissipated += forces.dissipated[k];
+          if (forces.normal[k] == 0.)
+            continue;
+          kkt.shear += forces.shear[k];
+          (forces.slips(k) ? kkt.slipping : kkt.sticking) +=
+            contact.points[k].area;
+        }
+    }
+
+
+
     /// What the @p forces of the rows do to the body on their @p side, each,
     /// about its centre.
     std::vector<Wrench>
-    wrenches_of_rows(const ContactInterface        &contact,
-                     const ArrayView<const double> &forces,
-                     const unsigned int             side,
-                     const BodyForces              &on_body)
+    wrenches_of_rows(const ContactInterface &contact,
+                     const RowForces        &forces,
+                     const unsigned int      side,
+                     const BodyForces       &on_body)
     {
       std::vector<Wrench> of_rows(contact.rows.size());
       for (unsigned int k = 0; k < of_rows.size(); ++k)
-        if (forces[k] != 0.)
+        if (forces.normal[k] != 0.)
           of_rows[k] = on_body.felt([&](const Vector &motion) {
-            return forces[k] * contact.rows[k].parts[side].row(motion);
+            const GapRow &row  = contact.rows[k];
+            double        work = forces.normal[k] * row.parts[side].row(motion);
+            for (const SlipRow &slip : row.slips)
+              work += slip.tangent * forces.shear_of(k) *
+                      slip.parts[side].row(motion);
+            return work;
           });
       return of_rows;
     }
@@ -150,17 +174,18 @@ namespace lamella
 
     /// Force, moment and centre of pressure; adds the forces to the bodies'.
     void
-    add_contact_forces(const ContactInterface        &contact,
-                       const ArrayView<const double> &forces,
-                       KuhnTucker                    &kkt,
-                       std::vector<BodyForces>       &on_body)
+    add_contact_forces(const ContactInterface  &contact,
+                       const RowForces         &forces,
+                       KuhnTucker              &kkt,
+                       std::vector<BodyForces> &on_body)
     {
       std::vector<Wrench> on_first =
         wrenches_of_rows(contact, forces, 0, on_body[contact.first_body]);
       std::vector<Wrench> on_second;
       const Wrench        of_first = sum(on_first);
       on_body[contact.first_body].add(of_first);
-      const double all = std::accumulate(forces.begin(), forces.end(), 0.);
+      const double all =
+        std::accumulate(forces.normal.begin(), forces.normal.end(), 0.);
       if (contact.second_body.has_value())
         {
           BodyForces &second     = on_body[*contact.second_body];
@@ -186,22 +211,36 @@ namespace lamella
       kkt.moment         = whole.moment;
       if (kkt.force.norm() != 0.)
         kkt.centre_of_pressure =
-          line_of_action(whole, mean_point(contact, forces));
+          line_of_action(whole, mean_point(contact, forces.normal));
     }
   } // namespace
 
 
 
+  RowForces::RowForces(const GapRows     &rows,
+                       const unsigned int contact,
+                       const State       &state)
+    : normal(rows.of_contact(contact, state.force))
+    , shear(rows.of_contact(contact, state.friction.shear))
+    , direction(rows.of_contact(contact, state.friction.direction))
+    , length(rows.of_contact(contact, state.friction.length))
+    , dissipated(rows.of_contact(contact, state.friction.dissipated))
+  {}
+
+
+
   KuhnTucker
-  check_contact(const ContactInterface        &contact,
-                const ArrayView<const double> &forces,
-                const BlockVector             &u,
-                const double                   factor,
-                const double                   displacement,
-                std::vector<BodyForces>       &on_body)
+  check_contact(const ContactInterface  &contact,
+                const RowForces         &forces,
+                const BlockVector       &u,
+                const double             factor,
+                const double             displacement,
+                std::vector<BodyForces> &on_body)
   {
     KuhnTucker kkt;
     check_rows(contact, forces, u, factor, displacement, kkt);
+    if (forces.shear.size() > 0)
+      check_friction(contact, forces, kkt);
     add_contact_forces(contact, forces, kkt, on_body);
     return kkt;
   }

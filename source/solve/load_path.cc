@@ -44,6 +44,7 @@ namespace lamella
         TimerOutput::Scope scope(timer, name_of(Phase::contact));
         solved.state = solver.release_springs(
           solver.solve_contact(solved.state, factor, before), factor);
+        solver.end_step(before, factor, solved.state);
       }
     solved.checks = check(solved.state, factor);
     return solved;
@@ -63,7 +64,7 @@ namespace lamella
       for (unsigned int k = 0; k < contacts.size(); ++k)
         lives[k]->require_found(state.u,
                                 factor,
-                                rows.of_contact(k, state.active));
+                                rows.among_contact(k, state.active));
     }
     if (!parameters.is_judged)
       return checks;

@@ -477,7 +477,8 @@ BOOST_AUTO_TEST_CASE(entries_of_a_contact)
                                    {"Penalty per", "node"},
                                    {"Search distance", "0.5"},
                                    {"Tolerance", "0.25"},
-                                   {"Friction", "0.0"}});
+                                   {"Friction", "0.3"}});
+  BOOST_TEST(chosen.friction == 0.3);
   BOOST_TEST((chosen.discretisation == Discretisation::surface_to_surface));
   BOOST_TEST((chosen.enforcement == Enforcement::augmented_lagrangian));
   BOOST_TEST((chosen.points_on == PointsOn::second));
@@ -490,6 +491,7 @@ BOOST_AUTO_TEST_CASE(entries_of_a_contact)
                                      {"Discretisation", "node to surface"},
                                      {"Friction", ""}});
   BOOST_TEST(on_floor.obstacle == plane);
+  BOOST_TEST(on_floor.friction == 0.);
 
   // What is refused, each with the entry that is wrong.
   for (const auto &[entry, value] : Settings{{"First", ""},
@@ -506,7 +508,8 @@ BOOST_AUTO_TEST_CASE(entries_of_a_contact)
                                              {"Penalty per", "length"},
                                              {"Search distance", "0"},
                                              {"Tolerance", "0.5"},
-                                             {"Friction", "0.3"},
+                                             {"Friction", "-0.3"},
+                                             {"Friction", "11"},
                                              {"Friction", "some"}})
     BOOST_CHECK_EXCEPTION(read({{entry, value}}),
                           InputError,

@@ -108,8 +108,9 @@ BOOST_AUTO_TEST_CASE(numbered_through)
   BOOST_TEST(rows.of_contact(1, forces).size() == 0);
   BOOST_TEST(rows.of_contact(2, forces)[1] == 4.);
   const std::vector<unsigned int> active{0, 3, 4};
-  BOOST_TEST((rows.of_contact(0, active) == std::vector<unsigned int>{0}));
-  BOOST_TEST((rows.of_contact(2, active) == std::vector<unsigned int>{1, 2}));
+  BOOST_TEST((rows.among_contact(0, active) == std::vector<unsigned int>{0}));
+  BOOST_TEST(
+    (rows.among_contact(2, active) == std::vector<unsigned int>{1, 2}));
 }
 
 

@@ -160,7 +160,7 @@ BOOST_AUTO_TEST_CASE(a_penalty_beyond_rounding_is_told)
       BlockVector u;
       Vector      lambda;
       solver->solve_linear(
-        {0, 1, 2}, scene.structure->zero(), Vector(3), u, lambda);
+        ClosedRows({0, 1, 2}), scene.structure->zero(), Vector(3), u, lambda);
       BOOST_TEST(solver->warnings().size() == (factor == 1. ? 0u : 1u));
     }
 }

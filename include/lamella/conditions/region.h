@@ -55,6 +55,10 @@ namespace lamella
     {
       return kind == Kind::body;
     }
+    /// Whether this is made of points or lines, one of which is at @p x (scene
+    /// axes) up to @p near [length].
+    bool
+    has_point_at(const dealii::Point<3> &x, const double near) const;
     /// Whether this is a surface that is made of several: no single place.
     bool
     is_several_surfaces() const;

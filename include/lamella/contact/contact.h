@@ -161,6 +161,9 @@ namespace lamella
     set_tangent_plane(const unsigned int k,
                       const BlockVector &u,
                       const double       factor);
+    /// Gives the rows their slips, by the integrals of their state.
+    void
+    write_slips();
     /// The rows on one body of all slips along the tangent number @p tangent.
     std::vector<BodyRow>
     slip_rows_on(const bool second, const unsigned int tangent) const;

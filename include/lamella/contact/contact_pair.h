@@ -109,6 +109,8 @@ namespace lamella
     /// Places further apart than this along the normal are not paired; none for
     /// automatic_search_distance(). [length]
     std::optional<double> search_distance;
+    /// Coulomb's coefficient mu; 0 without friction.
+    double friction = 0.;
   };
 
   /// Whether the nodes of both sides are paired, or would be if they matched.

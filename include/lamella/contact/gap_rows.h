@@ -27,6 +27,55 @@ namespace lamella
 {
   class ContactSides;
 
+  /// What a pair of points measures of the bodies' displacements, or a weighted
+  /// average of that over several pairs, along one direction.
+  struct PairRow
+  {
+    /// One for each body that deforms. The first is First's, -sum w . u_1; the
+    /// second, if any, +sum v . u_2.
+    std::vector<BodyRow> parts;
+
+    /// Along the direction u_2 - u_1 of the bodies that deform. @p u has a
+    /// block for each body of the scene. [length]
+    double
+    opening(const BlockVector &u) const
+    {
+      double sum = 0.;
+      for (const BodyRow &part : parts)
+        sum += part(u);
+      return sum;
+    }
+
+    /// f += factor times the row's transpose. With the contact force for
+    /// @p factor that is the row's share of the load.
+    void
+    add_to(BlockVector &f, const double factor) const
+    {
+      for (const BodyRow &part : parts)
+        part.add_to(f, factor);
+    }
+  };
+
+  /**
+   * The slip of a pair of points along a tangent t,
+   *   s(u, f) = t . (u_2(X_2) - u_1(X_1)) + f s_rate,
+   * by the same weights as its gap, at load factor f. A force lambda_t in it
+   * loads the second side along t.
+   */
+  struct SlipRow : PairRow
+  {
+    /// t, a unit vector of the scene.
+    dealii::Tensor<1, 3> tangent;
+    /// What a rigid obstacle that moves adds at load factor 1 [length].
+    double rate = 0.;
+
+    double
+    slip(const BlockVector &u, const double factor) const
+    {
+      return opening(u) + factor * rate;
+    }
+  };
+
   /**
    * The linearised gap function of one pair of points (Eq. 16),
    *   g(u, t) = n . (u_2(X_2) - u_1(X_1)) + g_init + t g_rate,
@@ -43,11 +92,8 @@ namespace lamella
    *
    * Nothing in `solve` knows where a row came from.
    */
-  struct GapRow
+  struct GapRow : PairRow
   {
-    /// One for each body that deforms. The first is First's, -sum w . u_1; the
-    /// second, if any, +sum v . u_2.
-    std::vector<BodyRow> parts;
     /// (X_2 - X_1) . n of the undeformed bodies (Eq. 17 with the averaged
     /// normal), or its average; negative where they overlap. [length]
     double initial_gap = 0.;
@@ -59,16 +105,10 @@ namespace lamella
     /// make_interface().
     double penalty = 0.;
 
-    /// n . (u_2 - u_1) of the bodies that deform. @p u has a block for each
-    /// body of the scene. [length]
-    double
-    opening(const BlockVector &u) const
-    {
-      double sum = 0.;
-      for (const BodyRow &part : parts)
-        sum += part(u);
-      return sum;
-    }
+    /// mu of Coulomb's law, and with friction the slips along two tangents that
+    /// are normal to n and each other.
+    double               friction = 0.;
+    std::vector<SlipRow> slips    = {};
 
     /// g at load factor @p factor. Negative: the bodies penetrate there.
     /// [length]
@@ -76,15 +116,6 @@ namespace lamella
     gap(const BlockVector &u, const double factor) const
     {
       return opening(u) + initial_gap + factor * gap_rate;
-    }
-
-    /// f += factor times the row's transpose. With the contact force for
-    /// @p factor that is the row's share of the load.
-    void
-    add_to(BlockVector &f, const double factor) const
-    {
-      for (const BodyRow &part : parts)
-        part.add_to(f, factor);
     }
   };
 
@@ -194,7 +225,8 @@ namespace lamella
     GapRows(std::vector<ContactInterface> &&contacts) = delete;
     GapRows(std::vector<GapRow> &&rows)               = delete;
 
-    /// The number of rows of all contacts, so the size of a vector of forces.
+    /// The number of gap rows of all contacts, so the size of a vector of
+    /// forces.
     unsigned int
     size() const
     {
@@ -213,6 +245,41 @@ namespace lamella
     {
       return *rows[row];
     }
+
+    /// The number of a slip: numbers from size() on are those of slips. @p row
+    /// has friction, @p tangent is 0 or 1.
+    unsigned int
+    slip(const unsigned int row, const unsigned int tangent) const
+    {
+      return size() + 2 * row + tangent;
+    }
+
+    /// One past the largest number that a gap or a slip may have.
+    unsigned int
+    end_of_slips() const
+    {
+      return 3 * size();
+    }
+
+    /// The row that the gap or the slip @p number is of.
+    unsigned int
+    row_of(const unsigned int number) const
+    {
+      return number < size() ? number : (number - size()) / 2;
+    }
+
+    /// The gap or the slip @p number.
+    const PairRow &
+    pair_row(const unsigned int number) const
+    {
+      if (number < size())
+        return *rows[number];
+      return rows[row_of(number)]->slips[(number - size()) % 2];
+    }
+
+    /// Whether any row has friction.
+    bool
+    rub() const;
 
     /// Iterators over the rows themselves, not over pointers.
     auto
@@ -233,16 +300,23 @@ namespace lamella
     in_contact(const unsigned int row) const;
 
     /// Those of @p values, one for each row, that belong to @p contact. A view
-    /// of @p values, which must have size() entries and live longer.
-    dealii::ArrayView<const double>
-    of_contact(const unsigned int         contact,
-               const std::vector<double> &values) const;
+    /// of @p values, which must have size() entries, or none, and live longer.
+    template <typename T>
+    dealii::ArrayView<const T>
+    of_contact(const unsigned int contact, const std::vector<T> &values) const
+    {
+      if (values.empty())
+        return {values.data(), 0};
+      AssertDimension(values.size(), size());
+      return {values.data() + firsts[contact],
+              firsts[contact + 1] - firsts[contact]};
+    }
 
     /// Those of @p some rows that belong to @p contact, by their numbers there.
     /// Their order is kept; those of other contacts are left out.
     std::vector<unsigned int>
-    of_contact(const unsigned int               contact,
-               const std::vector<unsigned int> &some) const;
+    among_contact(const unsigned int               contact,
+                  const std::vector<unsigned int> &some) const;
 
   private:
     std::vector<const GapRow *> rows;

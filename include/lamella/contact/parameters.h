@@ -19,7 +19,7 @@ namespace lamella
   /// The entries of a `subsection Contact NAME`: the two surfaces, the
   /// discretisation and the side of its points, the search distance,
   /// overclosure, enforcement and penalty, the tolerance of facing nodes, and
-  /// Friction, which is there to be refused.
+  /// friction.
   struct ContactParameters
   {
     /// Declares them with their defaults, patterns and what they mean.
@@ -34,8 +34,8 @@ namespace lamella
      *
      * `Penalty = auto` becomes 1e6 times the local stiffness. Refused are an
      * obstacle in First, two surfaces of one body, an obstacle with `node to
-     * node` or with the points on its side, a Tolerance of 0.5 or more, and any
-     * Friction but `none` or 0.
+     * node` or with the points on its side, a Tolerance of 0.5 or more, and a
+     * Friction below 0 or above 10.
      */
     static ContactPair
     parse(const Entries                  &in,

@@ -30,8 +30,18 @@ namespace lamella
     /// lambda, positive in compression: over the area of the pair the mean
     /// pressure there.
     double force = 0.;
-    /// What that is on the second side.
+    /// What that is on the second side, friction with it.
     Wrench on_second = {};
+    /// With friction: lambda_t on the second side; whether the pair slips; the
+    /// length of its slip and what that has dissipated, so far.
+    struct Friction
+    {
+      dealii::Tensor<1, 3> shear;
+      bool                 slips      = false;
+      double               length     = 0.;
+      double               dissipated = 0.;
+    };
+    std::optional<Friction> friction = {};
 
     bool
     touches() const
@@ -120,6 +130,8 @@ namespace lamella
     unsigned int rows = 0, unpaired = 0, unpaired_second = 0;
     /// The range of g_init over its rows, a length.
     double initial_gap_min = 0., initial_gap_max = 0.;
+    /// Coulomb's coefficient.
+    double friction = 0.;
     /// What carries its rows; null if that is not known.
     std::shared_ptr<const CarryingSurface> surface = {};
   };

@@ -17,7 +17,8 @@ namespace lamella
    * that a unit force in row j opens in row i, a length over a force, with the
    * condensed stiffness K of each body. It is symmetric, and positive definite
    * where rows are independent. A row adds the compliances of both of its
-   * bodies; rows that share no body have none in common.
+   * bodies; rows that share no body have none in common. Slips are rows here
+   * as gaps are, by their numbers (GapRows).
    *
    * With CHOLMOD only the forward half of a solution is computed, where it is
    * not zero: C = Y^T Y, Y = L^-1 P B^T, K = P^T L L^T P.

@@ -6,6 +6,7 @@
 #include <lamella/linear/dense_cholesky.h>
 #include <lamella/solve/compliance.h>
 #include <lamella/solve/contact_strategy.h>
+#include <lamella/solve/coulomb.h>
 
 #include <optional>
 #include <set>
@@ -49,11 +50,11 @@ namespace lamella
     settle(const ContactProblem &problem, const Monitor &monitor) override;
 
     void
-    solve(const std::vector<unsigned int> &active,
-          const BlockVector               &r_u,
-          const Vector                    &r_lambda,
-          BlockVector                     &du,
-          Vector                          &dlambda) override;
+    solve(const ClosedRows  &closed,
+          const BlockVector &r_u,
+          const Vector      &r_lambda,
+          BlockVector       &du,
+          Vector            &dlambda) override;
 
     /// The stiffening and the batches of known rows.
     StrategyMemory
@@ -76,12 +77,24 @@ namespace lamella
     }
 
   private:
-    /// The d of a known row: never less than 1e-10 of its compliance, which
-    /// keeps C + d definite where rows depend on each other, nor than 1e-8 of
-    /// what NumericalSoftness says, for rows without any compliance. `exact`
-    /// takes this least value.
+    /// The d of a known gap or slip: never less than 1e-10 of its compliance,
+    /// which keeps C + d definite where rows depend on each other, nor than
+    /// 1e-8 of what NumericalSoftness says, for rows without any compliance.
+    /// `exact` takes this least value.
     double
-    softness(const unsigned int row) const;
+    softness(const unsigned int number) const;
+
+    /// The rows @p part, each followed by its slips if it has friction.
+    std::vector<unsigned int>
+    with_slips(const std::vector<unsigned int> &part) const;
+
+    /// R K^-1 C + d of what is @p closed, column by column.
+    std::vector<double>
+    system_of(const ClosedRows &closed);
+    /// lambda = (R K^-1 C + d)^-1 lambda: by Cholesky's factor, which is kept,
+    /// where nothing slides. Throws NumericsError if it is singular.
+    void
+    solve_closed(const ClosedRows &closed, std::vector<double> &lambda);
 
     /// Rows with the negative of their gaps, the smallest gap first.
     using Violations = std::vector<std::pair<double, unsigned int>>;
@@ -108,6 +121,20 @@ namespace lamella
     solve_part(const ContactProblem            &problem,
                const std::vector<unsigned int> &part,
                ContactSolution                 &solution);
+
+    /// The same with friction: by Coulomb's law on the compliance
+    /// (solve_coulomb()), without any softness but the law's. Throws
+    /// NumericsError where no forces obey it, or only unstable ones.
+    void
+    solve_with_friction(const ContactProblem            &problem,
+                        const std::vector<unsigned int> &part,
+                        ContactSolution                 &solution);
+    /// What is to be solved for that, about the state, in which the rows have
+    /// @p forces.
+    CoulombProblem
+    coulomb_problem(const ContactProblem            &problem,
+                    const std::vector<unsigned int> &part,
+                    const std::vector<double>       &forces) const;
 
     /// Takes those of @p part out of it that have no force and never had one,
     /// if that is most of them, and puts them among those that @p left; who

@@ -4,6 +4,7 @@
 #define lamella_solve_contact_problem_h
 
 #include <lamella/contact/gap_rows.h>
+#include <lamella/solve/friction_state.h>
 #include <lamella/solve/structure.h>
 
 #include <functional>
@@ -44,6 +45,12 @@ namespace lamella
     /// Numbers of the rows that are likely to be active, ascending. A poor
     /// guess costs rounds, not correctness.
     std::vector<unsigned int> start;
+    /// With friction, else empty, of each row by components along its tangents:
+    /// the slip in this step at that state, s(u) - s_0, and the shear force
+    /// that the state has; the normal and shear forces to begin the search
+    /// with.
+    std::vector<dealii::Tensor<1, 2>> slip = {}, shear = {};
+    std::vector<dealii::Tensor<1, 3>> first_forces = {};
     /// A gap that is less negative than this length is rounding and counts as
     /// closed.
     double closed = 0.;
@@ -60,6 +67,30 @@ namespace lamella
     std::vector<double> force;
     /// Numbers of the active rows, ascending.
     std::vector<unsigned int> active;
+    /// With friction, of each row: the shear force, and its direction where the
+    /// row slips, else zero.
+    std::vector<dealii::Tensor<1, 2>> shear = {}, direction = {};
+  };
+
+  /**
+   * The equations of a linear system with contact, and the forces in them: of
+   * each number, a gap or a slip (GapRows), that does not move the equation
+   * that says so and its force lambda. Where a row slips its force is along
+   *   B_n^T + sum_a c_a B_t,a^T,   c = mu e,
+   * e the direction of its shear.
+   */
+  struct ClosedRows
+  {
+    ClosedRows() = default;
+    /// Those without friction.
+    ClosedRows(std::vector<unsigned int> active)
+      : numbers(std::move(active))
+    {}
+
+    /// Gaps in ascending order first, then slips.
+    std::vector<unsigned int> numbers;
+    /// Rows that slip, numbers of gaps that are among these, with c.
+    std::vector<std::pair<unsigned int, dealii::Tensor<1, 2>>> sliding = {};
   };
 
   /// What there is to tell of one round of the search for the active rows: a

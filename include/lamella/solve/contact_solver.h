@@ -5,6 +5,7 @@
 
 #include <lamella/base/arithmetic.h>
 #include <lamella/solve/contact_strategy.h>
+#include <lamella/solve/friction_state.h>
 
 #include <functional>
 #include <memory>
@@ -26,6 +27,8 @@ namespace lamella
     std::vector<double> force;
     /// Numbers of the active rows, ascending.
     std::vector<unsigned int> active;
+    /// Empty unless a contact has friction.
+    FrictionState friction;
 
     /// Where the stabilising springs are without force; empty: at u = 0.
     SpringRest rest;
@@ -183,14 +186,25 @@ namespace lamella
 
     /// Solves the linear system of one correction (ContactStrategy::solve()).
     void
-    solve_linear(const std::vector<unsigned int> &active,
-                 const BlockVector               &r_u,
-                 const Vector                    &r_lambda,
-                 BlockVector                     &du,
-                 Vector                          &dlambda)
+    solve_linear(const ClosedRows  &closed,
+                 const BlockVector &r_u,
+                 const Vector      &r_lambda,
+                 BlockVector       &du,
+                 Vector            &dlambda)
     {
-      strategy->solve(active, r_u, r_lambda, du, dlambda);
+      strategy->solve(closed, r_u, r_lambda, du, dlambda);
     }
+
+    /// The gaps that are closed in @p state and all slips there, with a
+    /// symmetric matrix: what holds the bodies in a small disturbance, which
+    /// has to turn a slip that goes on before it can use it.
+    ClosedRows
+    held_rows(const State &state) const;
+
+    /// Ends the load step that has come from @p before to @p state at @p
+    /// factor: what friction remembers of it (FrictionState).
+    void
+    end_step(const State &before, const double factor, State &state) const;
 
     /// What was learnt so far, as it is kept for a resumed run.
     StrategyMemory
@@ -232,19 +246,59 @@ namespace lamella
     {
       /// Active rows that pull, and others that penetrate.
       std::vector<unsigned int> opening, closing;
-      /// The largest |g + a lambda| of the others that are active, a length.
+      /// Rows that stick with more than mu lambda_n, or slip where their shear
+      /// drives them.
+      std::vector<unsigned int> rubbing;
+      /// The largest |g + a lambda| of the others that are active, and of |v|
+      /// of those that stick; a length.
       double gap = 0.;
 
       bool
       is_right_set() const
       {
-        return opening.empty() && closing.empty();
+        return opening.empty() && closing.empty() && rubbing.empty();
       }
     };
 
     /// Of @p state; a gap above -@p closed is none that penetrates.
     Misses
     misses(const State &state, const double factor, const double closed) const;
+
+    /// Adds to @p found how row @p r of @p state breaks the law of friction.
+    /// Forces below @p small are rounding, as lengths below @p closed.
+    void
+    add_misses_of_friction(const State       &state,
+                           const double       factor,
+                           const unsigned int r,
+                           const double       closed,
+                           const double       small,
+                           Misses            &found) const;
+
+    /// v of row @p r: its slip since the step before, with the softness of the
+    /// law.
+    dealii::Tensor<1, 2>
+    slip_in_step(const State       &state,
+                 const double       factor,
+                 const unsigned int r) const;
+
+    /// What does not move in @p state.
+    ClosedRows
+    closed_rows(const State &state) const;
+    /// What the law asks for of each number of @p closed, r_lambda.
+    Vector
+    law_residual(const State      &state,
+                 const double      factor,
+                 const ClosedRows &closed) const;
+    /// Adds @p dlambda to the forces of @p state; of rows that slip the shear
+    /// follows.
+    void
+    add_forces(const ClosedRows &closed,
+               const Vector     &dlambda,
+               State            &state) const;
+
+    /// Of each row the normal force and the shear along its tangents.
+    std::vector<dealii::Tensor<1, 3>>
+    forces_by_rows(const State &state) const;
 
     /// misses() of a refined state, where digits may be lost to its last
     /// correction.
@@ -272,8 +326,8 @@ namespace lamella
     problem_about(const State &state, const double factor) const;
 
     /// @p state with what a strategy found about it.
-    static State
-    with(State state, const ContactSolution &found);
+    State
+    with(State state, const ContactSolution &found) const;
 
     /// For rows that depend on each other, where refining a state moves forces
     /// among them, also below zero, by rounding: replaces @p state by that of
@@ -295,9 +349,10 @@ namespace lamella
 
     /// Corrects u and the forces of active rows once, against
     /// r_u = t f + B^T lambda - integral B^T C (B u) and
-    /// r_lambda = -(g + a lambda); returns the maximum norm of the correction
-    /// over that of u, 0 if there was nothing to correct. The active set stays
-    /// as it is. Throws NumericsError for what is no number.
+    /// r_lambda = -(g + a lambda), of rows that stick -v; returns the maximum
+    /// norm of the correction over that of u, 0 if there was nothing to
+    /// correct. The active set stays as it is. Throws NumericsError for what is
+    /// no number.
     double
     correct(State &state, const double factor);
 

@@ -70,23 +70,25 @@ namespace lamella
     settle(const ContactProblem &problem, const Monitor &monitor) = 0;
 
     /**
-     * Solves the linear system of one correction: with B_A the rows @p active
-     * and d the numerical softness of a row, at least a,
-     *   K du - B_A^T dlambda = r_u,
-     *   B_A du + d dlambda   = r_lambda,
+     * Solves the linear system of one correction: with R the rows of the gaps
+     * and slips that are @p closed, C^T their forces (B_A both without
+     * friction) and d the numerical softness of a row, at least a,
+     *   K du - C dlambda   = r_u,
+     *   R du + d dlambda   = r_lambda,
      * which is the paper's Eq. 22 when dlambda is eliminated. @p r_lambda
-     * (lengths) and @p dlambda (forces) have an entry for each active row.
+     * (lengths) and @p dlambda (forces) have an entry for each number of
+     * @p closed.
      * @p r_u (forces) need not be condensed. du vanishes in what supports
      * prescribe. What was factorised is kept for the next call with the same
      * rows and softness. Throws NumericsError if the system is not positive
      * definite.
      */
     virtual void
-    solve(const std::vector<unsigned int> &active,
-          const BlockVector               &r_u,
-          const Vector                    &r_lambda,
-          BlockVector                     &du,
-          Vector                          &dlambda) = 0;
+    solve(const ClosedRows  &closed,
+          const BlockVector &r_u,
+          const Vector      &r_lambda,
+          BlockVector       &du,
+          Vector            &dlambda) = 0;
 
     /// What was learnt so far, as it is kept for a resumed run.
     virtual StrategyMemory

@@ -40,11 +40,11 @@ namespace lamella
 
     /// One solution with K + K^p of the rows @p active.
     void
-    solve(const std::vector<unsigned int> &active,
-          const BlockVector               &r_u,
-          const Vector                    &r_lambda,
-          BlockVector                     &du,
-          Vector                          &dlambda) override;
+    solve(const ClosedRows  &closed,
+          const BlockVector &r_u,
+          const Vector      &r_lambda,
+          BlockVector       &du,
+          Vector            &dlambda) override;
 
     /// The stiffening, and the rows that the matrix has room for.
     StrategyMemory

@@ -5,6 +5,7 @@
 
 #include <lamella/solve/body_forces.h>
 #include <lamella/solve/contact_problem.h>
+#include <lamella/solve/contact_solver.h>
 
 #include <deal.II/base/array_view.h>
 
@@ -52,24 +53,56 @@ namespace lamella
     /// perhaps, are than those between their points: what the mesh does not
     /// resolve of how the surfaces curve.
     double averaged_away = 0.;
+    /// With friction: its resultant on the second side, scene components; the
+    /// areas of the rows that stick and that slip [length^2]; what it has
+    /// dissipated so far [energy].
+    dealii::Tensor<1, 3> shear;
+    double               sticking = 0., slipping = 0., dissipated = 0.;
     /// The largest of law error over displacement, tension over force and
     /// complementarity over both: a number. Zero if no row is active.
     double violation = 0.;
   };
 
+  /// The forces of the rows of one contact in a state: views of it.
+  struct RowForces
+  {
+    /// Of the contact number @p contact of @p rows; @p state lives longer.
+    RowForces(const GapRows     &rows,
+              const unsigned int contact,
+              const State       &state);
+
+    /// lambda_t of row @p k on the second side; zero without friction.
+    dealii::Tensor<1, 3>
+    shear_of(const unsigned int k) const
+    {
+      return shear.size() == 0 ? dealii::Tensor<1, 3>() : shear[k];
+    }
+
+    bool
+    slips(const unsigned int k) const
+    {
+      return direction.size() > 0 && direction[k].norm() > 0.;
+    }
+
+    dealii::ArrayView<const double>               normal;
+    dealii::ArrayView<const dealii::Tensor<1, 3>> shear, direction;
+    /// FrictionState::length and dissipated.
+    dealii::ArrayView<const double> length, dissipated;
+  };
+
   /**
-   * What the rows of @p contact say of gaps and of @p forces, one a row, at the
+   * What the rows of @p contact say of gaps and of @p forces at the
    * displacements @p u and load factor @p factor, and what the forces do as a
    * whole; adds them to the forces @p on_body of every body. Gaps are compared
    * with @p displacement, the largest there is.
    */
   KuhnTucker
-  check_contact(const ContactInterface                &contact,
-                const dealii::ArrayView<const double> &forces,
-                const BlockVector                     &u,
-                const double                           factor,
-                const double                           displacement,
-                std::vector<BodyForces>               &on_body);
+  check_contact(const ContactInterface  &contact,
+                const RowForces         &forces,
+                const BlockVector       &u,
+                const double             factor,
+                const double             displacement,
+                std::vector<BodyForces> &on_body);
 } // namespace lamella
 
 #endif

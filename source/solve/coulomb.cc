@@ -1,0 +1,695 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <lamella/base/arithmetic.h>
+#include <lamella/linear/dense_lu.h>
+#include <lamella/solve/cone_minimum.h>
+#include <lamella/solve/coulomb.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace lamella
+{
+  using namespace dealii;
+
+  namespace
+  {
+    /// What the natural map says of the points: their trial forces z = lambda -
+    /// v, the bounds mu max(0, z_n), and what follows.
+    struct Trial
+    {
+      PointVectors            z;
+      std::vector<double>     bound;
+      std::vector<PointState> states;
+    };
+
+
+
+    /// Forces of a step of Newton's method, and of the matrix that made them
+    /// the sign.
+    struct NewtonStep
+    {
+      bool         is_solved = false;
+      PointVectors lambda;
+      int          sign = 1;
+    };
+
+
+
+    /**
+     * The problem with a unit diagonal, one scale for both tangents of a point,
+     * and a largest q of one; and the ways to search for its solution.
+     */
+    class CoulombSearch
+    {
+    public:
+      CoulombSearch(const CoulombProblem &problem, const CoulombRules &rules);
+
+      /// Forces of the problem in units of this one, and back.
+      PointVectors
+      scaled(const PointVectors &lambda) const;
+      PointVectors
+      unscaled(const PointVectors &lambda) const;
+
+      /// CoulombSolution::error of @p lambda.
+      double
+      error(const PointVectors &lambda) const;
+
+      Trial
+      trial(const PointVectors &lambda) const;
+
+      /// The chain from @p start. Scaled forces.
+      CoulombSolution
+      chain(const PointVectors &start) const;
+
+    private:
+      /// The problem with the softness @p soft about @p lambda.
+      CoulombSearch
+      softened(const double soft, const PointVectors &lambda) const;
+
+      PointVectors
+      moved(const PointVectors &lambda) const;
+
+      /// lambda - P(lambda - v).
+      PointVectors
+      natural_map(const PointVectors &lambda) const;
+
+      /// The forces that the states of @p at make of the linear equations, and
+      /// what linearises slip.
+      NewtonStep
+      newton_step(const Trial &at, const PointVectors &lambda) const;
+
+      /// The best of the shorter steps from @p lambda to @p next.
+      PointVectors
+      shortened(const PointVectors &lambda,
+                const PointVectors &next,
+                const unsigned int  iteration) const;
+
+      /// Newton's method from @p lambda, at most so many iterations and damped
+      /// from one of them on: the best forces that it met.
+      CoulombSolution
+      newton(PointVectors       lambda,
+             const unsigned int most,
+             const unsigned int damped_from) const;
+
+      /// @p lambda after so many sweeps of Gauss and Seidel.
+      PointVectors
+      swept(PointVectors lambda, const unsigned int sweeps) const;
+
+      /// The force of @p point that obeys the law, all others held.
+      Tensor<1, 3>
+      local_force(const unsigned int  point,
+                  const Tensor<1, 3> &v,
+                  const Tensor<1, 3> &force) const;
+
+      CoulombSolution
+      by_cones(const PointVectors &start) const;
+      CoulombSolution
+      by_softness(const PointVectors &start,
+                  const double        first,
+                  const double        falls) const;
+
+      CoulombRules        rules;
+      PointCompliance     W;
+      PointVectors        q, about;
+      std::vector<double> mu;
+      /// Of each point, of the normal and of the tangential forces.
+      std::vector<std::array<double, 2>> unit;
+    };
+
+
+
+    CoulombSearch::CoulombSearch(const CoulombProblem &problem,
+                                 const CoulombRules   &rules)
+      : rules(rules)
+      , W(problem.compliance)
+      , q(problem.q)
+      , about(problem.about.empty() ? PointVectors(problem.q.size()) :
+                                      problem.about)
+      , mu(problem.friction)
+      , unit(W.n_points())
+    {
+      double most = 0.;
+      for (unsigned int r = 0; r < W.n_rows(); ++r)
+        most = std::max(most, W(r, r));
+      const auto scale_of = [&](const double diagonal) {
+        return 1. / std::sqrt(std::max(diagonal, arithmetic::rounding * most));
+      };
+      std::vector<double> scales;
+      for (unsigned int i = 0; i < W.n_points(); ++i)
+        {
+          double     tangents = 0.;
+          const auto size     = W.size(i);
+          for (unsigned int c = 1; c < size; ++c)
+            tangents += W(W.first[i] + c, W.first[i] + c) / (size - 1);
+          unit[i] = {{scale_of(W(W.first[i], W.first[i])),
+                      size > 1 ? scale_of(tangents) : 1.}};
+          for (unsigned int c = 0; c < size; ++c)
+            scales.push_back(unit[i][c == 0 ? 0 : 1]);
+          mu[i] *= size > 1 ? unit[i][0] / unit[i][1] : 0.;
+        }
+      for (unsigned int j = 0; j < W.n_rows(); ++j)
+        for (unsigned int i = 0; i < W.n_rows(); ++i)
+          W(i, j) *= scales[i] * scales[j];
+
+      for (unsigned int i = 0; i < q.size(); ++i)
+        for (unsigned int c = 0; c < 3; ++c)
+          q[i][c] *= unit[i][c == 0 ? 0 : 1];
+      const double size = largest_component(q) > 0. ? largest_component(q) : 1.;
+      for (unsigned int i = 0; i < q.size(); ++i)
+        {
+          q[i] /= size;
+          for (double &u : unit[i])
+            u *= size;
+        }
+      about = scaled(about);
+    }
+
+
+
+    PointVectors
+    CoulombSearch::scaled(const PointVectors &lambda) const
+    {
+      PointVectors result = lambda;
+      for (unsigned int i = 0; i < result.size(); ++i)
+        for (unsigned int c = 0; c < 3; ++c)
+          result[i][c] /= unit[i][c == 0 ? 0 : 1];
+      return result;
+    }
+
+
+
+    PointVectors
+    CoulombSearch::unscaled(const PointVectors &lambda) const
+    {
+      PointVectors result = lambda;
+      for (unsigned int i = 0; i < result.size(); ++i)
+        for (unsigned int c = 0; c < 3; ++c)
+          result[i][c] *= unit[i][c == 0 ? 0 : 1];
+      return result;
+    }
+
+
+
+    PointVectors
+    CoulombSearch::moved(const PointVectors &lambda) const
+    {
+      PointVectors change = lambda;
+      for (unsigned int i = 0; i < change.size(); ++i)
+        change[i] -= about[i];
+      PointVectors v = W.times(change);
+      for (unsigned int i = 0; i < v.size(); ++i)
+        v[i] += q[i];
+      return v;
+    }
+
+
+
+    Trial
+    CoulombSearch::trial(const PointVectors &lambda) const
+    {
+      Trial at;
+      at.z                 = lambda;
+      const PointVectors v = moved(lambda);
+      for (unsigned int i = 0; i < v.size(); ++i)
+        {
+          at.z[i] -= v[i];
+          at.bound.push_back(mu[i] * std::max(0., at.z[i][0]));
+          at.states.push_back(at.z[i][0] <= 0. ? PointState::open :
+                              tangential_norm(at.z[i]) <= at.bound[i] ?
+                                                 PointState::stick :
+                                                 PointState::slip);
+        }
+      return at;
+    }
+
+
+
+    PointVectors
+    CoulombSearch::natural_map(const PointVectors &lambda) const
+    {
+      const Trial  at     = trial(lambda);
+      PointVectors result = lambda;
+      for (unsigned int i = 0; i < lambda.size(); ++i)
+        if (at.states[i] == PointState::stick)
+          result[i] -= at.z[i];
+        else if (at.states[i] == PointState::slip)
+          {
+            Tensor<1, 3> projected =
+              at.bound[i] / tangential_norm(at.z[i]) * at.z[i];
+            projected[0] = at.z[i][0];
+            result[i] -= projected;
+          }
+      return result;
+    }
+
+
+
+    double
+    CoulombSearch::error(const PointVectors &lambda) const
+    {
+      return largest_component(natural_map(lambda)) /
+             std::max(1., largest_component(lambda));
+    }
+
+
+
+    /// In the n equations A x = b of what the forces of closed points change by
+    /// the ones of a point that slips, which begin at row @p first: for its
+    /// tangential rows
+    ///   (1 - k E) lambda_t + k E v_t - mu e lambda_n = 0
+    /// with its trial force z, e = z_t / |z_t|, E = 1 - e e^T and k = mu z_n /
+    /// |z_t|; @p lambda is its force so far.
+    void
+    linearise_slip(const Tensor<1, 3>  &z,
+                   const double         bound,
+                   const double         friction,
+                   const Tensor<1, 3>  &lambda,
+                   const unsigned int   first,
+                   const unsigned int   size,
+                   std::vector<double> &A,
+                   std::vector<double> &b)
+    {
+      const std::size_t  n      = b.size();
+      const double       length = tangential_norm(z), k = bound / length;
+      const Tensor<1, 3> e      = tangential_part(z) / length;
+      const auto         across = [&](double *const column) {
+        double along = 0.;
+        for (unsigned int c = 1; c < size; ++c)
+          along += e[c] * column[first + c];
+        for (unsigned int c = 1; c < size; ++c)
+          column[first + c] = k * (column[first + c] - along * e[c]);
+      };
+      across(b.data());
+      for (std::size_t j = 0; j < n; ++j)
+        across(A.data() + j * n);
+      for (unsigned int c = 1; c < size; ++c)
+        {
+          A[first * n + first + c] -= friction * e[c];
+          b[first + c] += friction * e[c] * lambda[0];
+          for (unsigned int d = 1; d < size; ++d)
+            {
+              const double own = (c == d ? 1. - k : 0.) + k * e[c] * e[d];
+              A[(first + d) * n + first + c] += own;
+              b[first + c] -= own * lambda[d];
+            }
+        }
+    }
+
+
+
+    NewtonStep
+    CoulombSearch::newton_step(const Trial        &at,
+                               const PointVectors &lambda) const
+    {
+      std::vector<unsigned int> rows;
+      PointVectors              kept = lambda;
+      for (unsigned int i = 0; i < W.n_points(); ++i)
+        if (at.states[i] == PointState::open)
+          kept[i] = {};
+        else
+          for (unsigned int r = W.first[i]; r < W.first[i + 1]; ++r)
+            rows.push_back(r);
+      const std::size_t         n = rows.size();
+      const std::vector<double> v = W.by_rows(moved(kept));
+      std::vector<double>       A(n * n), x(n);
+      for (std::size_t j = 0; j < n; ++j)
+        {
+          x[j] = -v[rows[j]];
+          for (std::size_t i = 0; i < n; ++i)
+            A[j * n + i] = W(rows[i], rows[j]);
+        }
+      unsigned int first = 0;
+      for (unsigned int i = 0; i < W.n_points(); ++i)
+        if (at.states[i] != PointState::open)
+          {
+            if (at.states[i] == PointState::slip)
+              linearise_slip(
+                at.z[i], at.bound[i], mu[i], kept[i], first, W.size(i), A, x);
+            first += W.size(i);
+          }
+      const DenseLU factor(std::move(A), n);
+      NewtonStep    step;
+      step.sign = factor.sign_of_determinant();
+      if (factor.is_singular())
+        return step;
+      factor.solve(x);
+      std::vector<double> forces = W.by_rows(kept);
+      for (std::size_t k = 0; k < n; ++k)
+        forces[rows[k]] += x[k];
+      step.lambda    = W.by_points(forces);
+      step.is_solved = std::isfinite(inner_product(step.lambda, step.lambda));
+      return step;
+    }
+
+
+
+    PointVectors
+    CoulombSearch::shortened(const PointVectors &lambda,
+                             const PointVectors &next,
+                             const unsigned int  iteration) const
+    {
+      // Now and then a step that no norm has chosen, out of circles.
+      constexpr unsigned int blind_every = 4;
+      constexpr double       blind       = 0.35;
+      const auto             at          = [&](const double step) {
+        PointVectors result = lambda;
+        for (unsigned int i = 0; i < result.size(); ++i)
+          result[i] += step * (next[i] - lambda[i]);
+        return result;
+      };
+      if (iteration % blind_every == 0)
+        return at(blind);
+      PointVectors best  = lambda;
+      double       least = std::numeric_limits<double>::max();
+      for (const double step : {1., 0.5, 0.25, 0.1, 0.03, 0.01})
+        {
+          const PointVectors there = at(step), map = natural_map(there);
+          if (const double size = inner_product(map, map); size < least)
+            {
+              least = size;
+              best  = there;
+            }
+        }
+      return best;
+    }
+
+
+
+    CoulombSolution
+    CoulombSearch::newton(PointVectors       lambda,
+                          const unsigned int most,
+                          const unsigned int damped_from) const
+    {
+      CoulombSolution best;
+      best.force            = lambda;
+      best.error            = std::numeric_limits<double>::max();
+      unsigned int polished = 0;
+      for (unsigned int k = 0; k < most + polished; ++k)
+        {
+          const Trial      at   = trial(lambda);
+          const NewtonStep step = newton_step(at, lambda);
+          ++best.iterations;
+          if (!step.is_solved)
+            break;
+          const double before = best.error, e = error(step.lambda);
+          if (e < best.error)
+            {
+              best.error     = e;
+              best.force     = step.lambda;
+              best.stability = step.sign;
+            }
+          if (best.error < rules.tolerance)
+            {
+              const bool betters = before > rules.tolerance || 10. * e < before;
+              if (best.error < rules.digits || polished == rules.polish ||
+                  !betters)
+                break;
+              ++polished;
+              lambda = best.force;
+              continue;
+            }
+          lambda =
+            k < damped_from ? step.lambda : shortened(lambda, step.lambda, k);
+        }
+      return best;
+    }
+
+
+
+    Tensor<1, 3>
+    CoulombSearch::local_force(const unsigned int  point,
+                               const Tensor<1, 3> &v,
+                               const Tensor<1, 3> &force) const
+    {
+      const unsigned int r = W.first[point], size = W.size(point);
+      const double       w_n = W(r, r);
+      if (size == 2)
+        {
+          // Of two rows exactly: stick, or slip to either side.
+          const double w_t = W(r + 1, r + 1), w_nt = W(r, r + 1),
+                       q_n = v[0] - w_n * force[0] - w_nt * force[1],
+                       q_t = v[1] - w_nt * force[0] - w_t * force[1];
+          Tensor<1, 3> found;
+          if (q_n >= 0.)
+            return found;
+          const double det = w_n * w_t - w_nt * w_nt;
+          found[0]         = (-q_n * w_t + q_t * w_nt) / det;
+          found[1]         = (-q_t * w_n + q_n * w_nt) / det;
+          if (found[0] >= 0. && std::abs(found[1]) <= mu[point] * found[0])
+            return found;
+          for (const double side : {1., -1.})
+            if (const double w = w_n + side * mu[point] * w_nt; w > 0.)
+              {
+                found[0] = -q_n / w;
+                found[1] = side * mu[point] * found[0];
+                if (side * (w_nt * found[0] + w_t * found[1] + q_t) <=
+                    arithmetic::rounding)
+                  return found;
+              }
+        }
+      Tensor<1, 3> found;
+      found[0] = std::max(0., force[0] - v[0] / w_n);
+      if (size == 1)
+        return found;
+      const double w_t =
+        std::max(W(r + 1, r + 1), W(r + size - 1, r + size - 1));
+      const Tensor<1, 3> z = tangential_part(force - v / w_t);
+      const double bound = mu[point] * found[0], length = tangential_norm(z);
+      return found + (length > bound ? bound / length : 1.) * z;
+    }
+
+
+
+    PointVectors
+    CoulombSearch::swept(PointVectors lambda, const unsigned int sweeps) const
+    {
+      PointVectors v = moved(lambda);
+      for (unsigned int k = 0; k < sweeps; ++k)
+        for (unsigned int i = 0; i < lambda.size(); ++i)
+          {
+            const Tensor<1, 3> found  = local_force(i, v[i], lambda[i]),
+                               change = found - lambda[i];
+            if (change != Tensor<1, 3>())
+              W.add_of_point(i, change, v);
+            lambda[i] = found;
+          }
+      return lambda;
+    }
+
+
+
+    CoulombSolution
+    CoulombSearch::by_cones(const PointVectors &start) const
+    {
+      // Cones of unit width: normal forces are multiplied by mu.
+      PointCompliance     cones = W;
+      std::vector<double> widths(W.n_rows(), 1.);
+      for (unsigned int i = 0; i < W.n_points(); ++i)
+        widths[W.first[i]] = 1. / std::max(mu[i], rules.least_friction);
+      for (unsigned int j = 0; j < W.n_rows(); ++j)
+        for (unsigned int i = 0; i < W.n_rows(); ++i)
+          cones(i, j) *= widths[i] * widths[j];
+
+      CoulombSolution best;
+      best.force          = start;
+      best.error          = std::numeric_limits<double>::max();
+      PointVectors lambda = start;
+      for (unsigned int k = 0; k < rules.cone_rounds; ++k)
+        {
+          const PointVectors v      = moved(lambda);
+          PointVectors       opened = moved(PointVectors(W.n_points()));
+          for (unsigned int i = 0; i < W.n_points(); ++i)
+            {
+              opened[i][0] += mu[i] * tangential_norm(v[i]);
+              opened[i][0] *= widths[W.first[i]];
+            }
+          lambda = cone_minimum(cones, opened);
+          for (unsigned int i = 0; i < W.n_points(); ++i)
+            lambda[i][0] *= widths[W.first[i]];
+          CoulombSolution found =
+            newton(lambda, rules.last_iterations, rules.last_iterations);
+          found.iterations += best.iterations;
+          if (found.error < best.error)
+            best = found;
+          best.iterations = found.iterations;
+          if (best.error < rules.tolerance)
+            break;
+        }
+      return best;
+    }
+
+
+
+    CoulombSearch
+    CoulombSearch::softened(const double soft, const PointVectors &lambda) const
+    {
+      CoulombSearch result = *this;
+      for (unsigned int r = 0; r < W.n_rows(); ++r)
+        result.W(r, r) += soft;
+      for (unsigned int i = 0; i < q.size(); ++i)
+        result.q[i] += soft * (about[i] - lambda[i]);
+      return result;
+    }
+
+
+
+    CoulombSolution
+    CoulombSearch::by_softness(const PointVectors &start,
+                               const double        first,
+                               const double        falls) const
+    {
+      constexpr double   least = 1e-12;
+      constexpr unsigned tries = 8;
+      CoulombSolution    best;
+      best.force       = start;
+      best.error       = std::numeric_limits<double>::max();
+      const auto offer = [&](const CoulombSolution &found) {
+        best.iterations += found.iterations;
+        if (found.error < best.error)
+          {
+            best.error     = found.error;
+            best.force     = found.force;
+            best.stability = found.stability;
+          }
+      };
+      PointVectors lambda = start;
+      double       soft   = first;
+      for (unsigned int k = 0; k < rules.max_softened && soft <= 10. * first;
+           ++k)
+        {
+          const CoulombSearch other = softened(soft, lambda);
+          CoulombSolution     found =
+            other.newton(lambda, rules.iterations, rules.damped_from);
+          if (found.error > rules.solved)
+            {
+              const CoulombSolution again =
+                other.newton(other.swept(lambda, rules.soft_sweeps),
+                             rules.iterations,
+                             rules.damped_from);
+              best.iterations += found.iterations;
+              if (again.error < found.error)
+                found = again;
+            }
+          best.iterations += found.iterations;
+          if (found.error > rules.solved)
+            {
+              soft *= rules.rises;
+              continue;
+            }
+          lambda = found.force;
+          offer(newton(lambda, tries, tries));
+          if (best.error < rules.tolerance)
+            break;
+          soft = std::max(least, soft * falls);
+        }
+      return best;
+    }
+
+
+
+    CoulombSolution
+    CoulombSearch::chain(const PointVectors &start) const
+    {
+      const PointVectors none(W.n_points());
+      CoulombSolution    best;
+      best.error       = std::numeric_limits<double>::max();
+      best.force       = start;
+      const auto is_it = [&](const char *const      by,
+                             const CoulombSolution &found) {
+        const unsigned int iterations = best.iterations + found.iterations;
+        if (found.error < best.error)
+          {
+            best    = found;
+            best.by = by;
+          }
+        best.iterations = iterations;
+        return best.error < rules.tolerance;
+      };
+      const auto from = [&](const PointVectors &lambda) {
+        return newton(swept(lambda, rules.sweeps),
+                      rules.iterations,
+                      rules.damped_from);
+      };
+      if (is_it("forces of before",
+                newton(start, rules.first_iterations, rules.iterations)) ||
+          is_it("sweeps", from(start)) ||
+          is_it("sweeps from nothing", from(none)) ||
+          is_it("cones", by_cones(best.force)) ||
+          is_it("softness",
+                by_softness(best.force, rules.first_softness, rules.falls)) ||
+          is_it("softness from nothing",
+                by_softness(none, rules.second_softness, rules.falls)))
+        return best;
+      is_it("softness that falls slowly",
+            by_softness(none, rules.second_softness, rules.falls_slowly));
+      return best;
+    }
+  } // namespace
+
+
+
+  namespace
+  {
+    /// @p problem with the softness @p share of each point's largest diagonal
+    /// entry, about @p lambda: a proximal point.
+    CoulombProblem
+    softened(const CoulombProblem &problem,
+             const double          share,
+             const PointVectors   &lambda)
+    {
+      CoulombProblem   soft = problem;
+      PointCompliance &W    = soft.compliance;
+      for (unsigned int i = 0; i < W.n_points(); ++i)
+        {
+          double most = 0.;
+          for (unsigned int r = W.first[i]; r < W.first[i + 1]; ++r)
+            most = std::max(most, W(r, r));
+          for (unsigned int r = W.first[i]; r < W.first[i + 1]; ++r)
+            W(r, r) += share * most;
+          if (!problem.about.empty())
+            soft.q[i] += share * most * problem.about[i];
+          soft.q[i] -= share * most * lambda[i];
+        }
+      return soft;
+    }
+  } // namespace
+
+
+
+  CoulombSolution
+  solve_coulomb(const CoulombProblem &problem,
+                const PointVectors   &start,
+                const CoulombRules   &rules)
+  {
+    const CoulombSearch exact(problem, rules);
+    CoulombSolution     best;
+    best.force              = start;
+    best.error              = std::numeric_limits<double>::max();
+    PointVectors lambda     = start;
+    unsigned int iterations = 0;
+    std::string  by;
+    for (unsigned int round = 0; round < rules.max_rounds; ++round)
+      {
+        const CoulombSearch search(softened(problem, rules.softness, lambda),
+                                   rules);
+        CoulombSolution     found = search.chain(search.scaled(lambda));
+        const double        left  = found.error;
+        if (round == 0)
+          by = found.by;
+        iterations += found.iterations;
+        found.force = lambda = search.unscaled(found.force);
+        found.error          = exact.error(exact.scaled(lambda));
+        if (found.error < best.error)
+          best = found;
+        if (best.error < rules.tolerance || left > rules.failed)
+          break;
+      }
+    best.by         = by;
+    best.iterations = iterations;
+    best.states     = exact.trial(exact.scaled(best.force)).states;
+    return best;
+  }
+} // namespace lamella

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <lamella/solve/friction_state.h>
+
+namespace lamella
+{
+  using namespace dealii;
+
+  FrictionState
+  FrictionState::at_rest(const unsigned int n)
+  {
+    const std::vector<Tensor<1, 3>> none(n);
+    return {
+      none, none, none, std::vector<double>(n, 0.), std::vector<double>(n, 0.)};
+  }
+
+
+
+  Tensor<1, 2>
+  along_tangents(const GapRow &row, const Tensor<1, 3> &vector)
+  {
+    Tensor<1, 2> components;
+    for (unsigned int a = 0; a < row.slips.size(); ++a)
+      components[a] = vector * row.slips[a].tangent;
+    return components;
+  }
+
+
+
+  Tensor<1, 3>
+  in_scene(const GapRow &row, const Tensor<1, 2> &components)
+  {
+    Tensor<1, 3> vector;
+    for (unsigned int a = 0; a < row.slips.size(); ++a)
+      vector += components[a] * row.slips[a].tangent;
+    return vector;
+  }
+
+
+
+  Tensor<1, 2>
+  slip_of(const GapRow &row, const BlockVector &u, const double factor)
+  {
+    Tensor<1, 2> slip;
+    for (unsigned int a = 0; a < row.slips.size(); ++a)
+      slip[a] = row.slips[a].slip(u, factor);
+    return slip;
+  }
+
+
+
+  void
+  add_force(const GapRow       &row,
+            const double        normal,
+            const Tensor<1, 3> &shear,
+            BlockVector        &f)
+  {
+    row.add_to(f, normal);
+    for (const SlipRow &slip : row.slips)
+      slip.add_to(f, slip.tangent * shear);
+  }
+} // namespace lamella
