@@ -170,7 +170,15 @@ namespace
       }
     catch (const InputError &error)
       {
+        // That is what there is to say, also if another process ends first and
+        // this one is told to.
+        say_if_interrupted("");
         throw text.placed(error);
+      }
+    catch (const NumericsError &)
+      {
+        say_if_interrupted("");
+        throw;
       }
   }
 

@@ -119,8 +119,14 @@ namespace lamella
 
     /// Throws InputError for what a deck cannot say.
     void
-    check_overclosure(const ContactPair &pair, const std::string &path)
+    check_law(const ContactPair &pair, const std::string &path)
     {
+      if (pair.friction > 0.)
+        throw InputError(path + "/Friction",
+                         to_text(pair.friction),
+                         "friction is not written into a CalculiX deck",
+                         "Export the scene with Friction = none, and add "
+                         "*FRICTION below its *SURFACE INTERACTION.");
       if (pair.overclosure == Overclosure::adjust)
         throw InputError(path + "/Overclosure",
                          name_of(pair.overclosure),
@@ -154,7 +160,7 @@ namespace lamella
   {
     const ContactPair &pair = scene.contacts[k];
     const std::string  path = "Contact " + pair.name;
-    check_overclosure(pair, path);
+    check_law(pair, path);
     const auto side = [&](const Region &region) -> const Body & {
       const Body &body = *mesh.bodies()[region.body];
       check_surface(body, region.surface, path);

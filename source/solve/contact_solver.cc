@@ -554,12 +554,15 @@ namespace lamella
   ContactSolver::correct(State &state, const double factor)
   {
     BlockVector r_u = structure.residual(state.u, factor, state.rest);
-    for (const unsigned int r : state.active)
-      add_force(rows[r],
-                state.force[r],
-                state.friction.empty() ? Tensor<1, 3>() :
-                                         state.friction.shear[r],
-                r_u);
+    // All that there are, also where no row is to be closed
+    // (stands_by_forces()).
+    for (unsigned int r = 0; r < rows.size() && !state.force.empty(); ++r)
+      if (state.force[r] != 0.)
+        add_force(rows[r],
+                  state.force[r],
+                  state.friction.empty() ? Tensor<1, 3>() :
+                                           state.friction.shear[r],
+                  r_u);
     const ClosedRows closed = closed_rows(state);
     BlockVector      du;
     Vector           dlambda;

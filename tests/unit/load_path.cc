@@ -9,6 +9,9 @@
 
 #include <boost/test/unit_test.hpp>
 
+#include <algorithm>
+#include <array>
+#include <cmath>
 #include <memory>
 #include <ostream>
 
@@ -96,6 +99,68 @@ BOOST_AUTO_TEST_CASE(a_path_that_goes_on_is_the_same_path)
   BOOST_TEST(!rest.has_more());
   BOOST_TEST(difference(resumed, whole) == 0.);
   BOOST_TEST(resumed.force == whole.force, boost::test_tools::per_element());
+}
+
+
+
+BOOST_AUTO_TEST_CASE(friction_remembers_the_path)
+{
+  const double                   mu = 0.05;
+  const std::vector<std::string> rubs{"Contact faces/Friction=0.05"};
+  PressedBlocks                  blocks(rubs), others(rubs);
+  LoadPath                       path(*blocks.step, {0.5, 1., 0.9, 0.5});
+  std::vector<State>             states;
+  StrategyMemory                 memory;
+  while (path.has_more())
+    {
+      if (states.size() == 2)
+        memory = blocks.solver->memory();
+      states.push_back(path.advance().state);
+    }
+  // On the way down it is not where it was on the way up.
+  BOOST_TEST(difference(states[3], states[0]) > 1e-4);
+
+  const GapRows      &rows   = blocks.built->rows();
+  double              before = 0.;
+  std::array<bool, 2> seen{};
+  for (unsigned int k = 0; k < states.size(); ++k)
+    {
+      const FrictionState &friction = states[k].friction;
+      const double         largest =
+        *std::max_element(states[k].force.begin(), states[k].force.end());
+      double dissipated = 0.;
+      for (unsigned int r = 0; r < rows.size(); ++r)
+        {
+          const double bound = mu * states[k].force[r],
+                       shear = friction.shear[r].norm();
+          BOOST_TEST(shear <= bound + 1e-9 * largest);
+          dissipated += friction.dissipated[r];
+          const bool slips = friction.direction[r].norm() > 0.;
+          seen[slips]      = true;
+          if (!slips)
+            continue;
+          BOOST_TEST(std::abs(shear - bound) < 1e-9 * largest);
+          // Against the slip of this step.
+          dealii::Tensor<1, 3> slip = friction.before[r];
+          if (k > 0)
+            slip -= states[k - 1].friction.before[r];
+          BOOST_TEST(friction.shear[r] * slip <= 0.);
+        }
+      BOOST_TEST(dissipated >= before);
+      before = dissipated;
+    }
+  BOOST_TEST(before > 0.);
+  BOOST_TEST((seen[0] && seen[1]));
+
+  LoadPath rest(*others.step, {0.5, 1., 0.9, 0.5});
+  others.solver->recall(memory);
+  rest.resume(2, states[1]);
+  rest.advance();
+  const State resumed = rest.advance().state;
+  BOOST_TEST(difference(resumed, states[3]) == 0.);
+  for (unsigned int r = 0; r < rows.size(); ++r)
+    BOOST_TEST(
+      (resumed.friction.shear[r] - states[3].friction.shear[r]).norm() == 0.);
 }
 
 
