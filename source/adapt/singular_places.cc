@@ -93,9 +93,9 @@ namespace lamella
     {
       std::vector<Tensor<1, 3>> normals;
       const auto                locations = body.locate({position});
-      for (const Location &location : locations[0])
-        for (const Location::Place &place : location.places)
-          for (const SurfaceFacet &facet : body.surface_facets(surface))
+      for (const SurfaceFacet &facet : body.surface_facets(surface))
+        for (const Location &location : locations[0])
+          for (const Location::Place &place : location.places)
             if (const auto st = on_facet(place, facet))
               normals.push_back(body.surface_point(facet, *st).normal);
       return normals;

@@ -34,8 +34,7 @@ namespace lamella
       // Of the problem's scale: forces that are no better are none.
       constexpr double  sound = 1e-6;
       const std::string remedy =
-        ". Try more Substeps, a smaller step in Load factors, or a softer "
-        "penalty.";
+        ". Try a smaller step in Load factors, or a softer penalty.";
       if (!(found.error <= sound))
         throw NumericsError(
           "The contact did not settle with friction: the law is missed by " +

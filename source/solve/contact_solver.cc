@@ -229,6 +229,8 @@ namespace lamella
     double                    largest = 0.;
     for (const double lambda : state.force)
       largest = std::max(largest, std::abs(lambda));
+    const double slid =
+      std::max(closed, parameters.good_enough * size_of(state, factor));
     Misses found;
     for (const unsigned int r : state.active)
       {
@@ -240,12 +242,7 @@ namespace lamella
                      std::abs(g[r] + law_softness(rows[r]) * state.force[r]));
         if (!rows[r].slips.empty())
           add_misses_of_friction(
-            state,
-            factor,
-            r,
-            std::max(closed, parameters.good_enough * size_of(state, factor)),
-            parameters.good_enough * largest,
-            found);
+            state, factor, r, slid, parameters.good_enough * largest, found);
       }
     for (unsigned int r = 0; r < rows.size(); ++r)
       if (g[r] < -closed &&

@@ -497,10 +497,11 @@ namespace lamella
       best.force          = start;
       best.error          = std::numeric_limits<double>::max();
       PointVectors lambda = start;
+      const auto   free   = moved(PointVectors(W.n_points()));
       for (unsigned int k = 0; k < rules.cone_rounds; ++k)
         {
           const PointVectors v      = moved(lambda);
-          PointVectors       opened = moved(PointVectors(W.n_points()));
+          PointVectors       opened = free;
           for (unsigned int i = 0; i < W.n_points(); ++i)
             {
               opened[i][0] += mu[i] * tangential_norm(v[i]);
