@@ -8,9 +8,11 @@
 #include <lamella/estimate/bars_from_half.h>
 #include <lamella/estimate/estimation.h>
 #include <lamella/estimate/goal_bars.h>
+#include <lamella/estimate/held_places.h>
 #include <lamella/estimate/operations.h>
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <optional>
 #include <ostream>
@@ -69,6 +71,25 @@ namespace lamella
 
 
 
+    /// Makes the bars of @p goals no less than twice what they @p missed at
+    /// places that are held, which is of the axis.
+    void
+    widen(const std::vector<double> &missed, Goals &goals)
+    {
+      for (unsigned int k = 0; k < missed.size(); ++k)
+        {
+          GoalResult  &goal  = goals[k];
+          const double whole = 2. * missed[k];
+          if (!goal.has_limit || !(std::abs(whole) > goal.bar))
+            continue;
+          goal.bar      = std::abs(whole);
+          goal.estimate = missed[k];
+          goal.shares   = {{name_of(Source::axis), whole}};
+        }
+    }
+
+
+
     /// The goals of @p run with bars by maker_for(); none if these are not
     /// wanted, are not to be had or fail.
     std::optional<Goals>
@@ -84,8 +105,11 @@ namespace lamella
       // The run has its numbers: nothing beside it takes them away.
       const Progress::Part part(out, "error bars");
       std::optional<Goals> goals;
-      const Outcome        outcome =
-        outcome_of([&, &make = make] { goals = make(out, cache); });
+      const Outcome        outcome = outcome_of([&, &make = make] {
+        Goals made = make(out, cache);
+        widen(missed_at_held_places(run, out, cache), made);
+        goals = std::move(made);
+      });
       if (outcome.status != 0)
         out << "  failed: " << trimmed(outcome.message) << std::endl;
       return goals;
