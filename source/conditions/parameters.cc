@@ -135,8 +135,41 @@ namespace lamella
 
 
   void
+  HistoryParameters::declare(ParameterHandler &prm)
+  {
+    prm.declare_entry("Factors",
+                      "",
+                      patterns::numbers(),
+                      "In place of Load factors: one number a load step, which "
+                      "this alone is multiplied with. Empty: Load factors.");
+  }
+
+
+
+  unsigned int
+  HistoryParameters::parse(const Entries &in, std::vector<LoadFactor> &steps)
+  {
+    const Entry entry = in["Factors"];
+    if (entry.is_empty())
+      return 0;
+    const std::vector<double> factors = entry.numbers();
+    if (factors.size() != steps.size())
+      entry.refuse("there are " + std::to_string(factors.size()) +
+                     " numbers, but " + std::to_string(steps.size()) +
+                     " Load factors",
+                   "Give one number a load step.");
+    unsigned int number = 0;
+    for (unsigned int k = 0; k < steps.size(); ++k)
+      number = steps[k].add(factors[k]);
+    return number;
+  }
+
+
+
+  void
   SupportParameters::declare(ParameterHandler &prm)
   {
+    HistoryParameters::declare(prm);
     prm.declare_entry("On",
                       "",
                       Anything(),
@@ -301,6 +334,7 @@ namespace lamella
   LoadParameters::declare(ParameterHandler &prm)
   {
     declare_place_of_load(prm);
+    HistoryParameters::declare(prm);
     declare_forces(prm);
     prm.declare_entry("Temperature",
                       "",

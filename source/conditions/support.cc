@@ -120,6 +120,8 @@ namespace lamella
             else
               add_component_rows(body, region, supports[s], s, rows);
           }
+    for (PrescribedRow &row : rows)
+      row.history = supports[row.support].history;
     return rows;
   }
 

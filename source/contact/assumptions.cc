@@ -176,7 +176,7 @@ namespace lamella
   largest_sliding(const ContactInterface          &interface,
                   const Bodies                    &bodies,
                   const BlockVector               &u,
-                  const double                     factor,
+                  const LoadFactor                &factor,
                   const std::vector<unsigned int> &active)
   {
     const std::string     path = "Contact " + interface.name;
@@ -197,7 +197,7 @@ namespace lamella
                           u.block(*interface.second_body),
                           path);
     else
-      u_2.assign(active.size(), factor * interface.obstacle->displacement);
+      u_2.assign(active.size(), interface.obstacle->displacement_at(factor));
 
     Sliding worst;
     for (unsigned int k = 0; k < active.size(); ++k)
@@ -219,7 +219,7 @@ namespace lamella
   broken_assumptions(const ContactInterface          &interface,
                      const Bodies                    &bodies,
                      const BlockVector               &u,
-                     const double                     factor,
+                     const LoadFactor                &factor,
                      const std::vector<unsigned int> &active)
   {
     constexpr double large_sliding = 0.1, large_angle = 5. / 180. * numbers::PI;

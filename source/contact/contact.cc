@@ -128,7 +128,7 @@ namespace lamella
 
 
   void
-  Contact::pair(const BlockVector &u, const double factor)
+  Contact::pair(const BlockVector &u, const LoadFactor &factor)
   {
     const ContactSides at(undeformed, u, factor);
     interface = interface_within(at, reach);
@@ -150,7 +150,7 @@ namespace lamella
 
 
   void
-  Contact::move(const BlockVector &u, const double factor)
+  Contact::move(const BlockVector &u, const LoadFactor &factor)
   {
     find_points();
     const ContactSides at(undeformed, u, factor);
@@ -186,7 +186,7 @@ namespace lamella
   void
   Contact::write(const ContactSides &sides,
                  const BlockVector  &u,
-                 const double        factor)
+                 const LoadFactor   &factor)
   {
     const Bodies &bodies  = undeformed.bodies();
     const auto    rows_on = [&](const bool second, const unsigned int body) {
@@ -235,6 +235,7 @@ namespace lamella
             SlipRow slip;
             slip.parts   = parts[k][a];
             slip.tangent = tangents[a];
+            slip.history = row.history;
             if (interface.obstacle != nullptr)
               slip.rate =
                 tangents[a] * (across * interface.obstacle->displacement);
@@ -248,7 +249,7 @@ namespace lamella
   void
   Contact::set_tangent_plane(const unsigned int k,
                              const BlockVector &u,
-                             const double       factor)
+                             const LoadFactor  &factor)
   {
     const GapIntegrals      &of    = integrals[k];
     GapRow                  &row   = interface.rows[k];
@@ -265,7 +266,8 @@ namespace lamella
     const auto   adjusted = taken_out.find(key(point));
     const double gap =
       of.gap + (adjusted == taken_out.end() ? 0. : adjusted->second);
-    row.initial_gap = gap - row.opening(u) - factor * row.gap_rate;
+    row.initial_gap =
+      gap - row.opening(u) - factor.of(row.history) * row.gap_rate;
   }
 
 
@@ -356,7 +358,7 @@ namespace lamella
 
   StalePairing
   Contact::stays_paired(const BlockVector               &u,
-                        const double                     factor,
+                        const LoadFactor                &factor,
                         const std::vector<unsigned int> &active)
   {
     find_points();
@@ -391,7 +393,7 @@ namespace lamella
 
   void
   Contact::require_found(const BlockVector               &u,
-                         const double                     factor,
+                         const LoadFactor                &factor,
                          const std::vector<unsigned int> &active)
   {
     search.check(interface, u, factor, active);

@@ -16,7 +16,7 @@ namespace lamella
 
   ContactSides::ContactSides(const ContactSides &undeformed,
                              const BlockVector  &u,
-                             const double        factor)
+                             const LoadFactor   &factor)
     : pair(undeformed.pair)
     , all_bodies(undeformed.all_bodies)
     , undeformed(&undeformed)
@@ -25,7 +25,7 @@ namespace lamella
     if (pair.obstacle == nullptr)
       return;
     auto moved = std::make_shared<Obstacle>(*pair.obstacle);
-    moved->point += factor * moved->displacement;
+    moved->point += moved->displacement_at(factor);
     standing = moved;
   }
 

@@ -126,7 +126,10 @@ namespace lamella
     {
       GapRow row;
       if (contact.obstacle != nullptr)
-        row.gap_rate = gap.normal * contact.obstacle->displacement;
+        {
+          row.gap_rate = gap.normal * contact.obstacle->displacement;
+          row.history  = contact.obstacle->history;
+        }
       // Bodies that touch have a gap of rounding only.
       const double rounding =
         arithmetic::rounding * (gap.position.norm() + gap.opposite.norm());

@@ -294,6 +294,7 @@ namespace lamella
                       "0, 0, 0",
                       patterns::numbers(3),
                       "Displacement at load factor 1 [length].");
+    HistoryParameters::declare(prm);
   }
 
 
@@ -313,7 +314,7 @@ namespace lamella
 
 
 
-  std::shared_ptr<const Obstacle>
+  std::shared_ptr<Obstacle>
   ObstacleParameters::parse(const Entries &in, const std::string &name)
   {
     auto        obstacle = std::make_shared<Obstacle>();

@@ -88,17 +88,16 @@ namespace lamella
   void
   SearchCheck::check(const ContactInterface          &interface,
                      const BlockVector               &u,
-                     const double                     factor,
+                     const LoadFactor                &factor,
                      const std::vector<unsigned int> &active)
   {
     if (!contact.search_distance)
       return;
     // Two surfaces come nearer by no more than both move.
-    const double obstacle =
-      contact.obstacle == nullptr ?
-        0. :
-        std::abs(factor) * contact.obstacle->displacement.norm();
-    const double needed = *contact.search_distance +
+    const double obstacle = contact.obstacle == nullptr ?
+                              0. :
+                              contact.obstacle->displacement_at(factor).norm();
+    const double needed   = *contact.search_distance +
                           2. * std::sqrt(3.) * u.linfty_norm() + obstacle;
     const double most = std::max(*contact.search_distance,
                                  automatic_search_distance(contact, bodies));

@@ -14,14 +14,14 @@ namespace lamella
                              run.model().rows().end());
     for (GapRow &row : rows)
       row.enforcement = Enforcement::exact;
-    const GapRows view(rows);
-    ContactSolver solver(run.contact_solver().shared_tangent(),
+    const GapRows     view(rows);
+    ContactSolver     solver(run.contact_solver().shared_tangent(),
                          view,
                          run.model().scene().solve.loop,
                          run.model().scene().solve.strategy);
-    const auto   &last   = run.results().last();
-    const double  factor = last.load_factor;
-    const State   exact  = solver.release_springs(
+    const auto       &last   = run.results().last();
+    const LoadFactor &factor = last.load_factor;
+    const State       exact  = solver.release_springs(
       solver.solve_contact(solver.solve_free(factor), factor, last.state),
       factor);
 

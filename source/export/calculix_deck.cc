@@ -71,6 +71,31 @@ namespace lamella
 
 
 
+    /// Throws InputError for loads, supports and obstacles that do not go with
+    /// the load factor of the scene, which all of a deck's step is multiplied
+    /// with.
+    void
+    check_histories(const Scene &scene)
+    {
+      const auto check = [](const std::string &path,
+                            const unsigned int history) {
+        if (history > 0)
+          throw InputError(path + "/Factors",
+                           "",
+                           "a CalculiX deck has one load factor a step",
+                           "Leave Factors out, or write *AMPLITUDE into the "
+                           "deck.");
+      };
+      for (const Support &support : scene.supports)
+        check("Support " + support.name, support.history);
+      for (const Load &load : scene.loads)
+        check("Load " + load.name, load.history);
+      for (const auto &obstacle : scene.obstacles)
+        check("Obstacle " + obstacle->name, obstacle->history);
+    }
+
+
+
     Deck::Deck(const Scene                 &scene,
                const std::string           &element,
                const std::optional<double> &contact_stiffness)
@@ -79,6 +104,7 @@ namespace lamella
       , conditions(scene, mesh)
       , contacts(scene, mesh, contact_stiffness)
     {
+      check_histories(scene);
       for (const Probe &probe : scene.probes)
         {
           probes.push_back({&probe,
@@ -149,10 +175,10 @@ namespace lamella
       const auto &factors = scene.solve.load_factors;
       for (unsigned int step = 0; step < factors.size(); ++step)
         {
-          deck << "** load factor " << to_text(factors[step])
+          deck << "** load factor " << to_text(factors[step].of_scene())
                << "\n*STEP, INC=1000\n*STATIC\n1., 1.\n";
-          conditions.write_step(deck, factors[step]);
-          contacts.write_step(deck, factors[step]);
+          conditions.write_step(deck, factors[step].of_scene());
+          contacts.write_step(deck, factors[step].of_scene());
           write_output(deck);
           deck << "*END STEP\n";
         }
@@ -267,7 +293,9 @@ namespace lamella
             {"nodes", node_ - node},
             {"elements", element_ - element}};
         }
-      json["steps"]    = scene.solve.load_factors;
+      json["steps"] = Json::array();
+      for (const LoadFactor &factor : scene.solve.load_factors)
+        json["steps"].push_back(factor.of_scene());
       json["supports"] = meaning_of_supports();
       json["contacts"] = meaning_of_contacts();
       json["probes"]   = Json::object();

@@ -10,9 +10,8 @@ namespace lamella
   using namespace dealii;
 
   FaceTractions::FaceTractions(const std::vector<Load>    &given,
-                               const double                factor,
+                               const LoadFactor           &factor,
                                const std::vector<Support> &supports)
-    : factor(factor)
   {
     for (const Support &support : supports)
       held.insert(held.end(), support.on.begin(), support.on.end());
@@ -21,7 +20,9 @@ namespace lamella
       if (!load.couple && load.temperature.empty())
         for (const Region &region : load.on)
           if (region.kind == Region::Kind::surface)
-            loads.push_back({region, std::make_shared<const Traction>(load)});
+            loads.push_back({region,
+                             std::make_shared<const Traction>(load),
+                             factor.of(load.history)});
   }
 
 
@@ -103,7 +104,7 @@ namespace lamella
     Tensor<1, 3> t;
     for (const SurfaceLoad &load : all.loads)
       if (load.region.body == face.body && load.region.covers(face.surface))
-        t += all.factor * (*load.traction)(x, face.normal);
+        t += load.factor * (*load.traction)(x, face.normal);
     for (const Pressing &contact : contacts)
       t -= contact.traction->pressure_at(x, face.normal, contact.reach) *
            face.normal;

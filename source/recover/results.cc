@@ -88,8 +88,8 @@ namespace lamella
               }
             known->steps.push_back(step.step);
             known->same = known->same && known->text == text;
-            if (std::abs(step.load_factor) >=
-                std::abs(known->step->load_factor))
+            if (std::abs(step.load_factor.of_scene()) >=
+                std::abs(known->step->load_factor.of_scene()))
               {
                 known->text = text;
                 known->step = &step;

@@ -114,7 +114,7 @@ namespace lamella
             {
               table.push_back(cells_of(results, *worst));
               table.back().insert(table.back().begin(),
-                                  to_text(step.load_factor));
+                                  to_text(step.load_factor.of_scene()));
             }
         print_table(out, table);
       }

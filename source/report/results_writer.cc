@@ -104,13 +104,14 @@ namespace lamella
   void
   ResultsWriter::write_vtu_files(const StepResults &step)
   {
-    standing.vtu_files["solution"].emplace_back(step.step,
-                                                write_vtu(place.path(),
-                                                          step.step,
-                                                          step.load_factor,
-                                                          scenery.structure,
-                                                          step.state.u,
-                                                          scenery.strength));
+    standing.vtu_files["solution"].emplace_back(
+      step.step,
+      write_vtu(place.path(),
+                step.step,
+                step.load_factor.of_scene(),
+                scenery.structure,
+                step.state.u,
+                scenery.strength));
     if (!is_speaker())
       return;
     for (unsigned int k = 0; k < surfaces.size(); ++k)

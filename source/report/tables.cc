@@ -164,7 +164,7 @@ namespace lamella
         rows["plies_along.csv"] = plies_along_lines(results, step);
       }
     rows["history.csv"] = std::to_string(step.step) + "," +
-                          csv(step.load_factor) +
+                          csv(step.load_factor.of_scene()) +
                           forces_and_displacements(step);
     for (const double measure : step.measures)
       rows["history.csv"] += "," + csv(measure);

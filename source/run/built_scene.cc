@@ -105,7 +105,10 @@ namespace lamella
                                         given.loads,
                                         stabilisations,
                                         given.gravity);
-    check_balance_of_held(given.supports, whole->bodies(), whole->load());
+    for (const LoadFactor &factor : given.solve.load_factors)
+      check_balance_of_held(given.supports,
+                            whole->bodies(),
+                            whole->load(factor));
     for (const auto &body : whole->bodies())
       body->solver_kind(given.solve.solver);
   }
@@ -180,6 +183,32 @@ namespace lamella
 
 
 
+  namespace
+  {
+    /// Takes the slips out of the rows of @p contact that supports of both
+    /// sides hold, as those along the axis in plane strain: no force in them
+    /// would do anything, so none can be told.
+    void
+    drop_held_slips(ContactInterface &contact, const Structure &structure)
+    {
+      for (GapRow &row : contact.rows)
+        row.slips.erase(
+          std::remove_if(row.slips.begin(),
+                         row.slips.end(),
+                         [&](const SlipRow &slip) {
+                           return slip.rate == 0. &&
+                                  std::all_of(slip.parts.begin(),
+                                              slip.parts.end(),
+                                              [&](const BodyRow &part) {
+                                                return structure.holds(part);
+                                              });
+                         }),
+          row.slips.end());
+    }
+  } // namespace
+
+
+
   void
   BuiltScene::build_contacts()
   {
@@ -190,6 +219,7 @@ namespace lamella
         lives.push_back(
           std::make_unique<Contact>(contact, whole->bodies(), contacts[k]));
         contact.discretisation = contacts[k].discretisation;
+        drop_held_slips(contacts[k], *whole);
         given.resolved =
           SceneText::with_automatic(given.resolved,
                                     "Contact " + contact.name,
@@ -252,7 +282,7 @@ namespace lamella
 
 
   FaceTractions
-  BuiltScene::tractions_at(const State &state, const double factor) const
+  BuiltScene::tractions_at(const State &state, const LoadFactor &factor) const
   {
     FaceTractions tractions(given.loads, factor, given.supports);
     for (unsigned int c = 0; c < contacts.size(); ++c)

@@ -32,7 +32,7 @@ namespace lamella
     const auto is_driven = [](const PrescribedRow &row) {
       return row.value != 0.;
     };
-    if (structure.load().linfty_norm() == 0. &&
+    if (structure.load(1.).linfty_norm() == 0. &&
         std::none_of(contacts.begin(), contacts.end(), is_moved) &&
         std::none_of(structure.prescribed().begin(),
                      structure.prescribed().end(),
@@ -123,12 +123,12 @@ namespace lamella
   {
     out << "First failure:" << std::endl;
     for (const StepResults &step : steps)
-      if (judge(step.load_factor, step.plies))
+      if (judge(step.load_factor.of_scene(), step.plies))
         break;
     if (!result.where)
       for (const StepResults &step : steps)
-        if (std::abs(step.load_factor) > std::abs(result.safe))
-          result.safe = step.load_factor;
+        if (std::abs(step.load_factor.of_scene()) > std::abs(result.safe))
+          result.safe = step.load_factor.of_scene();
     for (unsigned int k = 0; k < n_doublings && !upper(); ++k)
       attempt(result.safe == 0. ? 1. : 2. * result.safe);
     for (unsigned int k = 0; k < most_halvings && upper() && !is_narrow(); ++k)

@@ -202,7 +202,7 @@ namespace lamella
     const Results &found = simulation.results();
     if (found.load_steps > 1)
       to << "\nOf load step " << found.steps.size() << ", load factor "
-         << found.last().load_factor << ":";
+         << found.last().load_factor.of_scene() << ":";
     print_comparison(to, found, references_of(simulation.model().scene()));
     print_summary(to, found);
     to << "\nResults are in " << directory

@@ -205,7 +205,8 @@ namespace lamella
     if (built->strength() == nullptr || !built->structure().is_heated())
       return nullptr;
     out << "State without loads, of heat alone" << std::endl;
-    return std::make_shared<const BlockVector>(step(State(), 0.).state.u);
+    return std::make_shared<const BlockVector>(
+      step(State(), path->next_factor().without_loads()).state.u);
   }
 
 
@@ -243,8 +244,8 @@ namespace lamella
       {
         const std::string number =
           std::to_string(path->n_done() + 1) + " of " + std::to_string(all);
-        out << "Load step " << number << ", load factor " << path->next_factor()
-            << std::endl;
+        out << "Load step " << number << ", load factor "
+            << path->next_factor().of_scene() << std::endl;
         const Progress::Part step(out, "load step " + number);
         do_step(observer);
         Progress::done(out, 1.);

@@ -117,7 +117,7 @@ namespace lamella
                       std::vector<PlyReserve> &plies) const
   {
     FailureTrial trial;
-    trial.load_factor = solved.load_factor;
+    trial.load_factor = solved.load_factor.of_scene();
     trial.checks      = solved.checks;
     const FaceTractions tractions =
       built.tractions_at(solved.state, solved.load_factor);

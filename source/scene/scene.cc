@@ -282,6 +282,28 @@ namespace lamella
 
 
 
+    /// What raises one load factor takes no others.
+    void
+    check_histories(const Scene &scene, const Entries &in)
+    {
+      const auto check = [&](const std::string &what,
+                             const unsigned int history) {
+        if (scene.find_first_failure && history > 0)
+          in["Find"].refuse(what +
+                              " has Factors of its own, and what is raised "
+                              "until a ply fails is the load factor",
+                            "Leave Factors out.");
+      };
+      for (const Support &support : scene.supports)
+        check("support " + support.name, support.history);
+      for (const Load &load : scene.loads)
+        check("load " + load.name, load.history);
+      for (const auto &obstacle : scene.obstacles)
+        check("obstacle " + obstacle->name, obstacle->history);
+    }
+
+
+
     /// The second pass, over what @p prm has parsed.
     Scene
     resolve(ParameterHandler &prm,
@@ -305,6 +327,7 @@ namespace lamella
       check_sizes(scene);
       check_equilibrium(scene, in["Gravity"]);
       check_friction(scene, in);
+      check_histories(scene, in);
       return scene;
     }
   } // namespace

@@ -115,8 +115,11 @@ namespace lamella
                     const std::string &name,
                     const Entries     &in)
     {
-      reading.scene.supports.push_back(
-        SupportParameters::parse(in, name, reading.names.at("Bodies")));
+      Support support =
+        SupportParameters::parse(in, name, reading.names.at("Bodies"));
+      support.history =
+        HistoryParameters::parse(in, reading.scene.solve.load_factors);
+      reading.scene.supports.push_back(support);
       reading.scene.support_references[name] = references_of_resultant(in);
     }
 
@@ -153,8 +156,13 @@ namespace lamella
                  const std::string &name,
                  const Entries     &in)
     {
-      reading.scene.loads.push_back(
-        LoadParameters::parse(in, name, reading.names.at("Bodies")));
+      Load load = LoadParameters::parse(in, name, reading.names.at("Bodies"));
+      load.history =
+        HistoryParameters::parse(in, reading.scene.solve.load_factors);
+      if (load.history > 0 && !load.temperature.empty())
+        in["Factors"].refuse("a Temperature acts in full in each load step",
+                             "Leave Factors out.");
+      reading.scene.loads.push_back(load);
       if (name == name_of_weight && reading.scene.gravity.norm() > 0.)
         in.refuse("Gravity is what the weight of the bodies is called among "
                   "the loads",
@@ -168,7 +176,10 @@ namespace lamella
                      const std::string &name,
                      const Entries     &in)
     {
-      reading.scene.obstacles.push_back(ObstacleParameters::parse(in, name));
+      const auto obstacle = ObstacleParameters::parse(in, name);
+      obstacle->history =
+        HistoryParameters::parse(in, reading.scene.solve.load_factors);
+      reading.scene.obstacles.push_back(obstacle);
     }
 
 

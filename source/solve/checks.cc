@@ -52,7 +52,7 @@ namespace lamella
     add_reactions(const Structure        &structure,
                   const unsigned int      b,
                   const Vector           &unbalanced,
-                  const double            factor,
+                  const LoadFactor       &factor,
                   std::vector<Resultant> &reactions,
                   BodyForces             &on_body)
     {
@@ -75,7 +75,7 @@ namespace lamella
                 return multiplier * p.row.row(motion);
               })
               .moment;
-          work += 0.5 * force * factor * p.value;
+          work += 0.5 * force * factor.of(p.history) * p.value;
         }
       for (unsigned int s = 0; s < reactions.size(); ++s)
         {
@@ -106,12 +106,11 @@ namespace lamella
 
 
 
-    /// What the load vector @p f, times @p factor, does to a body as a whole.
+    /// What the load vector @p f does to a body as a whole.
     Wrench
-    load_on(const BodyForces &body, const Vector &f, const double factor)
+    load_on(const BodyForces &body, const Vector &f)
     {
-      return body.felt(
-        [&](const Vector &motion) { return factor * (f * motion); });
+      return body.felt([&](const Vector &motion) { return f * motion; });
     }
 
 
@@ -190,14 +189,15 @@ namespace lamella
 
 
 
-    /// Loads, springs and deformation of body @p b, and whether the forces
+    /// The @p load, springs and deformation of body @p b, and whether the
+    /// forces
     /// @p on_body, of supports and contacts so far, balance. Returns the energy
     /// that is rounding.
     double
     check_body(const Linearisation &tangent,
                const unsigned int   b,
                const State         &state,
-               const double         factor,
+               const Vector        &load,
                BodyForces          &on_body,
                Checks              &checks)
     {
@@ -206,12 +206,10 @@ namespace lamella
       constexpr double of_heat   = arithmetic::integrated;
       const Structure &structure = tangent.of();
       const Vector    &u         = state.u.block(b);
-      const Vector    &load      = structure.load().block(b);
       const Vector    &heat_load = structure.heat_load().block(b);
-      on_body.add(load_on(on_body, load, factor));
+      on_body.add(load_on(on_body, load));
       on_body.at_least(of_heat *
-                       std::max(heat_load.linfty_norm(),
-                                std::abs(factor) * load.linfty_norm()));
+                       std::max(heat_load.linfty_norm(), load.linfty_norm()));
       checks.stabilisation_energy += add_springs(structure, b, state, on_body);
       const Deformation deformation = on_body.body.deformation(u);
       checks.energy += deformation.energy;
@@ -238,14 +236,13 @@ namespace lamella
     double
     largest_displacement(const std::vector<ContactInterface> &contacts,
                          const BlockVector                   &u,
-                         const double                         factor)
+                         const LoadFactor                    &factor)
     {
       double largest = u.linfty_norm();
       for (const ContactInterface &contact : contacts)
         if (contact.obstacle != nullptr)
           largest =
-            std::max(largest,
-                     std::abs(factor) * contact.obstacle->displacement.norm());
+            std::max(largest, contact.obstacle->displacement_at(factor).norm());
       return largest;
     }
 
@@ -273,15 +270,15 @@ namespace lamella
 
 
 
-    /// What contacts and supports do, with the work of the loads and of the
-    /// supports. @p unbalanced are the forces on degrees of freedom that loads,
-    /// contacts and strains leave to the supports.
+    /// What contacts and supports do, with the work of the supports. @p
+    /// unbalanced are the forces on degrees of freedom that loads, contacts and
+    /// strains leave to the supports.
     void
     add_forces_from_outside(const Structure                     &structure,
                             const std::vector<ContactInterface> &contacts,
                             const BlockVector                   &unbalanced,
                             const State                         &state,
-                            const double                         factor,
+                            const LoadFactor                    &factor,
                             std::vector<BodyForces>             &on_body,
                             Checks                              &checks)
     {
@@ -302,7 +299,6 @@ namespace lamella
                                               factor,
                                               checks.reactions,
                                               on_body[b]);
-      checks.external_work += 0.5 * factor * (structure.load() * state.u);
       find_centres(checks.reactions, structure.size());
     }
   } // namespace
@@ -314,7 +310,7 @@ namespace lamella
               const std::vector<ContactInterface> &contacts,
               const unsigned int                   n_supports,
               const State                         &state,
-              const double                         factor)
+              const LoadFactor                    &factor)
   {
     const Structure &structure = tangent.of();
     Checks           checks;
@@ -327,17 +323,20 @@ namespace lamella
     const BlockVector contact_load =
       load_of_contacts(structure, contacts, state);
     BlockVector r = structure.residual(state.u, factor, state.rest);
-    // What the residual was made of: t f less the internal forces.
-    BlockVector internal = structure.load();
-    internal.sadd(factor, -1., r);
+    // What the residual was made of: f(t) less the internal forces.
+    const BlockVector load     = structure.load(factor);
+    BlockVector       internal = load;
+    internal -= r;
     internal += structure.heat_load();
     r += contact_load;
     add_forces_from_outside(
       structure, contacts, r, state, factor, on_body, checks);
+    checks.external_work += 0.5 * (load * state.u);
 
     double rounding = 0.;
     for (unsigned int b = 0; b < on_body.size(); ++b)
-      rounding += check_body(tangent, b, state, factor, on_body[b], checks);
+      rounding +=
+        check_body(tangent, b, state, load.block(b), on_body[b], checks);
     structure.condense(r);
     if (checks.energy > rounding && r.l2_norm() != 0.)
       checks.residual = r.linfty_norm() / internal.linfty_norm();

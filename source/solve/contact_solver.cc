@@ -43,7 +43,7 @@ namespace lamella
 
 
   std::vector<double>
-  ContactSolver::gaps(const BlockVector &u, const double factor) const
+  ContactSolver::gaps(const BlockVector &u, const LoadFactor &factor) const
   {
     std::vector<double> g;
     for (const GapRow &row : rows)
@@ -56,9 +56,9 @@ namespace lamella
   // ---- contact on top of a free state
 
   State
-  ContactSolver::solve_contact(const State &free,
-                               const double factor,
-                               const State &previous)
+  ContactSolver::solve_contact(const State      &free,
+                               const LoadFactor &factor,
+                               const State      &previous)
   {
     State state = free;
     if (rows.rub())
@@ -103,9 +103,9 @@ namespace lamella
 
 
   ContactProblem
-  ContactSolver::first_problem(const State &free,
-                               const double factor,
-                               const State &previous) const
+  ContactSolver::first_problem(const State      &free,
+                               const LoadFactor &factor,
+                               const State      &previous) const
   {
     // Rows that would be open without any contact start open: in unloading they
     // pull, and pull others in. With friction they may be jammed, and keep
@@ -141,7 +141,8 @@ namespace lamella
 
 
   ContactProblem
-  ContactSolver::problem_about(const State &state, const double factor) const
+  ContactSolver::problem_about(const State      &state,
+                               const LoadFactor &factor) const
   {
     ContactProblem problem;
     problem.gap      = gaps(state.u, factor);
@@ -186,7 +187,7 @@ namespace lamella
 
   Tensor<1, 2>
   ContactSolver::slip_in_step(const State       &state,
-                              const double       factor,
+                              const LoadFactor  &factor,
                               const unsigned int r) const
   {
     return slip_of(rows[r], state.u, factor) +
@@ -199,7 +200,7 @@ namespace lamella
 
   void
   ContactSolver::add_misses_of_friction(const State       &state,
-                                        const double       factor,
+                                        const LoadFactor  &factor,
                                         const unsigned int r,
                                         const double       closed,
                                         const double       small,
@@ -221,9 +222,9 @@ namespace lamella
 
 
   ContactSolver::Misses
-  ContactSolver::misses(const State &state,
-                        const double factor,
-                        const double closed) const
+  ContactSolver::misses(const State      &state,
+                        const LoadFactor &factor,
+                        const double      closed) const
   {
     const std::vector<double> g       = gaps(state.u, factor);
     double                    largest = 0.;
@@ -254,7 +255,7 @@ namespace lamella
 
 
   ContactSolver::Misses
-  ContactSolver::judge(const State &state, const double factor) const
+  ContactSolver::judge(const State &state, const LoadFactor &factor) const
   {
     return misses(state,
                   factor,
@@ -266,10 +267,10 @@ namespace lamella
 
 
   bool
-  ContactSolver::keeps_law(const State &state,
-                           const double factor,
-                           const double error,
-                           const bool   was_slow) const
+  ContactSolver::keeps_law(const State      &state,
+                           const LoadFactor &factor,
+                           const double      error,
+                           const bool        was_slow) const
   {
     const double size = size_of(state, factor);
     return error <= parameters.law_tolerance * size ||
@@ -279,9 +280,9 @@ namespace lamella
 
 
   bool
-  ContactSolver::stands_by_forces(State       &state,
-                                  const State &settled,
-                                  const double factor)
+  ContactSolver::stands_by_forces(State            &state,
+                                  const State      &settled,
+                                  const LoadFactor &factor)
   {
     if (!strategy->forces_stand_alone() || !state.friction.empty())
       return false;
@@ -297,7 +298,7 @@ namespace lamella
 
 
   bool
-  ContactSolver::correct_set(State &state, const double factor)
+  ContactSolver::correct_set(State &state, const LoadFactor &factor)
   {
     if (!state.friction.empty())
       return false;
@@ -332,9 +333,9 @@ namespace lamella
 
 
   void
-  ContactSolver::end_step(const State &before,
-                          const double factor,
-                          State       &state) const
+  ContactSolver::end_step(const State      &before,
+                          const LoadFactor &factor,
+                          State            &state) const
   {
     if (state.friction.empty())
       return;
@@ -364,7 +365,7 @@ namespace lamella
   // ---- without the forces of stabilising springs
 
   State
-  ContactSolver::release_springs(State state, const double factor)
+  ContactSolver::release_springs(State state, const LoadFactor &factor)
   {
     if (!structure.has_springs())
       return state;
@@ -382,9 +383,8 @@ namespace lamella
               force =
                 std::max(force, structure.springs(b)[k].stiffness * moved);
             }
-        double forces =
-          std::max(std::abs(factor) * structure.load().linfty_norm(),
-                   structure.heat_load().linfty_norm());
+        double forces = std::max(structure.load(factor).linfty_norm(),
+                                 structure.heat_load().linfty_norm());
         for (const double lambda : state.force)
           forces = std::max(forces, std::abs(lambda));
         if (change <= parameters.springs_at_rest * size_of(state, factor) ||
@@ -426,15 +426,22 @@ namespace lamella
         }
     const Spring     &worst = structure.springs(body)[spring];
     const std::string name  = structure.bodies()[body]->name();
+    const bool        rubs =
+      std::any_of(rows.begin(), rows.end(), [](const GapRow &row) {
+        return row.friction > 0.;
+      });
     if (!(rate < 0.999))
       throw NumericsError(
-        "Body '" + name +
-        "' is not held by its contacts: its loads move it on "
+        "Body '" + name + "' is not held by its contacts" +
+        (rubs ? ", friction and all" : "") +
+        ": its loads move it on "
         "and on (" +
-        worst.motion +
-        "), against nothing but its stabilising springs. Add a support, close "
-        "its gaps by a prescribed displacement, or load it towards the body "
-        "that is to hold it.");
+        worst.motion + ", each round " + to_text(rate, 4) +
+        " times as far as the one before), against nothing but its stabilising "
+        "springs. Add a support, " +
+        (rubs ? "take more Friction, " : "") +
+        "close its gaps by a prescribed displacement, or load it towards the "
+        "body that is to hold it.");
     throw NumericsError("The stabilising springs of body '" + name +
                         "' are too stiff beside the contacts that hold it (" +
                         worst.motion + "): their share falls by the factor " +
@@ -449,19 +456,19 @@ namespace lamella
 
 
   double
-  ContactSolver::size_of(const State &state, const double factor) const
+  ContactSolver::size_of(const State &state, const LoadFactor &factor) const
   {
     // Gaps are differences of displacements and of the way of obstacles.
     double size = state.u.linfty_norm();
     for (const GapRow &row : rows)
-      size = std::max(size, std::abs(factor * row.gap_rate));
+      size = std::max(size, std::abs(factor.of(row.history) * row.gap_rate));
     return size;
   }
 
 
 
   State
-  ContactSolver::solve_free(const double factor, const SpringRest &rest)
+  ContactSolver::solve_free(const LoadFactor &factor, const SpringRest &rest)
   {
     State state;
     state.rest = rest;
@@ -509,7 +516,7 @@ namespace lamella
 
   Vector
   ContactSolver::law_residual(const State      &state,
-                              const double      factor,
+                              const LoadFactor &factor,
                               const ClosedRows &closed) const
   {
     Vector residual(closed.numbers.size());
@@ -548,7 +555,7 @@ namespace lamella
 
 
   double
-  ContactSolver::correct(State &state, const double factor)
+  ContactSolver::correct(State &state, const LoadFactor &factor)
   {
     BlockVector r_u = structure.residual(state.u, factor, state.rest);
     // All that there are, also where no row is to be closed
@@ -595,7 +602,7 @@ namespace lamella
 
   std::vector<double>
   ContactSolver::refine(State             &state,
-                        const double       factor,
+                        const LoadFactor  &factor,
                         const unsigned int at_least)
   {
     std::vector<double> corrections;

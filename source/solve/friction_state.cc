@@ -39,7 +39,7 @@ namespace lamella
 
 
   Tensor<1, 2>
-  slip_of(const GapRow &row, const BlockVector &u, const double factor)
+  slip_of(const GapRow &row, const BlockVector &u, const LoadFactor &factor)
   {
     Tensor<1, 2> slip;
     for (unsigned int a = 0; a < row.slips.size(); ++a)

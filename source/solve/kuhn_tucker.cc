@@ -43,7 +43,7 @@ namespace lamella
     check_rows(const ContactInterface &contact,
                const RowForces        &forces,
                const BlockVector      &u,
-               const double            factor,
+               const LoadFactor       &factor,
                const double            displacement,
                KuhnTucker             &kkt)
     {
@@ -233,7 +233,7 @@ namespace lamella
   check_contact(const ContactInterface  &contact,
                 const RowForces         &forces,
                 const BlockVector       &u,
-                const double             factor,
+                const LoadFactor        &factor,
                 const double             displacement,
                 std::vector<BodyForces> &on_body)
   {

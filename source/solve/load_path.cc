@@ -31,7 +31,7 @@ namespace lamella
 
 
   SolvedStep
-  Step::operator()(const State &before, const double factor) const
+  Step::operator()(const State &before, const LoadFactor &factor) const
   {
     SolvedStep solved;
     solved.load_factor = factor;
@@ -53,7 +53,7 @@ namespace lamella
 
 
   Checks
-  Step::check(const State &state, const double factor) const
+  Step::check(const State &state, const LoadFactor &factor) const
   {
     Checks checks;
     {
@@ -79,9 +79,9 @@ namespace lamella
 
 
 
-  LoadPath::LoadPath(const Step                &step,
-                     const std::vector<double> &factors,
-                     const bool                 branches)
+  LoadPath::LoadPath(const Step                    &step,
+                     const std::vector<LoadFactor> &factors,
+                     const bool                     branches)
     : step(step)
     , factors(factors)
     , branches(branches)
@@ -95,7 +95,7 @@ namespace lamella
     AssertIndexRange(n_done - 1, factors.size());
     done = n_done;
     last = std::move(state);
-    store(factors[done - 1], last);
+    store(factors[done - 1].of_scene(), last);
   }
 
 
@@ -105,7 +105,7 @@ namespace lamella
   {
     SolvedStep solved = step(last, factors[done]);
     last              = solved.state;
-    store(factors[done], last);
+    store(factors[done].of_scene(), last);
     ++done;
     return solved;
   }

@@ -72,7 +72,8 @@ namespace lamella
   SolveParameters::parse(const Entries &in)
   {
     SolveParameters parameters;
-    parameters.load_factors = in["Load factors"].numbers();
+    for (const double factor : in["Load factors"].numbers())
+      parameters.load_factors.emplace_back(factor);
     if (parameters.load_factors.empty())
       in["Load factors"].is_missing("give one number a load step.");
     parameters.strategy     = in["Contact strategy"].choice<Strategy>();

@@ -29,7 +29,7 @@ namespace lamella
   Constraints
   PenaltyMatrix::constraints_of_all() const
   {
-    const auto &blocks = structure.load().get_block_indices();
+    const auto &blocks = structure.blocks();
     Constraints all;
     for (unsigned int b = 0; b < structure.bodies().size(); ++b)
       for (const auto &line : structure.reduction(b).constraints().get_lines())
@@ -59,7 +59,7 @@ namespace lamella
                    const Use           &use)
     {
       const Structure &structure = linearisation.of();
-      const auto      &blocks    = structure.load().get_block_indices();
+      const auto      &blocks    = structure.blocks();
       for (unsigned int b = 0; b < structure.bodies().size(); ++b)
         {
           const auto global = [&](Dofs dofs) {
@@ -94,7 +94,7 @@ namespace lamella
     Row
     global_row(const Structure &structure, const GapRow &row)
     {
-      const auto &blocks = structure.load().get_block_indices();
+      const auto &blocks = structure.blocks();
       Row         result;
       for (const BodyRow &part : row.parts)
         for (const auto &[dof, weight] : part.row.entries())

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <lamella/base/arithmetic.h>
 #include <lamella/base/exceptions.h>
 #include <lamella/base/text.h>
 #include <lamella/linear/factorisation.h>
@@ -7,9 +8,40 @@
 #include <lamella/solve/structure.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace lamella
 {
+  namespace
+  {
+    /// How many histories there are, that of the scene among them.
+    unsigned int
+    n_histories(const std::vector<Support> &supports,
+                const std::vector<Load>    &loads)
+    {
+      unsigned int last = 0;
+      for (const Support &support : supports)
+        last = std::max(last, support.history);
+      for (const Load &load : loads)
+        last = std::max(last, load.history);
+      return last + 1;
+    }
+
+
+
+    /// @p rows with the values of @p history, the others zero.
+    std::vector<PrescribedRow>
+    of_history(std::vector<PrescribedRow> rows, const unsigned int history)
+    {
+      for (PrescribedRow &row : rows)
+        if (row.history != history)
+          row.value = 0.;
+      return rows;
+    }
+  } // namespace
+
+
+
   Structure::Structure(Bodies                            bodies,
                        const std::vector<Support>       &supports,
                        const std::vector<Load>          &loads,
@@ -17,17 +49,19 @@ namespace lamella
                        const dealii::Tensor<1, 3>       &gravity)
     : all_bodies(std::move(bodies))
     , rows(prescribed_rows(supports, all_bodies))
-    , unit_load(zero())
+    , histories(n_histories(supports, loads), {zero(), zero()})
     , initial_load(zero())
   {
     check_held(stabilisations);
-    std::vector<std::string> names;
+    const std::vector<PrescribedRow> of_scene = of_history(rows, 0);
+    std::vector<std::string>         names;
     for (const Support &support : supports)
       names.push_back(support.name);
     for (unsigned int b = 0; b < all_bodies.size(); ++b)
       {
         reductions.push_back(
-          std::make_unique<RowReduction>(*all_bodies[b], b, rows, names));
+          std::make_unique<RowReduction>(*all_bodies[b], b, of_scene, names));
+        histories[0].particular.block(b) = reductions[b]->particular();
         all_springs.push_back(stabilising_springs(*all_bodies[b],
                                                   b,
                                                   rows,
@@ -35,14 +69,42 @@ namespace lamella
                                                     Stabilisation() :
                                                     stabilisations[b]));
       }
+    for (unsigned int h = 1; h < histories.size(); ++h)
+      histories[h].particular = prescribed_in(h, names);
     for (const Load &load : loads)
-      resultants.push_back(add_load(load, all_bodies, unit_load));
+      resultants.push_back(
+        add_load(load, all_bodies, histories[load.history].load));
     if (gravity.norm() > 0.)
-      resultants.push_back(add_weight(gravity, all_bodies, unit_load));
+      resultants.push_back(add_weight(gravity, all_bodies, histories[0].load));
     apply_heat(loads, all_bodies);
     for (unsigned int b = 0; b < all_bodies.size(); ++b)
       initial_energies.push_back(
         all_bodies[b]->add_heat(initial_load.block(b)));
+  }
+
+
+
+  BlockVector
+  Structure::prescribed_in(const unsigned int              history,
+                           const std::vector<std::string> &names) const
+  {
+    const std::vector<PrescribedRow> own     = of_history(rows, history);
+    BlockVector                      u       = zero();
+    double                           largest = 0.;
+    for (const PrescribedRow &row : own)
+      largest = std::max(largest, std::abs(row.value));
+    for (unsigned int b = 0; b < all_bodies.size(); ++b)
+      u.block(b) = reductions[b]->influence(
+        [&own](const unsigned int k) { return own[k].value; });
+    for (const PrescribedRow &row : own)
+      if (std::abs(row.row(u) - row.value) > arithmetic::dependent * largest)
+        throw InputError(
+          "Support " + names[row.support],
+          "",
+          "goes another way than other supports that hold the same point, at " +
+            to_text(row.position),
+          "Give them the same Factors, or remove one of them.");
+    return u;
   }
 
 
@@ -76,7 +138,7 @@ namespace lamella
   DofIndex
   Structure::n_dofs() const
   {
-    return unit_load.size();
+    return initial_load.size();
   }
 
 
@@ -105,12 +167,46 @@ namespace lamella
 
 
   BlockVector
-  Structure::particular(const double factor) const
+  Structure::particular(const LoadFactor &factor) const
   {
     BlockVector u = zero();
-    for (unsigned int b = 0; b < all_bodies.size(); ++b)
-      u.block(b).equ(factor, reductions[b]->particular());
+    for (unsigned int h = 0; h < histories.size(); ++h)
+      u.add(factor.of(h), histories[h].particular);
     return u;
+  }
+
+
+
+  BlockVector
+  Structure::load(const LoadFactor &factor) const
+  {
+    BlockVector f = zero();
+    for (unsigned int h = 0; h < histories.size(); ++h)
+      f.add(factor.of(h), histories[h].load);
+    return f;
+  }
+
+
+
+  bool
+  Structure::holds(const BodyRow &row) const
+  {
+    const auto largest_of = [](const Row &of) {
+      double largest = 0.;
+      for (const auto &[dof, weight] : of.entries())
+        largest = std::max(largest, std::abs(weight));
+      return largest;
+    };
+    const double nothing = arithmetic::rounding_of_sums * largest_of(row.row);
+    return largest_of(row.row.reduced(reductions[row.body]->constraints())) <=
+             nothing &&
+           std::all_of(histories.begin(),
+                       histories.end(),
+                       [&](const OfHistory &history) {
+                         return std::abs(row(history.particular)) <=
+                                arithmetic::rounding_of_sums *
+                                  history.particular.linfty_norm();
+                       });
   }
 
 
@@ -181,11 +277,11 @@ namespace lamella
 
   BlockVector
   Structure::residual(const BlockVector &u,
-                      const double       factor,
+                      const LoadFactor  &factor,
                       const SpringRest  &rest) const
   {
     BlockVector r = internal_forces(u, rest);
-    r.sadd(-1., factor, unit_load);
+    r.sadd(-1., 1., load(factor));
     r += initial_load;
     return r;
   }

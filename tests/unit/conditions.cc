@@ -522,8 +522,8 @@ BOOST_AUTO_TEST_CASE(symmetry_of_a_turned_body)
   // its interpolation of the edge.
   BOOST_TEST((u - v).norm() < 1e-3 * u.norm());
 
-  const Vector &f = quarter.structure->load().block(0);
-  Vector        residual(f);
+  const Vector f = quarter.structure->load(1.).block(0);
+  Vector       residual(f);
   residual *= -1.;
   quarter.structure->bodies()[0]->add_internal_forces(quarter.state.u.block(0),
                                                       residual);

@@ -72,7 +72,8 @@ BOOST_AUTO_TEST_CASE(a_path_goes_up_and_down)
   while (path.has_more())
     {
       BOOST_TEST(path.n_done() == steps.size());
-      BOOST_TEST(path.next_factor() == (steps.size() == 1 ? 1. : 0.5));
+      BOOST_TEST(path.next_factor().of_scene() ==
+                 (steps.size() == 1 ? 1. : 0.5));
       steps.push_back(path.advance());
       BOOST_TEST(difference(path.state(), steps.back().state) == 0.);
     }
@@ -99,6 +100,46 @@ BOOST_AUTO_TEST_CASE(a_path_that_goes_on_is_the_same_path)
   BOOST_TEST(!rest.has_more());
   BOOST_TEST(difference(resumed, whole) == 0.);
   BOOST_TEST(resumed.force == whole.force, boost::test_tools::per_element());
+}
+
+
+
+BOOST_AUTO_TEST_CASE(histories_superpose)
+{
+  // A linear scene: what each history alone comes to, times its factor.
+  const auto solved = [](const std::vector<std::string> &overrides) {
+    std::vector<std::string> all{"Contacts=", "Load factors=1, 0.5"};
+    all.insert(all.end(), overrides.begin(), overrides.end());
+    PressedBlocks blocks(all);
+    LoadPath      path(*blocks.step, blocks.built->scene().solve.load_factors);
+    std::vector<SolvedStep> steps;
+    while (path.has_more())
+      steps.push_back(path.advance());
+    return steps;
+  };
+  const std::string floor = "Support floor/u=0, 0, 1e-4",
+                    ends  = "Support ends/u=0, 1e-3, 0",
+                    still = "Load press/Pressure=0";
+  const State press       = solved({})[0].state,
+              lift        = solved({floor, still})[0].state,
+              pull        = solved({ends, still})[0].state;
+  const auto together     = solved(
+    {floor, ends, "Load press/Factors=-0.3, 2", "Support ends/Factors=0.7, 0"});
+  for (unsigned int k = 0; k < 2; ++k)
+    {
+      BlockVector u = together[k].state.u;
+      u.add(k == 0 ? 0.3 : -2., press.u);
+      u.add(k == 0 ? -1. : -0.5, lift.u);
+      u.add(k == 0 ? -0.7 : 0., pull.u);
+      BOOST_TEST(u.linfty_norm() < 1e-12 * together[k].state.u.linfty_norm());
+      BOOST_TEST(together[k].checks.energy_balance < 1e-12);
+      BOOST_TEST(together[k].checks.force_balance < 1e-9);
+    }
+  const Scene scene = read_scene(
+    SceneText::read(LAMELLA_SOURCE_DIR "/tests/scenes/pressed_blocks.prm",
+                    {"Load factors=1, 0.5", "Support ends/Factors=3, 4"}));
+  BOOST_TEST(scene.solve.load_factors[1].of(1) == 4.);
+  BOOST_TEST(scene.solve.load_factors[1].without_loads().of(1) == 0.);
 }
 
 

@@ -39,12 +39,12 @@ BOOST_AUTO_TEST_CASE(every_step_is_kept)
       // A linear scene without contact: all of it in proportion.
       BOOST_TEST(step.state.u.size() == results.n_dofs());
       BOOST_TEST(std::abs(step.probes[0].front().sample.displacement[2] /
-                            (step.load_factor * tip) -
+                            (step.load_factor.of_scene() * tip) -
                           1.) < 1e-10);
       BOOST_TEST(std::abs(step.checks.reactions[0].force[2] +
-                          0.1 * step.load_factor) < 1e-9);
-      BOOST_TEST(
-        std::abs(step.checks.reactions[0].moment[0] + step.load_factor) < 1e-8);
+                          0.1 * step.load_factor.of_scene()) < 1e-9);
+      BOOST_TEST(std::abs(step.checks.reactions[0].moment[0] +
+                          step.load_factor.of_scene()) < 1e-8);
     }
 }
 
@@ -60,7 +60,7 @@ BOOST_AUTO_TEST_CASE(a_warning_is_said_once_for_all_steps)
     {
       results.steps.emplace_back();
       results.steps.back().step        = step;
-      results.steps.back().load_factor = step == 5 ? 0. : step;
+      results.steps.back().load_factor = step == 5 ? 0. : 1. * step;
     }
   for (const unsigned int step : {1, 2, 4})
     results.steps[step - 1].warnings.push_back("contact c-1 is the same");

@@ -76,7 +76,7 @@ namespace
       {
         const Vector dummy;
         Vector       nothing;
-        newton.solve_linear({}, structure.load(), dummy, state.u, nothing);
+        newton.solve_linear({}, structure.load(1.), dummy, state.u, nothing);
       }
     const Body    &body = *structure.bodies()[0];
     const Point<3> middle(0.5 * width, 0.5 * length, 0.5 * height);

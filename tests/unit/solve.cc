@@ -335,7 +335,7 @@ BOOST_AUTO_TEST_CASE(a_turned_scene_gives_turned_results)
       const std::vector<GapRow> none;
       const State               state =
         ContactSolver(linearised(structure), none).solve_free(1.);
-      results.push_back(structure.load() * state.u);
+      results.push_back(structure.load(1.) * state.u);
     }
   // std::to_string keeps six decimals of the force.
   BOOST_TEST(std::abs(results[0] / results[1] - 1.) < 1e-5);

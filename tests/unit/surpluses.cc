@@ -123,7 +123,7 @@ BOOST_AUTO_TEST_CASE(the_energy_s_surplus_bounds_its_change)
       const Solved rich = laminate("LE-" + std::to_string(p));
       const Solved poor = laminate("LE-" + std::to_string(p - 1));
       const auto   work = [](const Solved &model) {
-        return model.run.model().structure().load() *
+        return model.run.model().structure().load(1.) *
                model.run.results().last().state.u;
       };
       const double  change = work(rich) - work(poor);

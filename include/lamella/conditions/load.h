@@ -4,6 +4,7 @@
 #define lamella_conditions_load_h
 
 #include <lamella/conditions/expression.h>
+#include <lamella/conditions/load_factor.h>
 #include <lamella/conditions/region.h>
 
 #include <array>
@@ -52,6 +53,8 @@ namespace lamella
     std::optional<dealii::Tensor<1, 3>> total = {};
     /// By how much bodies are warmer than without stress [K].
     Formula temperature = {};
+    /// Of its load factors (LoadFactor::of()).
+    unsigned int history = 0;
   };
 
   /**

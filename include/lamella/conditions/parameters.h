@@ -37,6 +37,20 @@ namespace lamella
                 const Entry                    &at,
                 const std::vector<std::string> &bodies);
 
+  /// `Factors` of a load, a support or an obstacle.
+  struct HistoryParameters
+  {
+    /// Declares it in the subsection that @p prm is in.
+    static void
+    declare(dealii::ParameterHandler &prm);
+
+    /// The number of the history that the entry of @p in says, which is added
+    /// to the load factors of all @p steps; 0, that of the scene, if it is
+    /// empty. Throws InputError unless there is one number a step.
+    static unsigned int
+    parse(const Entries &in, std::vector<LoadFactor> &steps);
+  };
+
   /// The entries of a `subsection Support NAME`. `On`, `At`, `u`, `Normal
   /// displacement`.
   struct SupportParameters

@@ -3,6 +3,7 @@
 #ifndef lamella_conditions_support_h
 #define lamella_conditions_support_h
 
+#include <lamella/conditions/load_factor.h>
 #include <lamella/conditions/region.h>
 
 #include <array>
@@ -47,9 +48,9 @@ namespace lamella
   ///
   ///   u_c(X) = s d_c for all X of its regions, or n(X) . u(X) = s d,
   ///
-  /// with the load factor s of the step. Dirichlet conditions, eliminated from
-  /// the unknowns (RowReduction); there is no penalty and no multiplier in the
-  /// system. Either u or normal counts.
+  /// with the load factor s of its history. Dirichlet conditions, eliminated
+  /// from the unknowns (RowReduction); there is no penalty and no multiplier in
+  /// the system. Either u or normal counts.
   struct Support
   {
     /// As in `subsection Support NAME`.
@@ -64,6 +65,8 @@ namespace lamella
     std::optional<double> normal = std::nullopt;
     /// Of a hold, which has no regions and no values.
     std::optional<Hold> hold = std::nullopt;
+    /// Of its load factors (LoadFactor::of()).
+    unsigned int history = 0;
   };
 
   /// The displacement of one point along a direction: row(u) = value. The force
@@ -85,6 +88,8 @@ namespace lamella
     /// The moment about there of a unit force in the row: not zero of a hold
     /// only.
     dealii::Tensor<1, 3> couple = {};
+    /// That of its support .
+    unsigned int history = 0;
   };
 
   /// The unit vector along the scene's axis @p c, 0, 1 or 2 for x, y, z.

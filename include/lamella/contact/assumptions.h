@@ -61,7 +61,7 @@ namespace lamella
   largest_sliding(const ContactInterface          &interface,
                   const Bodies                    &bodies,
                   const BlockVector               &u,
-                  const double                     factor,
+                  const LoadFactor                &factor,
                   const std::vector<unsigned int> &active);
 
   /**
@@ -79,7 +79,7 @@ namespace lamella
   broken_assumptions(const ContactInterface          &interface,
                      const Bodies                    &bodies,
                      const BlockVector               &u,
-                     const double                     factor,
+                     const LoadFactor                &factor,
                      const std::vector<unsigned int> &active);
 } // namespace lamella
 

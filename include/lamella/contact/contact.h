@@ -84,7 +84,7 @@ namespace lamella
      * if nothing faces the other side any more.
      */
     void
-    pair(const BlockVector &u, const double factor);
+    pair(const BlockVector &u, const LoadFactor &factor);
 
     /**
      * The gaps, normals and rows of the state @p u at @p factor, at the
@@ -101,7 +101,7 @@ namespace lamella
      * Areas and penalties stay those of the pairing.
      */
     void
-    move(const BlockVector &u, const double factor);
+    move(const BlockVector &u, const LoadFactor &factor);
 
     const std::vector<GapRow> &
     rows() const
@@ -130,14 +130,14 @@ namespace lamella
      */
     StalePairing
     stays_paired(const BlockVector               &u,
-                 const double                     factor,
+                 const LoadFactor                &factor,
                  const std::vector<unsigned int> &active);
 
     /// Throws NumericsError if the Search distance of a scene has left out
     /// what comes to touch: SearchCheck::check().
     void
     require_found(const BlockVector               &u,
-                  const double                     factor,
+                  const LoadFactor                &factor,
                   const std::vector<unsigned int> &active);
 
   private:
@@ -155,12 +155,14 @@ namespace lamella
     functions() const;
     /// Writes rows and points of the integrals at a state.
     void
-    write(const ContactSides &sides, const BlockVector &u, const double factor);
+    write(const ContactSides &sides,
+          const BlockVector  &u,
+          const LoadFactor   &factor);
     /// Of row @p k the constant and the rate, and the normal of its point.
     void
     set_tangent_plane(const unsigned int k,
                       const BlockVector &u,
-                      const double       factor);
+                      const LoadFactor  &factor);
     /// Gives the rows their slips, by the integrals of their state.
     void
     write_slips();

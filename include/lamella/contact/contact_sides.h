@@ -33,7 +33,7 @@ namespace lamella
     /// all facets are moved by u at their trace nodes.
     ContactSides(const ContactSides &undeformed,
                  const BlockVector  &u,
-                 const double        factor);
+                 const LoadFactor   &factor);
 
     const ContactPair &
     contact() const

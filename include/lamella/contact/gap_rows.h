@@ -34,6 +34,8 @@ namespace lamella
     /// One for each body that deforms. The first is First's, -sum w . u_1; the
     /// second, if any, +sum v . u_2.
     std::vector<BodyRow> parts;
+    /// Which load factor the way of an obstacle is multiplied with.
+    unsigned int history = 0;
 
     /// Along the direction u_2 - u_1 of the bodies that deform. @p u has a
     /// block for each body of the scene. [length]
@@ -70,9 +72,9 @@ namespace lamella
     double rate = 0.;
 
     double
-    slip(const BlockVector &u, const double factor) const
+    slip(const BlockVector &u, const LoadFactor &factor) const
     {
-      return opening(u) + factor * rate;
+      return opening(u) + factor.of(history) * rate;
     }
   };
 
@@ -113,9 +115,9 @@ namespace lamella
     /// g at load factor @p factor. Negative: the bodies penetrate there.
     /// [length]
     double
-    gap(const BlockVector &u, const double factor) const
+    gap(const BlockVector &u, const LoadFactor &factor) const
     {
-      return opening(u) + initial_gap + factor * gap_rate;
+      return opening(u) + initial_gap + factor.of(history) * gap_rate;
     }
   };
 

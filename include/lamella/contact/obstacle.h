@@ -4,6 +4,7 @@
 #define lamella_contact_obstacle_h
 
 #include <lamella/base/names.h>
+#include <lamella/conditions/load_factor.h>
 
 #include <deal.II/base/point.h>
 
@@ -42,9 +43,17 @@ namespace lamella
     dealii::Tensor<1, 3> direction;
     /// Of the cylinder [length]; unused by a plane.
     double radius = 0.;
-    /// The prescribed translation at load factor 1 [length], scene axes; at
-    /// load factor t it is t times that.
+    /// The prescribed translation at load factor 1 [length], scene axes.
     dealii::Tensor<1, 3> displacement;
+    /// Of its load factors (LoadFactor::of()).
+    unsigned int history = 0;
+
+    /// That at load factor @p factor.
+    dealii::Tensor<1, 3>
+    displacement_at(const LoadFactor &factor) const
+    {
+      return factor.of(history) * displacement;
+    }
   };
 
   template <>

@@ -56,7 +56,7 @@ namespace lamella
     /// Refused are no shape, a direction of no length, a cylinder without a
     /// positive radius and a plane with one. Normal of a cylinder and Axis of a
     /// plane are not read. Never null.
-    static std::shared_ptr<const Obstacle>
+    static std::shared_ptr<Obstacle>
     parse(const Entries &in, const std::string &name);
   };
 } // namespace lamella

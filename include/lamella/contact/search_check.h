@@ -63,7 +63,7 @@ namespace lamella
     void
     check(const ContactInterface          &interface,
           const BlockVector               &u,
-          const double                     factor,
+          const LoadFactor                &factor,
           const std::vector<unsigned int> &active);
 
   private:

@@ -73,7 +73,7 @@ namespace lamella
                  LocalErrors       &result) const;
 
     const Simulation &coarse, &fine;
-    double            factor;
+    LoadFactor        factor;
     GoalDual          dual;
     BlockVector       residual;
     /// s of the active rows.

@@ -36,7 +36,7 @@ namespace lamella
     /// forces that are not known. Throws InputError for expressions that do not
     /// parse.
     FaceTractions(const std::vector<Load>    &loads,
-                  const double                factor,
+                  const LoadFactor           &factor,
                   const std::vector<Support> &supports = {});
 
     /// The pressure of @p contact, which is referred to, with the @p forces in
@@ -99,6 +99,7 @@ namespace lamella
     {
       Region                          region;
       std::shared_ptr<const Traction> traction;
+      double                          factor;
     };
     struct Pressed
     {
@@ -106,7 +107,6 @@ namespace lamella
       ContactTraction         traction;
     };
 
-    double                   factor = 0.;
     std::vector<SurfaceLoad> loads;
     std::vector<Region>      held;
     std::vector<Pressed>     contacts;

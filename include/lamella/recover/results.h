@@ -66,7 +66,7 @@ namespace lamella
     /// From 1.
     unsigned int step = 0;
     /// t: what multiplies loads and prescribed displacements.
-    double load_factor = 0.;
+    LoadFactor load_factor;
     /// Displacements, contact forces and how they were found.
     State  state;
     Checks checks;

@@ -130,7 +130,7 @@ namespace lamella
 
     /// What acts on faces in @p state, that of load factor @p factor.
     FaceTractions
-    tractions_at(const State &state, const double factor) const;
+    tractions_at(const State &state, const LoadFactor &factor) const;
 
     /// Contact, body and position of the gap row @p row, for messages.
     std::string

@@ -77,7 +77,7 @@ namespace lamella
               const std::vector<ContactInterface> &contacts,
               const unsigned int                   n_supports,
               const State                         &state,
-              const double                         factor);
+              const LoadFactor                    &factor);
 
 } // namespace lamella
 

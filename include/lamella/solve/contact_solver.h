@@ -127,7 +127,7 @@ namespace lamella
      * result is no number.
      */
     State
-    solve_free(const double factor, const SpringRest &rest = {});
+    solve_free(const LoadFactor &factor, const SpringRest &rest = {});
 
     /**
      * Contact on top of @p free, the state of solve_free() at the same
@@ -157,9 +157,9 @@ namespace lamella
      * step lowers the distance to the solution.
      */
     State
-    solve_contact(const State &free,
-                  const double factor,
-                  const State &previous = State());
+    solve_contact(const State      &free,
+                  const LoadFactor &factor,
+                  const State      &previous = State());
 
     /**
      * @p state of solve_contact() without what stabilising springs falsify:
@@ -177,12 +177,12 @@ namespace lamella
      * round is a solve_free() and a solve_contact().
      */
     State
-    release_springs(State state, const double factor);
+    release_springs(State state, const LoadFactor &factor);
 
     /// g = B u + g_init + t g_rate of each row at load factor t = @p factor
     /// (Eq. 16), a length, negative where the bodies penetrate.
     std::vector<double>
-    gaps(const BlockVector &u, const double factor) const;
+    gaps(const BlockVector &u, const LoadFactor &factor) const;
 
     /// Solves the linear system of one correction (ContactStrategy::solve()).
     void
@@ -204,7 +204,7 @@ namespace lamella
     /// Ends the load step that has come from @p before to @p state at @p
     /// factor: what friction remembers of it (FrictionState).
     void
-    end_step(const State &before, const double factor, State &state) const;
+    end_step(const State &before, const LoadFactor &factor, State &state) const;
 
     /// What was learnt so far, as it is kept for a resumed run.
     StrategyMemory
@@ -262,13 +262,15 @@ namespace lamella
 
     /// Of @p state; a gap above -@p closed is none that penetrates.
     Misses
-    misses(const State &state, const double factor, const double closed) const;
+    misses(const State      &state,
+           const LoadFactor &factor,
+           const double      closed) const;
 
     /// Adds to @p found how row @p r of @p state breaks the law of friction.
     /// Forces below @p small are rounding, as lengths below @p closed.
     void
     add_misses_of_friction(const State       &state,
-                           const double       factor,
+                           const LoadFactor  &factor,
                            const unsigned int r,
                            const double       closed,
                            const double       small,
@@ -278,7 +280,7 @@ namespace lamella
     /// law.
     dealii::Tensor<1, 2>
     slip_in_step(const State       &state,
-                 const double       factor,
+                 const LoadFactor  &factor,
                  const unsigned int r) const;
 
     /// What does not move in @p state.
@@ -287,7 +289,7 @@ namespace lamella
     /// What the law asks for of each number of @p closed, r_lambda.
     Vector
     law_residual(const State      &state,
-                 const double      factor,
+                 const LoadFactor &factor,
                  const ClosedRows &closed) const;
     /// Adds @p dlambda to the forces of @p state; of rows that slip the shear
     /// follows.
@@ -303,27 +305,27 @@ namespace lamella
     /// misses() of a refined state, where digits may be lost to its last
     /// correction.
     Misses
-    judge(const State &state, const double factor) const;
+    judge(const State &state, const LoadFactor &factor) const;
 
     /// Whether an @p error of the law, a length, is small enough to end; less
     /// is asked for where the round @p was_slow.
     bool
-    keeps_law(const State &state,
-              const double factor,
-              const double error,
-              const bool   was_slow) const;
+    keeps_law(const State      &state,
+              const LoadFactor &factor,
+              const double      error,
+              const bool        was_slow) const;
 
     /// What is to be settled first: about the state without contact forces,
     /// with the forces of @p previous as the estimates in those of its active
     /// rows that penetrate in @p free.
     ContactProblem
-    first_problem(const State &free,
-                  const double factor,
-                  const State &previous) const;
+    first_problem(const State      &free,
+                  const LoadFactor &factor,
+                  const State      &previous) const;
     /// What is to be settled next, about the refined @p state, whose forces are
     /// the estimates.
     ContactProblem
-    problem_about(const State &state, const double factor) const;
+    problem_about(const State &state, const LoadFactor &factor) const;
 
     /// @p state with what a strategy found about it.
     State
@@ -335,7 +337,9 @@ namespace lamella
     /// says whether that is good enough. Nothing is done where the strategy
     /// does not know forces that well.
     bool
-    stands_by_forces(State &state, const State &settled, const double factor);
+    stands_by_forces(State            &state,
+                     const State      &settled,
+                     const LoadFactor &factor);
 
     /**
      * For rows that hardly touch, where the rounding of the compliance decides
@@ -345,7 +349,7 @@ namespace lamella
      * @p state as it is and returns false if that does not end well.
      */
     bool
-    correct_set(State &state, const double factor);
+    correct_set(State &state, const LoadFactor &factor);
 
     /// Corrects u and the forces of active rows once, against
     /// r_u = t f + B^T lambda - integral B^T C (B u) and
@@ -354,12 +358,12 @@ namespace lamella
     /// correct. The active set stays as it is. Throws NumericsError for what is
     /// no number.
     double
-    correct(State &state, const double factor);
+    correct(State &state, const LoadFactor &factor);
 
     /// Corrects @p at_least times and then until nothing is left to correct
     /// (is_refined()); returns what each correct() did.
     std::vector<double>
-    refine(State &state, const double factor, const unsigned int at_least);
+    refine(State &state, const LoadFactor &factor, const unsigned int at_least);
 
     /// Whether another correction would be rounding, after @p corrections: the
     /// last is below the tolerance, or more than half of the one before, or
@@ -372,7 +376,7 @@ namespace lamella
     /// rounding of: the largest displacement, that of moving obstacles along
     /// the rows' normals among them.
     double
-    size_of(const State &state, const double factor) const;
+    size_of(const State &state, const LoadFactor &factor) const;
 
     /// Counts @p round in @p iterations and reports it; throws NumericsError if
     /// rows are still changing after too many.

@@ -53,7 +53,7 @@ namespace lamella
 
   /// s(u) of @p row at load factor @p factor, by components along its tangents.
   dealii::Tensor<1, 2>
-  slip_of(const GapRow &row, const BlockVector &u, const double factor);
+  slip_of(const GapRow &row, const BlockVector &u, const LoadFactor &factor);
 
   /// f += B^T lambda of @p row: its force @p normal and, with friction, @p
   /// shear, a vector of the scene.

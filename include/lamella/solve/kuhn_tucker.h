@@ -100,7 +100,7 @@ namespace lamella
   check_contact(const ContactInterface  &contact,
                 const RowForces         &forces,
                 const BlockVector       &u,
-                const double             factor,
+                const LoadFactor        &factor,
                 const double             displacement,
                 std::vector<BodyForces> &on_body);
 } // namespace lamella

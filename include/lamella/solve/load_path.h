@@ -20,9 +20,9 @@ namespace lamella
   struct SolvedStep
   {
     /// t: what multiplies loads and prescribed displacements.
-    double load_factor = 0.;
-    State  state;
-    Checks checks;
+    LoadFactor load_factor;
+    State      state;
+    Checks     checks;
   };
 
   /**
@@ -54,11 +54,11 @@ namespace lamella
     /// From @p before, empty where there is none, to @p factor. Throws
     /// NumericsError for what cannot be solved or is not to be trusted.
     SolvedStep
-    operator()(const State &before, const double factor) const;
+    operator()(const State &before, const LoadFactor &factor) const;
 
     /// The checks of @p state, which is one at @p factor. Throws as above.
     Checks
-    check(const State &state, const double factor) const;
+    check(const State &state, const LoadFactor &factor) const;
 
   private:
     ContactSolver                       &solver;
@@ -82,9 +82,9 @@ namespace lamella
   public:
     /// From no state at all through @p factors. @p branches says whether states
     /// are to be stored for some.
-    LoadPath(const Step                &step,
-             const std::vector<double> &factors,
-             const bool                 branches = false);
+    LoadPath(const Step                    &step,
+             const std::vector<LoadFactor> &factors,
+             const bool                     branches = false);
 
     /// Goes on after the first @p n_done steps, of which the last, at least
     /// one, came to @p last.
@@ -103,7 +103,7 @@ namespace lamella
       return done < factors.size();
     }
     /// That of the next step.
-    double
+    const LoadFactor &
     next_factor() const
     {
       return factors[done];
@@ -138,7 +138,7 @@ namespace lamella
     store(const double factor, const State &state);
 
     const Step                            step;
-    const std::vector<double>             factors;
+    const std::vector<LoadFactor>         factors;
     const bool                            branches;
     unsigned int                          done = 0;
     State                                 last;

@@ -35,8 +35,8 @@ namespace lamella
   {
     /// t of each load step, in their order, at least one: multiplies all loads
     /// and prescribed displacements, those of obstacles among them.
-    std::vector<double> load_factors;
-    Strategy            strategy = Strategy::undefined;
+    std::vector<LoadFactor> load_factors;
+    Strategy                strategy = Strategy::undefined;
     /// Of which a scene sets the iterations only.
     SolverParameters loop;
     /// What solves with a body's stiffness, under the condensed strategy.

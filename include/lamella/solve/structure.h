@@ -34,7 +34,7 @@ namespace lamella
    * diagonal, and a BlockVector has one block a body, in the order of the
    * scene.
    *
-   * Displacements are u = G v + t u_p at load factor t (RowReduction), where v
+   * Displacements are u = G v + u_p(t) at load factor t (RowReduction), where v
    * are the DoFs that supports and the theories' own constraints leave free, G
    * expands them and u_p fulfils the prescribed displacements. What solvers see
    * is the condensed stiffness
@@ -116,13 +116,11 @@ namespace lamella
     SpringRest
     spring_lengths(const BlockVector &u) const;
 
-    /// The load vector f at load factor 1, not condensed: all loads together,
-    /// f . v is their work on the virtual displacement v (Eq. 10).
-    const BlockVector &
-    load() const
-    {
-      return unit_load;
-    }
+    /// The load vector f(t) at load factor t = @p factor, not condensed: all
+    /// loads together, f . v is their work on the virtual displacement v
+    /// (Eq. 10).
+    BlockVector
+    load(const LoadFactor &factor) const;
 
     /// The load vector f_0 of heat (Body::add_heat()), which no load factor
     /// multiplies; zero where nothing is heated.
@@ -153,6 +151,13 @@ namespace lamella
       return initial_energies[body];
     }
 
+    /// How vectors of the scene are divided among bodies.
+    const dealii::BlockIndices &
+    blocks() const
+    {
+      return initial_load.get_block_indices();
+    }
+
     /// DoFs of all bodies, those that supports prescribe among them.
     DofIndex
     n_dofs() const;
@@ -166,10 +171,15 @@ namespace lamella
     BlockVector
     zero() const;
 
-    /// t u_p with t = @p factor: the values that supports prescribe, and zero
-    /// in the free DoFs.
+    /// u_p(t) at load factor t = @p factor: the values that supports prescribe,
+    /// and zero in the free DoFs.
     BlockVector
-    particular(const double factor) const;
+    particular(const LoadFactor &factor) const;
+
+    /// Whether supports and the theory hold @p row: it is zero in all states,
+    /// up to rounding.
+    bool
+    holds(const BodyRow &row) const;
 
     /// The stabilising springs of @p body as terms s_k r_k^T r_k of its
     /// stiffness: pairs of row and stiffness (force / length).
@@ -178,7 +188,7 @@ namespace lamella
 
     /**
      * The unbalanced forces without those of contact,
-     *   r = t f + f_0 - integral B^T C (B u) dV
+     *   r = f(t) + f_0 - integral B^T C (B u) dV
      *       - sum_k s_k (r_k(u) - r_0k) r_k^T,
      * t = @p factor, f_0 = heat_load(); not condensed. The springs are without
      * force at @p rest.
@@ -190,7 +200,7 @@ namespace lamella
      */
     BlockVector
     residual(const BlockVector &u,
-             const double       factor,
+             const LoadFactor  &factor,
              const SpringRest  &rest = {}) const;
 
     /// integral B^T C (B u) dV + sum_k s_k (r_k(u) - r_0k) r_k^T, likewise:
@@ -205,6 +215,13 @@ namespace lamella
     condense(BlockVector &r) const;
 
   private:
+    /// u_p of the rows that go with @p history, at load factor 1. Throws
+    /// InputError if rows that depend on each other do not go the same way;
+    /// @p names are those of supports.
+    BlockVector
+    prescribed_in(const unsigned int              history,
+                  const std::vector<std::string> &names) const;
+
     /// Throws InputError for the first body with a rigid motion that supports
     /// leave free and no stabilisation holds.
     void
@@ -216,9 +233,15 @@ namespace lamella
     /// One a body, as are springs.
     std::vector<std::unique_ptr<RowReduction>> reductions;
     std::vector<std::vector<Spring>>           all_springs;
-    BlockVector                                unit_load, initial_load;
-    std::vector<double>                        initial_energies;
-    std::vector<LoadResultant>                 resultants;
+    /// What each history multiplies at load factor 1, that of the scene first.
+    struct OfHistory
+    {
+      BlockVector load, particular;
+    };
+    std::vector<OfHistory>     histories;
+    BlockVector                initial_load;
+    std::vector<double>        initial_energies;
+    std::vector<LoadResultant> resultants;
   };
 } // namespace lamella
 

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef lamella_conditions_load_factor_h
+#define lamella_conditions_load_factor_h
+
+#include <deal.II/base/exceptions.h>
+
+#include <utility>
+#include <vector>
+
+namespace lamella
+{
+  /**
+   * The load factor t of a state: what multiplies loads, prescribed
+   * displacements and the ways of obstacles there. One number for all of the
+   * scene (`Load factors`), and one for each of them that has a history of its
+   * own (`Factors`),
+   *   f(t) = t_0 f_0 + sum_k t_k f_k.
+   */
+  class LoadFactor
+  {
+  public:
+    /// The number is all there is in scenes where nothing has a history of its
+    /// own.
+    LoadFactor(const double scene = 0., std::vector<double> own = {})
+      : scene(scene)
+      , own(std::move(own))
+    {}
+
+    /// t_0.
+    double
+    of_scene() const
+    {
+      return scene;
+    }
+
+    /// t_k, k = @p history; 0 is that of the scene.
+    double
+    of(const unsigned int history) const
+    {
+      if (history == 0)
+        return scene;
+      AssertIndexRange(history - 1, own.size());
+      return own[history - 1];
+    }
+
+    /// Adds that of one more history; its number is returned.
+    unsigned int
+    add(const double factor)
+    {
+      own.push_back(factor);
+      return own.size();
+    }
+
+    /// Zero in all histories: nothing loads or moves the bodies.
+    LoadFactor
+    without_loads() const
+    {
+      return {0., std::vector<double>(own.size(), 0.)};
+    }
+
+    bool
+    operator==(const LoadFactor &other) const
+    {
+      return scene == other.scene && own == other.own;
+    }
+
+    template <class Archive>
+    void
+    serialize(Archive &archive, const unsigned int)
+    {
+      archive &scene &own;
+    }
+
+  private:
+    double              scene;
+    std::vector<double> own;
+  };
+} // namespace lamella
+
+#endif
