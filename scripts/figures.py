@@ -10,13 +10,14 @@ meet one through both, a section cut a contour, several load steps a
 picture of forces and moments over a displacement, and each section its mesh. A contact with more than a few
 active pairs gives its pressure, over a patch also as a map, and over the width of a
 long patch beside the Hertz ellipse where the materials in scene.prm are isotropic;
-cuts through the patch give contours around it. Nodes that carry different lists of
+cuts through the patch give contours around it, friction its shear, what sticks and
+slips, and the loop of a load that turns. Nodes that carry different lists of
 fields give a strip along each body, goals their error bars, a run to a tolerance its
 passes, and a sweep for strength how near each ply comes to failure along its body. The
 bodies for ParaView give the deformed shape, and the stress on it.
 
 figures_data.py reads, figures_style.py holds what all figures share, and
-figures_lines.py, figures_history.py, figures_sections.py, figures_contact.py,
+figures_lines.py, figures_history.py, figures_sections.py, figures_contact.py, figures_friction.py,
 figures_goals.py, figures_strength.py, figures_shape.py and figures_stress.py draw;
 figures_surface.py reads what the last two show. In the end the script
 says where the pictures are.
@@ -28,6 +29,7 @@ from pathlib import Path
 
 from figures_contact import around_the_contact, contact_pressure
 from figures_data import Results
+from figures_friction import contact_friction, loop
 from figures_goals import fields_of_nodes, goals_with_bars, passes_of_a_tolerance
 from figures_history import load_history
 from figures_lines import across_the_width, along_the_axis, through_the_thickness
@@ -38,9 +40,9 @@ from figures_stress import stress_on_the_shape
 from figures_style import plt
 
 FIGURES = (deformed_shape, stress_on_the_shape, along_the_axis, through_the_thickness,
-           across_the_width, section_cuts, load_history, contact_pressure, around_the_contact,
-           section_meshes, fields_of_nodes, goals_with_bars, passes_of_a_tolerance,
-           ply_stacks)
+           across_the_width, section_cuts, load_history, loop, contact_pressure,
+           contact_friction, around_the_contact, section_meshes, fields_of_nodes,
+           goals_with_bars, passes_of_a_tolerance, ply_stacks)
 
 
 def main():

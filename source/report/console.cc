@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iomanip>
+#include <numeric>
 #include <ostream>
 
 namespace lamella
@@ -258,6 +259,25 @@ namespace lamella
 
   namespace
   {
+    /// What friction has made of the work so far.
+    void
+    print_path(std::ostream &out, const Results &results)
+    {
+      const FrictionState &friction = results.last().state.friction;
+      if (!friction.empty())
+        out << "  dissipated so far "
+            << to_text(std::accumulate(friction.dissipated.begin(),
+                                       friction.dissipated.end(),
+                                       0.),
+                       4)
+            << unit(results.units.force, results.units.length)
+            << "; what load steps miss of the work "
+            << to_text(friction.path_gap, 2)
+            << unit(results.units.force, results.units.length) << "\n";
+    }
+
+
+
     void
     print_checks(std::ostream &out, const Checks &checks)
     {
@@ -291,6 +311,7 @@ namespace lamella
     for (unsigned int m = 0; m < step.measures.size(); ++m)
       out << "  measure " << results.measures[m] << ": "
           << to_text(step.measures[m], 6) << "\n";
+    print_path(out, results);
     print_checks(out, step.checks);
     for (unsigned int l = 0; l < results.lines.size(); ++l)
       if (step.jumps[l].interfaces > 0)

@@ -46,7 +46,7 @@ namespace boost
         .free_corrections    &state.contact_corrections;
       lamella::FrictionState &friction = state.friction;
       archive &friction.shear &friction.direction &friction.before &friction
-        .length &friction.dissipated;
+        .length &friction.dissipated &friction.opening &friction.path_gap;
     }
 
 
@@ -105,7 +105,8 @@ namespace boost
     serialize(Archive &archive, lamella::StepResults &step, const unsigned int)
     {
       archive &step.step &step.load_factor &step.state &step.memory &step
-        .changes &step.warnings &step.plies &step.checks.beyond;
+        .changes &step.warnings &step.plies &step.checks.beyond &step.substeps;
+      serialize_optional(archive, step.change);
     }
 
 

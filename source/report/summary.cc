@@ -10,6 +10,7 @@
 #include <lamella/report/summary.h>
 
 #include <nlohmann/json.hpp>
+#include <numeric>
 
 namespace lamella
 {
@@ -69,6 +70,28 @@ namespace lamella
           json["pressure"] = patch.pressure();
           json["width"]    = patch.width();
         }
+      return json;
+    }
+
+
+
+    /// What friction makes of the load steps; empty without it.
+    Json
+    path_json(const Results &results)
+    {
+      Json json;
+      if (results.steps.empty() || results.last().state.friction.empty())
+        return json;
+      const FrictionState &friction = results.last().state.friction;
+      for (const StepResults &step : results.steps)
+        {
+          json["substeps"].push_back(step.substeps);
+          json["changes"].push_back(step.change ? Json(*step.change) : Json());
+        }
+      json["dissipated"] = std::accumulate(friction.dissipated.begin(),
+                                           friction.dissipated.end(),
+                                           0.);
+      json["gap"]        = friction.path_gap;
       return json;
     }
 
@@ -316,6 +339,8 @@ namespace lamella
     json["iterations"] = Json::array();
     for (const StepResults &step : results.steps)
       json["iterations"].push_back(step.state.iterations);
+    if (const Json path = path_json(results); !path.empty())
+      json["path"] = path;
     for (const LoadResultant &load : results.loads)
       json["loads"][load.name] = {{"force", to_json(load.force)},
                                   {"moment", to_json(load.moment)}};

@@ -4,6 +4,7 @@
 #include <lamella/base/memory.h>
 #include <lamella/base/processes.h>
 #include <lamella/base/progress.h>
+#include <lamella/base/text.h>
 #include <lamella/report/validation.h>
 #include <lamella/run/factor_progress.h>
 #include <lamella/run/first_failure.h>
@@ -135,6 +136,7 @@ namespace lamella
     recorder = std::make_unique<StepRecorder>(*built, found, cured_state(step));
     path     = std::make_unique<LoadPath>(step,
                                       scene().solve.load_factors,
+                                      scene().solve.substeps,
                                       scene().find_first_failure);
     if (!found.steps.empty())
       path->resume(found.steps.size(), found.last().state);
@@ -223,6 +225,8 @@ namespace lamella
     last                  = recorder->record(kept.step, solved, solved.state);
     last.memory           = std::move(kept.memory);
     last.changes          = std::move(kept.changes);
+    last.substeps         = kept.substeps;
+    last.change           = kept.change;
     last.warnings         = std::move(kept.warnings);
     recorder->take_measures(found);
     last_is_bare = false;
@@ -259,6 +263,9 @@ namespace lamella
   {
     const State      previous = path->state();
     const SolvedStep solved   = path->advance();
+    if (solved.change)
+      out << "  in " << solved.substeps << " substeps; half as many differ by "
+          << to_text(100. * *solved.change, 2) << " %" << std::endl;
     {
       TimerOutput::Scope scope(timer, name_of(Phase::output));
       found.steps.push_back(recorder->record(path->n_done(), solved, previous));

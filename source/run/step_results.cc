@@ -32,6 +32,8 @@ namespace lamella
     results.load_factor = solved.load_factor;
     results.state       = solved.state;
     results.checks      = solved.checks;
+    results.substeps    = solved.substeps;
+    results.change      = solved.change;
     results.warnings    = warnings(solved);
     const FaceTractions tractions =
       built.tractions_at(solved.state, solved.load_factor);
@@ -151,6 +153,13 @@ namespace lamella
                            solved.load_factor,
                            built.rows().among_contact(k, solved.state.active)));
     add(warnings_of_holds(solved.checks));
+    if (solved.change && *solved.change > scene.solve.substeps.tolerance)
+      warnings.push_back(
+        "twice as many substeps, " + std::to_string(solved.substeps) +
+        ", still changed the load step by " +
+        to_text(100. * *solved.change, 2) +
+        " %: where it slips while pressures change, results depend on the way; "
+        "put load factors between");
     return warnings;
   }
 

@@ -259,6 +259,15 @@ namespace lamella
     void
     check_friction(const Scene &scene, const Entries &in)
     {
+      if (scene.solve.substeps.number != 1 &&
+          std::none_of(scene.contacts.begin(),
+                       scene.contacts.end(),
+                       [](const ContactPair &contact) {
+                         return contact.friction > 0.;
+                       }))
+        in["Substeps"].refuse("no contact has friction, so the way to a load "
+                              "step changes nothing",
+                              "Leave it out.");
       for (const ContactPair &contact : scene.contacts)
         {
           if (contact.friction == 0.)

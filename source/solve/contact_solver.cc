@@ -63,7 +63,7 @@ namespace lamella
     State state = free;
     if (rows.rub())
       {
-        state.friction = FrictionState::at_rest(rows.size());
+        state.friction = FrictionState::at_rest(rows);
         if (!previous.friction.empty())
           state.friction.before = previous.friction.before;
       }
@@ -339,24 +339,28 @@ namespace lamella
   {
     if (state.friction.empty())
       return;
-    FrictionState       &now  = state.friction;
-    const FrictionState &then = before.friction;
+    FrictionState       &now   = state.friction;
+    const FrictionState  start = FrictionState::at_rest(rows);
+    const FrictionState &then =
+      before.friction.empty() ? start : before.friction;
+    now.path_gap = then.path_gap;
     for (unsigned int r = 0; r < rows.size(); ++r)
       {
-        const double slid = slip_in_step(state, factor, r).norm(),
-                     pressed =
-                       0.5 * (state.force[r] +
-                              (before.force.empty() ? 0. : before.force[r]));
-        const bool slips  = now.direction[r].norm() > 0.;
-        now.length[r]     = then.empty() ? 0. : then.length[r];
-        now.dissipated[r] = then.empty() ? 0. : then.dissipated[r];
-        if (slips)
-          {
-            now.length[r] += slid;
-            now.dissipated[r] += rows[r].friction * pressed * slid;
-          }
+        const double slid   = slip_in_step(state, factor, r).norm(),
+                     pushed = before.force.empty() ? 0. : before.force[r],
+                     mean   = 0.5 * (state.force[r] + pushed);
+        const bool   slips  = now.direction[r].norm() > 0.;
+        const double lost   = slips ? rows[r].friction * mean * slid : 0.;
+        now.length[r]       = then.length[r] + (slips ? slid : 0.);
+        now.dissipated[r]   = then.dissipated[r] + lost;
+        now.opening[r] =
+          rows[r].gap(state.u, factor) + law_softness(rows[r]) * state.force[r];
         now.before[r] = in_scene(rows[r], slip_of(rows[r], state.u, factor)) +
                         law_softness(rows[r]) * now.shear[r];
+        now.path_gap -= mean * (now.opening[r] - then.opening[r]) +
+                        0.5 * (now.shear[r] + then.shear[r]) *
+                          (now.before[r] - then.before[r]) +
+                        lost;
       }
   }
 
@@ -404,6 +408,28 @@ namespace lamella
 
 
   void
+  ContactSolver::fail_running_away(const std::string &body,
+                                   const std::string &motion,
+                                   const double       rate) const
+  {
+    const bool rubs =
+      std::any_of(rows.begin(), rows.end(), [](const auto &row) {
+        return row.friction > 0.;
+      });
+    throw NumericsError(
+      "Body '" + body + "' is not held by its contacts" +
+      (rubs ? ", friction and all" : "") + ": its loads move it on and on (" +
+      motion + ", each round " + to_text(rate, 4) +
+      " times as far as the one before), against nothing but its stabilising "
+      "springs. Add a support, " +
+      (rubs ? "take more Friction, " : "") +
+      "close its gaps by a prescribed displacement, or load it towards the "
+      "body that is to hold it.");
+  }
+
+
+
+  void
   ContactSolver::fail_on_springs(const State &state, const double rate) const
   {
     constexpr double wanted_rate = 0.1;
@@ -426,22 +452,8 @@ namespace lamella
         }
     const Spring     &worst = structure.springs(body)[spring];
     const std::string name  = structure.bodies()[body]->name();
-    const bool        rubs =
-      std::any_of(rows.begin(), rows.end(), [](const GapRow &row) {
-        return row.friction > 0.;
-      });
     if (!(rate < 0.999))
-      throw NumericsError(
-        "Body '" + name + "' is not held by its contacts" +
-        (rubs ? ", friction and all" : "") +
-        ": its loads move it on "
-        "and on (" +
-        worst.motion + ", each round " + to_text(rate, 4) +
-        " times as far as the one before), against nothing but its stabilising "
-        "springs. Add a support, " +
-        (rubs ? "take more Friction, " : "") +
-        "close its gaps by a prescribed displacement, or load it towards the "
-        "body that is to hold it.");
+      fail_running_away(name, worst.motion, rate);
     throw NumericsError("The stabilising springs of body '" + name +
                         "' are too stiff beside the contacts that hold it (" +
                         worst.motion + "): their share falls by the factor " +

@@ -7,11 +7,14 @@ namespace lamella
   using namespace dealii;
 
   FrictionState
-  FrictionState::at_rest(const unsigned int n)
+  FrictionState::at_rest(const GapRows &rows)
   {
-    const std::vector<Tensor<1, 3>> none(n);
-    return {
-      none, none, none, std::vector<double>(n, 0.), std::vector<double>(n, 0.)};
+    const std::vector<Tensor<1, 3>> none(rows.size());
+    const std::vector<double>       nothing(rows.size(), 0.);
+    FrictionState state{none, none, none, nothing, nothing, {}, 0.};
+    for (const GapRow &row : rows)
+      state.opening.push_back(row.initial_gap);
+    return state;
   }
 
 

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <lamella/base/arithmetic.h>
+#include <lamella/base/exceptions.h>
 #include <lamella/solve/beyond_linear.h>
 #include <lamella/solve/load_path.h>
 #include <lamella/solve/phase.h>
@@ -7,10 +9,85 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace lamella
 {
   using dealii::TimerOutput;
+
+  namespace
+  {
+    /// How far @p one and @p other are apart beside the larger of them.
+    class RelativeChange
+    {
+    public:
+      void
+      add(const dealii::Tensor<1, 3> &one, const dealii::Tensor<1, 3> &other)
+      {
+        largest = std::max({largest, one.norm(), other.norm()});
+        change  = std::max(change, (one - other).norm());
+      }
+
+      /// At least @p least is what it is beside.
+      double
+      value(const double least = 0.) const
+      {
+        const double size = std::max(largest, least);
+        return size > 0. ? change / size : 0.;
+      }
+
+      double largest = 0.;
+
+    private:
+      double change = 0.;
+    };
+
+
+
+    /// So far.
+    double
+    dissipated_in(const State &state)
+    {
+      const auto &all = state.friction.dissipated;
+      return std::accumulate(all.begin(), all.end(), 0.);
+    }
+  } // namespace
+
+
+
+  double
+  change_of(const SolvedStep &one, const SolvedStep &other, const State &before)
+  {
+    // Friction that bears less of the largest force, or dissipates less of the
+    // strain energy, matters less.
+    constexpr double worth_having = 0.01;
+    RelativeChange   forces, shears;
+    for (unsigned int s = 0; s < one.checks.reactions.size(); ++s)
+      forces.add(one.checks.reactions[s].force,
+                 other.checks.reactions[s].force);
+    for (unsigned int c = 0; c < one.checks.contacts.size(); ++c)
+      {
+        forces.add(one.checks.contacts[c].force,
+                   other.checks.contacts[c].force);
+        shears.add(one.checks.contacts[c].shear,
+                   other.checks.contacts[c].shear);
+      }
+    BlockVector u = one.state.u;
+    u -= other.state.u;
+    const double size     = one.state.u.linfty_norm();
+    const double lost     = dissipated_in(one.state) - dissipated_in(before),
+                 by_other = dissipated_in(other.state) - dissipated_in(before),
+                 energy =
+                   std::max({lost,
+                             by_other,
+                             worth_having * std::abs(one.checks.energy)});
+    return std::max({forces.value(),
+                     shears.value(worth_having * forces.largest),
+                     size > 0. ? u.linfty_norm() / size : 0.,
+                     energy > 0. ? std::abs(lost - by_other) / energy : 0.});
+  }
+
+
 
   Step::Step(ContactSolver                       &solver,
              const std::vector<ContactInterface> &contacts,
@@ -81,9 +158,11 @@ namespace lamella
 
   LoadPath::LoadPath(const Step                    &step,
                      const std::vector<LoadFactor> &factors,
+                     const Substeps                &substeps,
                      const bool                     branches)
     : step(step)
     , factors(factors)
+    , substeps(substeps)
     , branches(branches)
   {}
 
@@ -101,9 +180,64 @@ namespace lamella
 
 
   SolvedStep
+  LoadPath::next_in(const unsigned int n) const
+  {
+    const LoadFactor &to  = factors[done],
+                     from = done == 0 ? to.without_loads() : factors[done - 1];
+    SolvedStep solved     = step(last, n == 1 ? to : to.after(from, 1. / n));
+    for (unsigned int k = 2; k <= n; ++k)
+      {
+        const unsigned int iterations = solved.state.iterations;
+        solved = step(solved.state, k == n ? to : to.after(from, 1. * k / n));
+        solved.state.iterations += iterations;
+      }
+    solved.substeps = n;
+    return solved;
+  }
+
+
+
+  SolvedStep
+  LoadPath::next_as_wanted() const
+  {
+    if (substeps.number > 0)
+      return next_in(substeps.number);
+    std::optional<SolvedStep> before = tried_in(1);
+    for (unsigned int n = 2;; n *= 2)
+      {
+        std::optional<SolvedStep> solved = tried_in(n);
+        if (solved && before)
+          solved->change = change_of(*solved, *before, last);
+        if (n == Substeps::most ||
+            (solved && before && *solved->change <= substeps.tolerance))
+          return std::move(*solved);
+        before = std::move(solved);
+      }
+  }
+
+
+
+  std::optional<SolvedStep>
+  LoadPath::tried_in(const unsigned int n) const
+  {
+    try
+      {
+        return next_in(n);
+      }
+    catch (const NumericsError &)
+      {
+        if (n >= Substeps::most)
+          throw;
+        return std::nullopt;
+      }
+  }
+
+
+
+  SolvedStep
   LoadPath::advance()
   {
-    SolvedStep solved = step(last, factors[done]);
+    SolvedStep solved = next_as_wanted();
     last              = solved.state;
     store(factors[done].of_scene(), last);
     ++done;

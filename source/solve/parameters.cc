@@ -4,6 +4,8 @@
 #include <lamella/base/patterns.h>
 #include <lamella/solve/parameters.h>
 
+#include <sstream>
+
 namespace lamella
 {
   using dealii::ParameterHandler;
@@ -26,6 +28,13 @@ namespace lamella
       patterns::numbers(),
       "One a step: what multiplies all prescribed displacements "
       "and loads. 0.5, 1, 0 loads and unloads.");
+    prm.declare_entry("Substeps",
+                      "1",
+                      Anything(),
+                      "With friction: in how many equal parts each load step "
+                      "is done, or auto, as many (to 64) as it takes until "
+                      "twice as many change forces, displacements and "
+                      "dissipated energy by less than 1 %; auto 0.1: 0.1 %.");
     prm.declare_entry("Contact strategy",
                       "condensed",
                       selection<Strategy>(),
@@ -68,6 +77,36 @@ namespace lamella
 
 
 
+  namespace
+  {
+    Substeps
+    parse_substeps(const Entry &entry)
+    {
+      constexpr unsigned int most    = 1000;
+      constexpr double       percent = 0.01;
+      Substeps               substeps;
+      std::istringstream     words(entry.text());
+      std::string            word, tolerance, more;
+      words >> word >> tolerance >> more;
+      if (word != "auto")
+        {
+          substeps.number = entry.whole(1, most);
+          return substeps;
+        }
+      substeps.number = 0;
+      if (!more.empty())
+        entry.refuse("write a number, auto, or auto and the tolerance in per "
+                     "cent");
+      if (!tolerance.empty())
+        substeps.tolerance = percent * entry.number(tolerance);
+      if (!(substeps.tolerance > 0.))
+        entry.refuse("the tolerance must be positive");
+      return substeps;
+    }
+  } // namespace
+
+
+
   SolveParameters
   SolveParameters::parse(const Entries &in)
   {
@@ -76,6 +115,7 @@ namespace lamella
       parameters.load_factors.emplace_back(factor);
     if (parameters.load_factors.empty())
       in["Load factors"].is_missing("give one number a load step.");
+    parameters.substeps     = parse_substeps(in["Substeps"]);
     parameters.strategy     = in["Contact strategy"].choice<Strategy>();
     const Entry solver      = in["Linear solver"];
     parameters.solver       = solver.choice<SolverKind>();

@@ -635,9 +635,8 @@ class Figures:
     def __init__(self, path):
         self.path = path
         sys.path.insert(0, str(path.parent))
-        for part in ("data", "style", "lines", "history", "sections", "contact", "goals",
-                     "surface", "shape", "stress",
-                     "strength"):
+        for part in ("data", "style", "lines", "history", "sections", "contact", "friction",
+                     "goals", "surface", "shape", "stress", "strength"):
             setattr(self, part, importlib.import_module(f"figures_{part}"))
         self.FIGURES = importlib.import_module(path.stem).FIGURES
 

@@ -341,6 +341,52 @@ def check_console(figures, folder):
                     "section_cut"], f"pictures: {', '.join(drawn)}")
 
 
+def rubbing():
+    """A flat patch of 11 x 3 points: pressure 2, shear 0.4 in the middle, where it sticks,
+    and 0.6 beside it, where it slips; open at the rim."""
+    for j in range(3):
+        for i in range(11):
+            state = "open" if i in (0, 10) else "stick" if 3 < i < 7 else "slip"
+            force = 0. if state == "open" else 2.
+            yield {**dict.fromkeys(PAIR, 0.), "step": 1, "x": j, "y": i, "x2": j, "y2": i,
+                   "nz": 1., "area": 0.5, "force": 0.5 * force, "pressure": force,
+                   "active": int(force > 0.), "state": state,
+                   "shear_y": {"open": 0., "stick": -0.2, "slip": -0.3}[state]}
+
+
+def check_friction(figures, folder):
+    run = Run(folder)
+    told = json.loads((folder / "summary.json").read_text())
+    told["contacts"] = {"face": {"friction": {"coefficient": 0.3}}}
+    told["path"] = {"dissipated": 7.5}
+    (folder / "summary.json").write_text(json.dumps(told))
+    run.write("contact_face.csv", PAIR + ["state", "shear_x", "shear_y", "shear_z"], rubbing())
+    # Up to 3 and back to 1, where the support still bears more than on the way up.
+    run.write("history.csv", HISTORY, (
+        {"step": k, "load_factor": way, "support:clamp:fz": force, "probe:tip:uz": -way}
+        for k, (way, force) in enumerate(((1., 10.), (2., 20.), (3., 30.), (1., 15.)))))
+    results = figures.data.Results(folder)
+    drawn = dict(figures.friction.contact_friction(results))
+    check(sorted(drawn) == ["contact_face_friction", "contact_face_states"], str(sorted(drawn)))
+    (axis,) = drawn["contact_face_friction"].axes
+    sizes = {line.get_label(): sorted({round(float(y), 9) for y in line.get_ydata()})
+             for line in axis.lines if not line.get_label().startswith("_")}
+    check(sizes == {"0.3 times the pressure": [0., 0.6], "shear, sticks": [0.4],
+                    "shear, slips": [0.6]}, f"shear beside what is allowed: {sizes}")
+    (axis,) = drawn["contact_face_states"].axes
+    found = [text.get_text() for text in axis.get_legend().get_texts()]
+    check(found == ["stick", "slip", "open"], f"states: {found}")
+    picture = axis.images[0].get_array()
+    check([int(picture[60, k]) for k in (1, 60, 120, 180, 238)] == [2, 1, 0, 1, 2],
+          "they lie where the points are")
+    (name, figure), = figures.friction.loop(results)
+    line, = figure.axes[0].lines
+    check(list(line.get_xdata()) == [0., 1., 2., 3., 1.]
+          and list(line.get_ydata()) == [0., 10., 20., 30., 15.], "the loop begins at rest")
+    texts = [text.get_text() for text in figure.axes[0].texts]
+    check("dissipated on the way: 7.5 N mm" in texts, f"{name}: {texts}")
+
+
 def main():
     if len(sys.argv) != 3:
         sys.exit("Usage: check_pictures_of_runs.py FIGURES.py WORKDIR")
@@ -352,7 +398,7 @@ def main():
         sys.exit(77)
     figures, folder = Figures(Path(sys.argv[1])), Path(sys.argv[2])
     warnings.simplefilter("error")
-    for part in (check_history, check_proportions, check_scales, check_stress,
+    for part in (check_history, check_friction, check_proportions, check_scales, check_stress,
                  check_strength, check_console):
         part(figures, folder)
         figures.style.plt.close("all")

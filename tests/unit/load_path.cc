@@ -206,10 +206,96 @@ BOOST_AUTO_TEST_CASE(friction_remembers_the_path)
 
 
 
+BOOST_AUTO_TEST_CASE(substeps_are_steps_between)
+{
+  const std::vector<std::string> rubs{"Contact faces/Friction=0.05"};
+  PressedBlocks                  blocks(rubs);
+  LoadPath                       by_steps(*blocks.step,
+                    {0.25, 0.5, 0.75, 1., 0.875, 0.75, 0.625, 0.5}),
+    by_parts(*blocks.step, {1., 0.5}, {4});
+  State last;
+  while (by_steps.has_more())
+    last = by_steps.advance().state;
+  by_parts.advance();
+  const SolvedStep solved = by_parts.advance();
+  BOOST_TEST(solved.substeps == 4u);
+  BOOST_TEST(!solved.change.has_value());
+  BOOST_TEST(difference(solved.state, last) < 1e-12);
+  BOOST_TEST(solved.state.friction.dissipated == last.friction.dissipated,
+             boost::test_tools::per_element());
+
+  // As many as a tolerance wants, and no more than there may be.
+  for (const double tolerance : {0.02, 1e-14})
+    {
+      LoadPath path(*blocks.step, {1., 0.4}, {0, tolerance});
+      path.advance();
+      const State      before = path.state();
+      const SolvedStep found  = path.advance();
+      BOOST_REQUIRE(found.change.has_value());
+      if (tolerance > 1e-3)
+        BOOST_TEST(*found.change <= tolerance);
+      else
+        BOOST_TEST(found.substeps == Substeps::most);
+      std::vector<SolvedStep> ways;
+      for (const unsigned int n : {found.substeps / 2, found.substeps})
+        {
+          LoadPath way(*blocks.step, {1., 0.4}, {n});
+          way.resume(1, before);
+          ways.push_back(way.advance());
+        }
+      BOOST_TEST(std::abs(change_of(ways[1], ways[0], before) - *found.change) <
+                 1e-9);
+    }
+}
+
+
+
+BOOST_AUTO_TEST_CASE(work_is_energy_and_what_is_lost)
+{
+  // Bodies are linear: over each step the mean load's work is what their energy
+  // grows by, what friction dissipates, and the gap of the path.
+  PressedBlocks blocks(
+    {"Contact faces/Friction=0.05", "Contact faces/Enforcement=exact"});
+  const auto gap_of = [&](const unsigned int parts) {
+    const std::vector<LoadFactor> factors{1., 0.4, 0.8};
+    std::vector<LoadFactor>       all;
+    for (unsigned int k = 0; k < factors.size(); ++k)
+      for (unsigned int j = 1; j <= parts; ++j)
+        all.push_back(factors[k].after(k == 0 ? LoadFactor() : factors[k - 1],
+                                       1. * j / parts));
+    LoadPath         path(*blocks.step, all);
+    const Structure &structure = blocks.built->structure();
+    BlockVector      u         = structure.zero();
+    double           work = 0., energy = 0., before = 0.;
+    while (path.has_more())
+      {
+        const double     now    = path.next_factor().of_scene();
+        const SolvedStep solved = path.advance();
+        BlockVector      way    = solved.state.u;
+        way -= u;
+        work += structure.load(0.5 * (now + before)) * way;
+        u      = solved.state.u;
+        energy = solved.checks.energy;
+        before = now;
+      }
+    const FrictionState &friction = path.state().friction;
+    double               lost     = friction.path_gap;
+    for (const double row : friction.dissipated)
+      lost += row;
+    BOOST_TEST(std::abs(work - energy - lost) < 1e-10 * energy);
+    return friction.path_gap / energy;
+  };
+  const double of_one = std::abs(gap_of(1)), of_eight = std::abs(gap_of(8));
+  BOOST_TEST(of_one > 1e-9);
+  BOOST_TEST(of_eight < 0.3 * of_one);
+}
+
+
+
 BOOST_AUTO_TEST_CASE(branches_leave_the_path_where_it_is)
 {
   PressedBlocks blocks;
-  LoadPath      path(*blocks.step, {0.5, 1.}, true);
+  LoadPath      path(*blocks.step, {0.5, 1.}, {}, true);
   path.advance();
   const State at = path.state();
   // Between the stored ones, before the first, beyond the last, and back.

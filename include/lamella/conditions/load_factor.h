@@ -52,6 +52,16 @@ namespace lamella
       return own.size();
     }
 
+    /// The one between @p from and this, at the share @p way of the way.
+    LoadFactor
+    after(const LoadFactor &from, const double way) const
+    {
+      LoadFactor result(from.scene + way * (scene - from.scene), own);
+      for (unsigned int k = 0; k < own.size(); ++k)
+        result.own[k] = from.own[k] + way * (own[k] - from.own[k]);
+      return result;
+    }
+
     /// Zero in all histories: nothing loads or moves the bodies.
     LoadFactor
     without_loads() const

@@ -70,6 +70,9 @@ namespace lamella
     /// Displacements, contact forces and how they were found.
     State  state;
     Checks checks;
+    /// SolvedStep::substeps and change.
+    unsigned int          substeps = 1;
+    std::optional<double> change   = {};
     /// What the strategy had learnt when the step ended.
     StrategyMemory memory;
 

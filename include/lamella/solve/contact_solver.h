@@ -394,6 +394,10 @@ namespace lamella
     /// the one before, @p rate, is close to 1; else its springs are too stiff,
     /// and the message gives the share with which the rate would be 0.1.
     [[noreturn]] void
+    fail_running_away(const std::string &body,
+                      const std::string &motion,
+                      const double       rate) const;
+    [[noreturn]] void
     fail_on_springs(const State &state, const double rate) const;
 
     const std::shared_ptr<const Linearisation> linearisation;

@@ -33,6 +33,17 @@ namespace lamella
     /// each step mu (lambda_n,0 + lambda_n,1) / 2 |v|, which is never negative
     /// and of second order in the step.
     std::vector<double> length, dissipated;
+    /// g + a lambda_n [length].
+    std::vector<double> opening;
+    /**
+     * What the steps so far miss of the work of contact, over all rows
+     * [energy]: of each step
+     *   - mean lambda . (change of (g, s) + a lambda) - dissipated,
+     * with the mean of the forces at its ends. Bodies are linear, so what the
+     * loads have done is strain energy, dissipated and this. It goes to zero as
+     * steps get shorter.
+     */
+    double path_gap = 0.;
 
     bool
     empty() const
@@ -40,9 +51,9 @@ namespace lamella
       return shear.empty();
     }
 
-    /// That of @p n rows without force or slip.
+    /// That of @p rows without force or slip, of undeformed bodies.
     static FrictionState
-    at_rest(const unsigned int n);
+    at_rest(const GapRows &rows);
   };
 
   /// A vector along tangents by its components, and back.

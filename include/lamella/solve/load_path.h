@@ -10,6 +10,7 @@
 
 #include <deal.II/base/timer.h>
 
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -23,7 +24,23 @@ namespace lamella
     LoadFactor load_factor;
     State      state;
     Checks     checks;
+    /// In how many parts it was done, and where these were sought by how much
+    /// the last doubling changed it (change_of()).
+    unsigned int          substeps = 1;
+    std::optional<double> change   = {};
   };
+
+  /**
+   * How far @p one is from @p other, two ways from @p before to the same load
+   * factor: the largest of what forces of supports and contacts, the forces
+   * of friction among them alone, displacements, and the energy dissipated on
+   * the way differ by, each over the largest of its kind; friction over a
+   * hundredth of the largest force or the strain energy, if that is more.
+   */
+  double
+  change_of(const SolvedStep &one,
+            const SolvedStep &other,
+            const State      &before);
 
   /**
    * A load step of a scene: from a state to the state at a load factor.
@@ -32,8 +49,8 @@ namespace lamella
    *      the release of stabilising springs,
    *   3. checks, which throw if the state is not to be trusted, or if a
    *      contact's search distance was too short.
-   * Kinematics is linear and contact without friction, so the state before
-   * decides on rounds and not on the result; nobody but this need know.
+   * Kinematics is linear, so without friction the state before decides on
+   * rounds and not on the result; nobody but this need know.
    *
    * Refers to all that it is made of, `timer` too, which counts the seconds of
    * each Phase. Collective.
@@ -80,10 +97,11 @@ namespace lamella
   class LoadPath
   {
   public:
-    /// From no state at all through @p factors. @p branches says whether states
-    /// are to be stored for some.
+    /// From no state at all through @p factors, the way to each in
+    /// @p substeps. @p branches says whether states are to be stored for some.
     LoadPath(const Step                    &step,
              const std::vector<LoadFactor> &factors,
+             const Substeps                &substeps = {},
              const bool                     branches = false);
 
     /// Goes on after the first @p n_done steps, of which the last, at least
@@ -133,12 +151,23 @@ namespace lamella
     }
 
   private:
+    /// The next step from where the path is, in @p n parts.
+    SolvedStep
+    next_in(const unsigned int n) const;
+    /// The next step in as many parts as it takes.
+    SolvedStep
+    next_as_wanted() const;
+    /// next_in(), or nothing where that fails and shorter steps are left.
+    std::optional<SolvedStep>
+    tried_in(const unsigned int n) const;
+
     /// Where branches are, keeps @p state; of one factor the first.
     void
     store(const double factor, const State &state);
 
     const Step                            step;
     const std::vector<LoadFactor>         factors;
+    const Substeps                        substeps;
     const bool                            branches;
     unsigned int                          done = 0;
     State                                 last;

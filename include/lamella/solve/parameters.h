@@ -29,6 +29,17 @@ namespace lamella
                                                   "accept"}};
   };
 
+  /// In how many equal parts the way from one load step to the next is done.
+  struct Substeps
+  {
+    /// 0: so many that another doubling changes forces, displacements and what
+    /// is dissipated by less than `tolerance`, a share.
+    unsigned int number    = 1;
+    double       tolerance = 0.01;
+    /// Of those that are not given.
+    static constexpr unsigned int most = 64;
+  };
+
   /// What a scene says of the solution, in the entries of its top level. The
   /// values here stand before a scene is read; its defaults are in declare().
   struct SolveParameters
@@ -36,6 +47,7 @@ namespace lamella
     /// t of each load step, in their order, at least one: multiplies all loads
     /// and prescribed displacements, those of obstacles among them.
     std::vector<LoadFactor> load_factors;
+    Substeps                substeps;
     Strategy                strategy = Strategy::undefined;
     /// Of which a scene sets the iterations only.
     SolverParameters loop;
