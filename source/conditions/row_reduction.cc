@@ -38,8 +38,8 @@ namespace lamella
               "contradicts the other supports of body '" + body.name() +
                 "' at " + to_text(rows[equation.number].position) +
                 ": they prescribe different displacements of the same points",
-              "Remove one of them, make them agree, or put more elements "
-              "between them.");
+              "Remove one of them, make them agree, in their Factors, too, or "
+              "put more elements between them.");
         }
       else
         {

@@ -71,8 +71,8 @@ namespace lamella
 
 
 
-    /// Makes the bars of @p goals no less than twice what they @p missed at
-    /// places that are held, which is of the axis.
+    /// Makes the share that the axis has of the bars of @p goals no less than
+    /// twice what they @p missed at places that are held.
     void
     widen(const std::vector<double> &missed, Goals &goals)
     {
@@ -80,12 +80,31 @@ namespace lamella
         {
           GoalResult  &goal  = goals[k];
           const double whole = 2. * missed[k];
-          if (!goal.has_limit || !(std::abs(whole) > goal.bar))
+          goal.least         = std::abs(whole);
+          if (!(goal.least > goal.bar))
             continue;
-          goal.bar      = std::abs(whole);
+          goal.bar      = goal.least;
           goal.estimate = missed[k];
-          goal.shares   = {{name_of(Source::axis), whole}};
+          for (auto &[source, share] : goal.shares)
+            if (source == name_of(Source::axis))
+              share = whole;
         }
+    }
+
+
+
+    /// Has the bars of @p goals know what places that are held do; where that
+    /// cannot be solved they stay as they are, and @p out is told.
+    void
+    look_at_held_places(const Simulation &run,
+                        std::ostream     &out,
+                        ModelCache       &cache,
+                        Goals            &goals)
+    {
+      const Outcome outcome = outcome_of(
+        [&] { widen(missed_at_held_places(run, out, cache), goals); });
+      if (outcome.status != 0)
+        out << "  failed: " << trimmed(outcome.message) << std::endl;
     }
 
 
@@ -105,13 +124,12 @@ namespace lamella
       // The run has its numbers: nothing beside it takes them away.
       const Progress::Part part(out, "error bars");
       std::optional<Goals> goals;
-      const Outcome        outcome = outcome_of([&, &make = make] {
-        Goals made = make(out, cache);
-        widen(missed_at_held_places(run, out, cache), made);
-        goals = std::move(made);
-      });
+      const Outcome        outcome =
+        outcome_of([&, &make = make] { goals = make(out, cache); });
       if (outcome.status != 0)
         out << "  failed: " << trimmed(outcome.message) << std::endl;
+      else
+        look_at_held_places(run, out, cache, *goals);
       return goals;
     }
   } // namespace

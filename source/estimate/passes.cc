@@ -80,7 +80,8 @@ namespace lamella
       return;
     for (auto &[name, share] : goal.shares)
       share *= is_refined(name) ? by_pass / own : 1.;
-    goal.bar = std::max(by_pass + rest, rules.digits * goal.scale);
+    goal.bar =
+      std::max({by_pass + rest, rules.digits * goal.scale, goal.least});
   }
 
 

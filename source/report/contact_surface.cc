@@ -91,6 +91,27 @@ namespace lamella
 
 
 
+    /// What a row that rubs has beside: 0 open, 1 sticks, 2 slips; the shear on
+    /// the second side over its area; the length of the slip so far; energy
+    /// dissipated per area.
+    void
+    append_friction(const ContactRow &row,
+                    NamedArrays      &vectors,
+                    NamedArrays      &scalars)
+    {
+      if (!row.friction)
+        return;
+      const double area = row.point.area;
+      append_vector(vectors["shear"], row.friction->shear / area);
+      scalars["state"].push_back(!row.touches()      ? 0. :
+                                 row.friction->slips ? 2. :
+                                                       1.);
+      scalars["slid"].push_back(row.friction->length);
+      scalars["dissipated"].push_back(row.friction->dissipated / area);
+    }
+
+
+
     void
     add_arrays(const NamedArrays &arrays,
                const unsigned int n_components,
@@ -177,6 +198,7 @@ namespace lamella
                           position :
                         rows[k].gap * point.normal);
         append_scalars(rows[k], scalars);
+        append_friction(rows[k], vectors, scalars);
       }
     grid.points.values = positions;
     add_arrays(vectors, 3, grid);

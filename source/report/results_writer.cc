@@ -140,6 +140,8 @@ namespace lamella
     kept.state       = last.state;
     kept.memory      = last.memory;
     kept.changes     = last.changes;
+    kept.substeps    = last.substeps;
+    kept.change      = last.change;
     kept.plies       = last.plies;
     kept.warnings    = last.warnings;
     standing.steps.push_back(std::move(kept));

@@ -208,7 +208,8 @@ namespace lamella
       return nullptr;
     out << "State without loads, of heat alone" << std::endl;
     return std::make_shared<const BlockVector>(
-      step(State(), path->next_factor().without_loads()).state.u);
+      step(State(), scene().solve.load_factors.front().without_loads())
+        .state.u);
   }
 
 

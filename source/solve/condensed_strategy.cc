@@ -34,7 +34,7 @@ namespace lamella
       // Of the problem's scale: forces that are no better are none.
       constexpr double  sound = 1e-6;
       const std::string remedy =
-        ". Try a smaller step in Load factors, or a softer penalty.";
+        ". Try more Substeps, a smaller step in Load factors, or a softer penalty.";
       if (!(found.error <= sound))
         throw NumericsError(
           "The contact did not settle with friction: the law is missed by " +
@@ -100,21 +100,21 @@ namespace lamella
     const std::size_t                n       = numbers.size();
     std::vector<unsigned int>        all     = numbers;
     for (const auto &[row, along] : closed.sliding)
-      for (unsigned int a = 0; a < 2; ++a)
+      for (unsigned int a = 0; a < rows[row].slips.size(); ++a)
         all.push_back(rows.slip(row, a));
     compliance.include(all);
     const std::vector<double> C = compliance.among(all);
     std::vector<double>       system(n * n);
     for (std::size_t j = 0; j < n; ++j)
       std::copy_n(C.begin() + j * all.size(), n, system.begin() + j * n);
-    for (std::size_t s = 0; s < closed.sliding.size(); ++s)
+    std::size_t slip = n;
+    for (const auto &[row, along] : closed.sliding)
       {
-        const auto &[row, along] = closed.sliding[s];
         const std::size_t j =
           std::find(numbers.begin(), numbers.end(), row) - numbers.begin();
-        for (unsigned int a = 0; a < 2; ++a)
+        for (unsigned int a = 0; a < rows[row].slips.size(); ++a, ++slip)
           for (std::size_t i = 0; i < n; ++i)
-            system[j * n + i] += along[a] * C[(n + 2 * s + a) * all.size() + i];
+            system[j * n + i] += along[a] * C[slip * all.size() + i];
       }
     for (std::size_t i = 0; i < n; ++i)
       system[i * n + i] += softness(numbers[i]);
@@ -174,7 +174,7 @@ namespace lamella
       {
         const std::size_t k =
           std::find(numbers.begin(), numbers.end(), row) - numbers.begin();
-        for (unsigned int a = 0; a < 2; ++a)
+        for (unsigned int a = 0; a < rows[row].slips.size(); ++a)
           {
             of.push_back(rows.slip(row, a));
             lambda.push_back(along[a] * dlambda[k]);

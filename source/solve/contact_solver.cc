@@ -506,7 +506,7 @@ namespace lamella
           if (e.norm() > 0.)
             closed.sliding.emplace_back(r, rows[r].friction * e);
           else
-            for (unsigned int a = 0; a < 2; ++a)
+            for (unsigned int a = 0; a < rows[r].slips.size(); ++a)
               closed.numbers.push_back(rows.slip(r, a));
         }
     return closed;

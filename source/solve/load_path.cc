@@ -2,6 +2,7 @@
 
 #include <lamella/base/arithmetic.h>
 #include <lamella/base/exceptions.h>
+#include <lamella/base/text.h>
 #include <lamella/solve/beyond_linear.h>
 #include <lamella/solve/load_path.h>
 #include <lamella/solve/phase.h>
@@ -44,6 +45,33 @@ namespace lamella
 
 
 
+    /// Throws NumericsError if points of @p contact that touch are off their
+    /// pairs by more than their spacing: friction remembers where pairs have
+    /// been, and these are pairs no more. @p forces and @p slips are those of
+    /// its rows.
+    void
+    require_small_slip(
+      const ContactInterface                              &contact,
+      const dealii::ArrayView<const double>               &forces,
+      const dealii::ArrayView<const dealii::Tensor<1, 3>> &slips)
+    {
+      for (unsigned int k = 0; k < contact.rows.size(); ++k)
+        {
+          const ContactInterface::Point &point = contact.points[k];
+          if (forces[k] > 0. && slips[k].norm() > point.spacing)
+            throw NumericsError(
+              "Contact " + contact.name +
+              ": the bodies are off their pairs by " +
+              to_text(slips[k].norm(), 3) + " at " + to_text(point.first) +
+              ", " + to_text(slips[k].norm() / point.spacing, 2) +
+              " times the spacing of points there. Pairs are those of the "
+              "start, and what rubs would act off its place by as much. Give "
+              "the bodies longer elements or a smaller load.");
+        }
+    }
+
+
+
     /// So far.
     double
     dissipated_in(const State &state)
@@ -56,7 +84,10 @@ namespace lamella
 
 
   double
-  change_of(const SolvedStep &one, const SolvedStep &other, const State &before)
+  change_of(const SolvedStep &one,
+            const SolvedStep &other,
+            const State      &before,
+            const double      before_force)
   {
     // Friction that bears less of the largest force, or dissipates less of the
     // strain energy, matters less.
@@ -74,15 +105,18 @@ namespace lamella
       }
     BlockVector u = one.state.u;
     u -= other.state.u;
-    const double size     = one.state.u.linfty_norm();
+    const double size =
+      std::max(one.state.u.linfty_norm(),
+               before.u.n_blocks() > 0 ? before.u.linfty_norm() : 0.);
     const double lost     = dissipated_in(one.state) - dissipated_in(before),
                  by_other = dissipated_in(other.state) - dissipated_in(before),
                  energy =
                    std::max({lost,
                              by_other,
                              worth_having * std::abs(one.checks.energy)});
-    return std::max({forces.value(),
-                     shears.value(worth_having * forces.largest),
+    const double largest = std::max(forces.largest, before_force);
+    return std::max({forces.value(largest),
+                     shears.value(worth_having * largest),
                      size > 0. ? u.linfty_norm() / size : 0.,
                      energy > 0. ? std::abs(lost - by_other) / energy : 0.});
   }
@@ -108,7 +142,9 @@ namespace lamella
 
 
   SolvedStep
-  Step::operator()(const State &before, const LoadFactor &factor) const
+  Step::operator()(const State      &before,
+                   const LoadFactor &factor,
+                   const bool        last) const
   {
     SolvedStep solved;
     solved.load_factor = factor;
@@ -123,14 +159,16 @@ namespace lamella
           solver.solve_contact(solved.state, factor, before), factor);
         solver.end_step(before, factor, solved.state);
       }
-    solved.checks = check(solved.state, factor);
+    solved.checks = check(solved.state, factor, last);
     return solved;
   }
 
 
 
   Checks
-  Step::check(const State &state, const LoadFactor &factor) const
+  Step::check(const State      &state,
+              const LoadFactor &factor,
+              const bool        last) const
   {
     Checks checks;
     {
@@ -139,11 +177,17 @@ namespace lamella
         check_state(solver.tangent(), contacts, n_supports, state, factor);
       require_sound(state, checks, parameters.rotation_limit);
       for (unsigned int k = 0; k < contacts.size(); ++k)
-        lives[k]->require_found(state.u,
-                                factor,
-                                rows.among_contact(k, state.active));
+        {
+          lives[k]->require_found(state.u,
+                                  factor,
+                                  rows.among_contact(k, state.active));
+          if (!state.friction.empty())
+            require_small_slip(contacts[k],
+                               rows.of_contact(k, state.force),
+                               rows.of_contact(k, state.friction.before));
+        }
     }
-    if (!parameters.is_judged)
+    if (!parameters.is_judged || !last)
       return checks;
     {
       TimerOutput::Scope scope(timer, name_of(Phase::beyond));
@@ -184,11 +228,13 @@ namespace lamella
   {
     const LoadFactor &to  = factors[done],
                      from = done == 0 ? to.without_loads() : factors[done - 1];
-    SolvedStep solved     = step(last, n == 1 ? to : to.after(from, 1. / n));
+    SolvedStep solved =
+      n == 1 ? step(last, to) : step(last, to.after(from, 1. / n), false);
     for (unsigned int k = 2; k <= n; ++k)
       {
         const unsigned int iterations = solved.state.iterations;
-        solved = step(solved.state, k == n ? to : to.after(from, 1. * k / n));
+        solved                        = k == n ? step(solved.state, to) :
+                                                 step(solved.state, to.after(from, 1. * k / n), false);
         solved.state.iterations += iterations;
       }
     solved.substeps = n;
@@ -202,33 +248,14 @@ namespace lamella
   {
     if (substeps.number > 0)
       return next_in(substeps.number);
-    std::optional<SolvedStep> before = tried_in(1);
+    SolvedStep before = next_in(1);
     for (unsigned int n = 2;; n *= 2)
       {
-        std::optional<SolvedStep> solved = tried_in(n);
-        if (solved && before)
-          solved->change = change_of(*solved, *before, last);
-        if (n == Substeps::most ||
-            (solved && before && *solved->change <= substeps.tolerance))
-          return std::move(*solved);
+        SolvedStep solved = next_in(n);
+        solved.change     = change_of(solved, before, last, last_force);
+        if (n == Substeps::most || *solved.change <= substeps.tolerance)
+          return solved;
         before = std::move(solved);
-      }
-  }
-
-
-
-  std::optional<SolvedStep>
-  LoadPath::tried_in(const unsigned int n) const
-  {
-    try
-      {
-        return next_in(n);
-      }
-    catch (const NumericsError &)
-      {
-        if (n >= Substeps::most)
-          throw;
-        return std::nullopt;
       }
   }
 
@@ -237,8 +264,14 @@ namespace lamella
   SolvedStep
   LoadPath::advance()
   {
-    SolvedStep solved = next_as_wanted();
-    last              = solved.state;
+    SolvedStep     solved = next_as_wanted();
+    RelativeChange forces;
+    for (const Resultant &reaction : solved.checks.reactions)
+      forces.add(reaction.force, reaction.force);
+    for (const KuhnTucker &contact : solved.checks.contacts)
+      forces.add(contact.force, contact.force);
+    last_force = forces.largest;
+    last       = solved.state;
     store(factors[done].of_scene(), last);
     ++done;
     return solved;

@@ -160,8 +160,20 @@ BOOST_AUTO_TEST_CASE(an_obstacle_that_moves)
                     contact.rows[k].initial_gap,
                     contact.rows[k].gap(u, 0.8),
                     k == 3 ? 6. : 0.});
+  const VtuGrid without = ContactSurface(contact, *structure).grid(u, rows);
+  for (const auto &array : without.at_points)
+    BOOST_TEST(array.name != "shear");
+  // It slips along y.
+  for (unsigned int k = 0; k < rows.size(); ++k)
+    rows[k].friction = {dealii::Tensor<1, 3>({0., k == 3 ? 1.5 : 0., 0.}),
+                        k == 3,
+                        0.1 * k,
+                        0.2 * k};
   const VtuGrid grid = ContactSurface(contact, *structure).grid(u, rows);
-  const auto    gap = array_of(grid, "gap"), force = array_of(grid, "force"),
+  const auto shear = array_of(grid, "shear"), state = array_of(grid, "state"),
+             slid       = array_of(grid, "slid"),
+             dissipated = array_of(grid, "dissipated");
+  const auto gap = array_of(grid, "gap"), force = array_of(grid, "force"),
              p       = array_of(grid, "pressure"),
              apart   = array_of(grid, "separation"),
              touches = array_of(grid, "status"),
@@ -177,6 +189,10 @@ BOOST_AUTO_TEST_CASE(an_obstacle_that_moves)
       BOOST_TEST(force[k] == (k == 3 ? 6. : 0.));
       BOOST_TEST(p[k] == force[k] / contact.points[k].area, tolerance);
       BOOST_TEST(touches[k] == (k == 3 ? 1. : 0.));
+      BOOST_TEST(state[k] == (k == 3 ? 2. : 0.));
+      BOOST_TEST(shear[3 * k + 1] == 0.25 * p[k], tolerance);
+      BOOST_TEST(slid[k] == 0.1 * k, tolerance);
+      BOOST_TEST(dissipated[k] == 0.2 * k / contact.points[k].area, tolerance);
     }
 }
 

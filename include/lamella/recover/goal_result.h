@@ -59,6 +59,8 @@ namespace lamella
     std::string unit = {};
     /// The estimated error, to be added to the value, and what bounds it.
     double estimate = 0., bar = 0.;
+    /// What the bar is not to be taken below, however passes contract.
+    double least = 0.;
     /// Whether the bar can be held to; if not, why.
     bool        trusted = false;
     std::string why;

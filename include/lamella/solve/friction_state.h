@@ -40,7 +40,8 @@ namespace lamella
      * [energy]: of each step
      *   - mean lambda . (change of (g, s) + a lambda) - dissipated,
      * with the mean of the forces at its ends. Bodies are linear, so what the
-     * loads have done is strain energy, dissipated and this. It goes to zero as
+     * loads have done is strain energy, what penalties store (a |lambda|^2 /
+     * 2), dissipated and this. It goes to zero as
      * steps get shorter.
      */
     double path_gap = 0.;

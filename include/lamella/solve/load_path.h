@@ -36,11 +36,14 @@ namespace lamella
    * of friction among them alone, displacements, and the energy dissipated on
    * the way differ by, each over the largest of its kind; friction over a
    * hundredth of the largest force or the strain energy, if that is more.
+   * Forces and displacements of @p before, whose largest are @p before_force
+   * and its own, count among the largest: after unloading there is nothing.
    */
   double
   change_of(const SolvedStep &one,
             const SolvedStep &other,
-            const State      &before);
+            const State      &before,
+            const double      before_force = 0.);
 
   /**
    * A load step of a scene: from a state to the state at a load factor.
@@ -69,13 +72,19 @@ namespace lamella
          dealii::TimerOutput                 &timer);
 
     /// From @p before, empty where there is none, to @p factor. Throws
-    /// NumericsError for what cannot be solved or is not to be trusted.
+    /// NumericsError for what cannot be solved or is not to be trusted. One
+    /// that is not the @p last of its load step is not held against large
+    /// deflections.
     SolvedStep
-    operator()(const State &before, const LoadFactor &factor) const;
+    operator()(const State      &before,
+               const LoadFactor &factor,
+               const bool        last = true) const;
 
     /// The checks of @p state, which is one at @p factor. Throws as above.
     Checks
-    check(const State &state, const LoadFactor &factor) const;
+    check(const State      &state,
+          const LoadFactor &factor,
+          const bool        last = true) const;
 
   private:
     ContactSolver                       &solver;
@@ -157,20 +166,20 @@ namespace lamella
     /// The next step in as many parts as it takes.
     SolvedStep
     next_as_wanted() const;
-    /// next_in(), or nothing where that fails and shorter steps are left.
-    std::optional<SolvedStep>
-    tried_in(const unsigned int n) const;
+
 
     /// Where branches are, keeps @p state; of one factor the first.
     void
     store(const double factor, const State &state);
 
-    const Step                            step;
-    const std::vector<LoadFactor>         factors;
-    const Substeps                        substeps;
-    const bool                            branches;
-    unsigned int                          done = 0;
-    State                                 last;
+    const Step                    step;
+    const std::vector<LoadFactor> factors;
+    const Substeps                substeps;
+    const bool                    branches;
+    unsigned int                  done = 0;
+    State                         last;
+    /// The largest of supports and contacts there.
+    double                                last_force = 0.;
     std::vector<std::pair<double, State>> stored;
   };
 } // namespace lamella
