@@ -249,12 +249,21 @@ def effective_modulus(scene, contact):
     return 1. / compliance if compliance else None
 
 
-def draw_pressure_map(results, name, patch):
+def map_of(results, patch, about):
+    """A figure for a map of the patch and around it: the points there, along and across
+    it, the scales of both, figure and axis, whose labels stand."""
     near = patch.near(0.5)
     x, y = (near[c] for c in (patch.along, patch.across))
     frame = Frame(1, np.ptp(x), np.ptp(y))
-    figure, (axis,) = frame.figure(results, f"pressure in contact {name}", 1)
+    figure, (axis,) = frame.figure(results, about, 1)
     places = [Place(results.units.get("length"), values) for values in (x, y)]
+    frame.label([axis], places[0].label(patch.along), places[1].label(patch.across))
+    return near, (x, y), places, figure, axis
+
+
+def draw_pressure_map(results, name, patch):
+    near, (x, y), places, figure, axis = map_of(
+        results, patch, f"pressure in contact {name}")
     value = Scale(results.unit("pressure"), near["pressure"])
     # Long patches have long triangles; what is near is so in the picture.
     triangles = Triangulation((x - x.mean()) / np.ptp(x), (y - y.mean()) / np.ptp(y))
@@ -265,7 +274,6 @@ def draw_pressure_map(results, name, patch):
     shades = axis.tricontourf(drawn, pressure, levels, cmap="cividis")
     axis.plot(drawn.x, drawn.y, ".", color="0.3", markersize=1.5)
     colour_bar(axis, shades, value.label("pressure"))
-    frame.label([axis], places[0].label(patch.along), places[1].label(patch.across))
     return figure
 
 

@@ -5,9 +5,9 @@ what pressure allows, and the loop of a load that turns."""
 import numpy as np
 from matplotlib.colors import ListedColormap
 
-from figures_contact import FEWEST, patches
+from figures_contact import FEWEST, map_of, patches
 from figures_history import curves
-from figures_style import COLOURS, Frame, Place, Scale, at, legend_above, middle, new_figure
+from figures_style import COLOURS, Place, Scale, at, legend_above, middle, new_figure
 
 STATES = {"stick": COLOURS[0], "slip": COLOURS[1], "open": "0.75"}
 ARROWS = 6  # along a loop
@@ -79,11 +79,8 @@ def nearest_on_grid(x, y, wide=240, high=120):
 
 
 def draw_states(results, name, patch):
-    near = patch.near(0.5)
-    x, y = (near[c] for c in (patch.along, patch.across))
-    frame = Frame(1, np.ptp(x), np.ptp(y))
-    figure, (axis,) = frame.figure(results, f"what sticks and slips in contact {name}", 1)
-    places = [Place(results.units.get("length"), values) for values in (x, y)]
+    near, (x, y), places, figure, axis = map_of(
+        results, patch, f"what sticks and slips in contact {name}")
     states = [state for state in STATES if np.any(near["state"] == state)]
     numbers = np.array([states.index(state) for state in near["state"]])
     axis.imshow(numbers[nearest_on_grid(x, y)], origin="lower", aspect="auto",
@@ -93,7 +90,6 @@ def draw_states(results, name, patch):
     axis.plot(places[0](x), places[1](y), ".", color="0.2", markersize=1.5)
     for state in states:
         axis.plot([], [], "s", color=STATES[state], label=state)
-    frame.label([axis], places[0].label(patch.along), places[1].label(patch.across))
     axis.legend(loc="center left", bbox_to_anchor=(1.01, 0.5), borderaxespad=0.)
     return figure
 
