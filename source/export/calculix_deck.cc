@@ -8,6 +8,7 @@
 #include <lamella/export/calculix_contact.h>
 #include <lamella/export/calculix_deck.h>
 #include <lamella/recover/box_points.h>
+#include <lamella/scene/histories.h>
 
 #include <nlohmann/json.hpp>
 
@@ -77,21 +78,12 @@ namespace lamella
     void
     check_histories(const Scene &scene)
     {
-      const auto check = [](const std::string &path,
-                            const unsigned int history) {
-        if (history > 0)
-          throw InputError(path + "/Factors",
-                           "",
-                           "a CalculiX deck has one load factor a step",
-                           "Leave Factors out, or write *AMPLITUDE into the "
-                           "deck.");
-      };
-      for (const Support &support : scene.supports)
-        check("Support " + support.name, support.history);
-      for (const Load &load : scene.loads)
-        check("Load " + load.name, load.history);
-      for (const auto &obstacle : scene.obstacles)
-        check("Obstacle " + obstacle->name, obstacle->history);
+      if (const std::string path = first_with_factors(scene); !path.empty())
+        throw InputError(path + "/Factors",
+                         "",
+                         "a CalculiX deck has one load factor a step",
+                         "Leave Factors out, or write *AMPLITUDE into the "
+                         "deck.");
     }
 
 

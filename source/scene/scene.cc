@@ -2,6 +2,7 @@
 
 #include <lamella/base/entry.h>
 #include <lamella/base/patterns.h>
+#include <lamella/scene/histories.h>
 #include <lamella/scene/size_check.h>
 #include <lamella/scene/stacks.h>
 #include <lamella/scene/subsection_kinds.h>
@@ -295,20 +296,12 @@ namespace lamella
     void
     check_histories(const Scene &scene, const Entries &in)
     {
-      const auto check = [&](const std::string &what,
-                             const unsigned int history) {
-        if (scene.find_first_failure && history > 0)
-          in["Find"].refuse(what +
-                              " has Factors of its own, and what is raised "
-                              "until a ply fails is the load factor",
-                            "Leave Factors out.");
-      };
-      for (const Support &support : scene.supports)
-        check("support " + support.name, support.history);
-      for (const Load &load : scene.loads)
-        check("load " + load.name, load.history);
-      for (const auto &obstacle : scene.obstacles)
-        check("obstacle " + obstacle->name, obstacle->history);
+      const std::string path = first_with_factors(scene);
+      if (scene.find_first_failure && !path.empty())
+        in["Find"].refuse(path +
+                            " has Factors of its own, and what is raised until "
+                            "a ply fails is the load factor",
+                          "Leave Factors out.");
     }
 
 
