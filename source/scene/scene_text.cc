@@ -295,9 +295,18 @@ namespace lamella
                        names.end(),
                        first.substr(kind.size() + 1)) == names.end();
     };
-    for (std::vector<Item> *items : {&entries, &subsections})
-      items->erase(std::remove_if(items->begin(), items->end(), is_left_out),
-                   items->end());
+    // `Load factors` is an entry, and no load.
+    entries.erase(std::remove_if(entries.begin(),
+                                 entries.end(),
+                                 [&](const Item &entry) {
+                                   return !parent(entry.path).empty() &&
+                                          is_left_out(entry);
+                                 }),
+                  entries.end());
+    subsections.erase(std::remove_if(subsections.begin(),
+                                     subsections.end(),
+                                     is_left_out),
+                      subsections.end());
   }
 
 
