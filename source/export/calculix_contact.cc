@@ -117,16 +117,25 @@ namespace lamella
 
 
 
+    /// Coulomb's law with @p coefficient, where it is not zero. It sticks as a
+    /// spring: shear over slip is a tenth of pressure over penetration, @p
+    /// stiffness; with as much CalculiX' iterations do not end.
+    std::string
+    friction(const double coefficient, const double stiffness)
+    {
+      constexpr double stick_slope = 0.1;
+      return coefficient > 0. ?
+               "*FRICTION\n" + calculix_number(coefficient) + ", " +
+                 calculix_number(stick_slope * stiffness) + "\n" :
+               "";
+    }
+
+
+
     /// Throws InputError for what a deck cannot say.
     void
     check_law(const ContactPair &pair, const std::string &path)
     {
-      if (pair.friction > 0.)
-        throw InputError(path + "/Friction",
-                         to_text(pair.friction),
-                         "friction is not written into a CalculiX deck",
-                         "Export the scene with Friction = none, and add "
-                         "*FRICTION below its *SURFACE INTERACTION.");
       if (pair.overclosure == Overclosure::adjust)
         throw InputError(path + "/Overclosure",
                          name_of(pair.overclosure),
@@ -263,8 +272,9 @@ namespace lamella
         deck << remark(scene.contacts[k])
              << "*SURFACE INTERACTION, NAME=" << name
              << "\n*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=LINEAR\n"
-             << calculix_number(contact.stiffness)
-             << "\n*CONTACT PAIR, INTERACTION=" << name
+             << calculix_number(contact.stiffness) << '\n'
+             << friction(scene.contacts[k].friction, contact.stiffness)
+             << "*CONTACT PAIR, INTERACTION=" << name
              << ", TYPE=SURFACE TO SURFACE\n"
              << slave << ", " << master << '\n';
       }

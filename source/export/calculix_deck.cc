@@ -157,18 +157,21 @@ namespace lamella
     {
       deck << "** " << (scene.title.empty() ? "A scene" : scene.title)
            << "\n** written by lamella " << version()
-           << ": linear kinematics, frictionless contact, units "
-           << scene.units.length << ", " << scene.units.force << ", "
-           << scene.units.stress << '\n';
+           << ": linear kinematics, units " << scene.units.length << ", "
+           << scene.units.force << ", " << scene.units.stress << '\n';
       mesh.write(deck);
       conditions.write_sets(deck);
       contacts.write_model(deck);
       write_output_sets(deck);
       const auto &factors = scene.solve.load_factors;
+      // CalculiX makes them shorter where it has to.
+      const double first_increment =
+        1. / std::max(scene.solve.substeps.number, 1u);
       for (unsigned int step = 0; step < factors.size(); ++step)
         {
           deck << "** load factor " << to_text(factors[step].of_scene())
-               << "\n*STEP, INC=1000\n*STATIC\n1., 1.\n";
+               << "\n*STEP, INC=1000\n*STATIC\n"
+               << calculix_number(first_increment) << ", 1.\n";
           conditions.write_step(deck, factors[step].of_scene());
           contacts.write_step(deck, factors[step].of_scene());
           write_output(deck);
