@@ -5,6 +5,7 @@
 #include <lamella/base/arithmetic.h>
 
 #include <algorithm>
+#include <optional>
 
 namespace lamella
 {
@@ -190,26 +191,61 @@ namespace lamella
 
 
 
-    /// Of the side of @p contact that the body number @p body, @p beam, is.
+    /// Of the side of @p contact that the body number @p body, @p beam, is:
+    /// what presses, or @p along the tangent of a number what rubs.
     std::vector<SectionLoad>
-    loads_of_contact(const Beam             &beam,
-                     const unsigned int      body,
-                     const ContactInterface &contact,
-                     const TouchRules       &rules)
+    loads_of_contact(const Beam                       &beam,
+                     const unsigned int                body,
+                     const ContactInterface           &contact,
+                     const std::optional<unsigned int> along,
+                     const TouchRules                 &rules)
     {
-      std::vector<SectionLoad> pressed;
+      std::vector<SectionLoad> loads;
       for (unsigned int k = 0; k < contact.rows.size(); ++k)
-        for (const BodyRow &part : contact.rows[k].parts)
-          if (part.body == body)
-            pressed.push_back(load_of_row(beam,
+        {
+          const GapRow &row = contact.rows[k];
+          if (along && *along >= row.slips.size())
+            continue;
+          const PairRow &pair =
+            along ? static_cast<const PairRow &>(row.slips[*along]) : row;
+          for (const BodyRow &part : pair.parts)
+            if (part.body == body)
+              loads.push_back(load_of_row(beam,
                                           part.row,
                                           body == contact.first_body ?
                                             contact.points[k].first :
                                             contact.points[k].second,
                                           contact.points[k].area,
-                                          true,
+                                          !along,
                                           rules));
-      return pressed;
+        }
+      return loads;
+    }
+
+
+
+    /// What @p contact presses and, along two tangents, rubs of the body number
+    /// @p body, @p beam.
+    void
+    add_contact(const Beam             &beam,
+                const unsigned int      body,
+                const ContactInterface &contact,
+                const TouchRules       &rules,
+                std::vector<Touch>     &touches)
+    {
+      const auto add = [&](const std::string                &name,
+                           const std::optional<unsigned int> along,
+                           bool Touch::*const kind) {
+        add_touches(name,
+                    beam.section().n_fields(),
+                    loads_of_contact(beam, body, contact, along, rules),
+                    kind,
+                    rules,
+                    touches);
+      };
+      add("contact " + contact.name, {}, &Touch::presses);
+      for (unsigned int tangent = 0; tangent < 2; ++tangent)
+        add("friction of contact " + contact.name, tangent, nullptr);
     }
 
 
@@ -266,12 +302,7 @@ namespace lamella
                   touches);
     add_heat(beam, rules, touches);
     for (const ContactInterface &contact : contacts)
-      add_touches("contact " + contact.name,
-                  n_fields,
-                  loads_of_contact(beam, body, contact, rules),
-                  &Touch::presses,
-                  rules,
-                  touches);
+      add_contact(beam, body, contact, rules, touches);
     return touches;
   }
 } // namespace lamella

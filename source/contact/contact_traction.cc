@@ -11,21 +11,30 @@ namespace lamella
 
   namespace
   {
+    /// On the second side.
+    Tensor<1, 3>
+    force_of(const ContactTraction::Row &row)
+    {
+      return row.force * row.normal + row.shear;
+    }
+
+
+
     std::vector<ContactTraction::Row>
-    rows_of(const ContactInterface        &contact,
-            const ArrayView<const double> &forces)
+    rows_of(const ContactInterface              &contact,
+            const ArrayView<const double>       &forces,
+            const ArrayView<const Tensor<1, 3>> &shears)
     {
       std::vector<ContactTraction::Row> rows;
       for (unsigned int k = 0; k < contact.points.size(); ++k)
         {
           const ContactInterface::Point &point = contact.points[k];
-          const Point<3>                &place = place_of(point);
-          rows.push_back(
-            {place,
-             point.normal,
-             point.area,
-             forces[k],
-             cross_product_3d(Tensor<1, 3>(place), forces[k] * point.normal)});
+          ContactTraction::Row           row{
+            place_of(point), point.normal, point.area, forces[k], {}};
+          if (shears.size() > 0)
+            row.shear = shears[k];
+          row.moment = cross_product_3d(Tensor<1, 3>(row.place), force_of(row));
+          rows.push_back(row);
         }
       return rows;
     }
@@ -45,37 +54,42 @@ namespace lamella
 
 
 
-  ContactTraction::ContactTraction(const ContactInterface        &contact,
-                                   const ArrayView<const double> &forces)
-    : ContactTraction(contact.surface, rows_of(contact, forces))
+  ContactTraction::ContactTraction(const ContactInterface              &contact,
+                                   const ArrayView<const double>       &forces,
+                                   const ArrayView<const Tensor<1, 3>> &shears)
+    : ContactTraction(contact.surface, rows_of(contact, forces, shears))
   {}
 
 
 
-  double
-  ContactTraction::pressure(const CarryingSurface::Place &place) const
+  ContactTraction::Value
+  ContactTraction::at(const CarryingSurface::Place &place) const
   {
     const std::vector<double> values = carrier->functions_at(place);
     const auto               &rows   = carrier->facets()[place.facet].rows;
     const auto               &whole  = carrier->integrals();
-    double                    sum    = 0.;
+    Value                     sum;
     for (unsigned int k = 0; k < values.size(); ++k)
       for (const auto &[row, share] : rows[k])
-        sum += values[k] * share * all[row].force / whole[row].area;
+        {
+          const double per_area = values[k] * share / whole[row].area;
+          sum.pressure += per_area * all[row].force;
+          sum.shear += per_area * all[row].shear;
+        }
     return sum;
   }
 
 
 
-  double
-  ContactTraction::pressure_at(const Point<3>     &x,
-                               const Tensor<1, 3> &n,
-                               const double        reach) const
+  ContactTraction::Value
+  ContactTraction::on_line(const Point<3>     &x,
+                           const Tensor<1, 3> &n,
+                           const double        reach) const
   {
     if (carrier == nullptr)
-      return 0.;
+      return {};
     const auto place = carrier->on_line(x, n, reach);
-    return place ? pressure(*place) : 0.;
+    return place ? at(*place) : Value();
   }
 
 
@@ -128,13 +142,25 @@ namespace lamella
     Resultant sum;
     for (unsigned int k = 0; k < all.size(); ++k)
       {
-        const Tensor<1, 3> force = all[k].force * all[k].normal;
+        const Tensor<1, 3> force = force_of(all[k]);
         const double       share = strip ? parts[k].area : 1.;
         sum.force += share * force;
         sum.moment += share * all[k].moment;
         if (strip)
           sum.moment += cross_product_3d(parts[k].moment, force);
       }
+    return sum;
+  }
+
+
+
+  double
+  ContactTraction::dissipated(const std::optional<ContactStrip> &strip) const
+  {
+    const std::vector<double> parts = shares(strip);
+    double                    sum   = 0.;
+    for (unsigned int k = 0; k < all.size(); ++k)
+      sum += parts[k] * all[k].dissipated;
     return sum;
   }
 

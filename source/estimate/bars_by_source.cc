@@ -58,9 +58,9 @@ namespace lamella
                              ModelCache       &cache)
     : run(run)
     , of_run(run)
-    , penalties(run)
+    , of_contact(run)
   {
-    const Scene scene = for_estimates(run.model().scene());
+    const Scene scene = for_estimates(run);
     OtherModels models(run, out, cache);
     if (scene.goals.tolerances.empty())
       compare_with_poorer(models, scene);
@@ -136,7 +136,7 @@ namespace lamella
                       is_richer,
                       is_richer ? rules.of_richer : rules.of_fields,
                       numbers});
-    penalties.compare(of_run.quantities(), models, other, numbers);
+    of_contact.compare(of_run.quantities(), models, other, numbers);
   }
 
 
@@ -181,14 +181,12 @@ namespace lamella
   GoalResult
   BarsBySource::goal(const unsigned int number) const
   {
-    const NamedQuantity &quantity   = of_run.quantities()[number];
-    const double         of_contact = penalties.of(quantity);
-    GoalResult result = of_run.with_bar(number, bar_of(quantity), of_contact);
+    const NamedQuantity &quantity = of_run.quantities()[number];
+    GoalResult           result   = of_run.with_bar(number, bar_of(quantity));
     for (const Other &other : others)
       result.shares.emplace_back(name_of(other.source),
                                  other.factor * change_by(other, quantity));
-    if (penalties.is_any())
-      result.shares.emplace_back(name_of(Source::contact), 2. * of_contact);
+    of_contact.add_to(quantity, result);
     if (!local.empty())
       result.local = local[number];
     return result;

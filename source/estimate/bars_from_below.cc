@@ -46,7 +46,7 @@ namespace lamella
     : run(run)
     , of_run(run)
     , dual(run)
-    , penalties(run)
+    , of_contact(run)
   {
     for (const NamedQuantity &quantity : of_run.quantities())
       derivatives.push_back(dual.derivative(quantity));
@@ -77,11 +77,11 @@ namespace lamella
     const auto  poorer = [](const Scene &scene) {
       return of_one_degree_less(on_half_the_axis(scene));
     };
-    const Scene one = poorer(for_estimates(run.model().scene()));
+    const Scene one = poorer(for_estimates(run));
     half = others.solved(one, "one degree less, half the axis").numbers;
     quarter =
       others.solved(poorer(one), "two degrees less, a quarter of it").numbers;
-    penalties.compare(of_run.quantities(), others, one, *half);
+    of_contact.compare(of_run.quantities(), others, one, *half);
   }
 
 
@@ -166,15 +166,13 @@ namespace lamella
           z -= *w;
         own = surpluses->of(z);
       }
-    const double   of_contact = penalties.of(quantity);
     const ErrorBar bar    = wants_models_of(number) ? by_models(quantity, own) :
                                                       by_surpluses(quantity, *own);
-    GoalResult     result = of_run.with_bar(number, bar, of_contact);
+    GoalResult     result = of_run.with_bar(number, bar);
     result.shares         = shares_of(quantity, bar, own);
     if (own)
       result.local = own->along_axis;
-    if (penalties.is_any())
-      result.shares.emplace_back(name_of(Source::contact), 2. * of_contact);
+    of_contact.add_to(quantity, result);
     return result;
   }
 

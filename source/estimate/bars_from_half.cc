@@ -139,9 +139,9 @@ namespace lamella
     : run(run)
     , chosen(plan)
     , of_run(run)
-    , penalties(run)
+    , of_contact(run)
   {
-    const Scene scene = for_estimates(run.model().scene());
+    const Scene scene = for_estimates(run);
     layerwise =
       std::all_of(scene.bodies.begin(), scene.bodies.end(), is_of_layers);
     OtherModels others(run, out, cache);
@@ -162,7 +162,7 @@ namespace lamella
           return is_of_layers(body) && body.theory.order > 1;
         }))
       lower = others.solved(low, "coarser axis, poorer section").numbers;
-    penalties.compare(of_run.quantities(), others, half_scene, half);
+    of_contact.compare(of_run.quantities(), others, half_scene, half);
   }
 
 
@@ -203,16 +203,14 @@ namespace lamella
   BarsFromHalf::goal(const unsigned int number) const
   {
     const NamedQuantity &quantity = of_run.quantities()[number];
-    const double         value    = of_run.numbers().value(quantity),
-                 of_contact       = penalties.of(quantity);
-    ErrorBar bar                  = by_levels(quantity);
+    const double         value    = of_run.numbers().value(quantity);
+    ErrorBar             bar      = by_levels(quantity);
     bar.bar           = std::max(bar.bar, of_run.rounding_of(quantity));
-    GoalResult result = of_run.with_bar(number, bar, of_contact);
+    GoalResult result = of_run.with_bar(number, bar);
     result.shares     = {{name_of(Source::axis), value - half.value(quantity)},
                          {name_of(layerwise ? Source::section : Source::fields),
                           2. * (richer.value(quantity) - half.value(quantity))}};
-    if (penalties.is_any())
-      result.shares.emplace_back(name_of(Source::contact), 2. * of_contact);
+    of_contact.add_to(quantity, result);
     return result;
   }
 

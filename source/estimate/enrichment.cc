@@ -2,6 +2,7 @@
 
 #include <lamella/body/beam.h>
 #include <lamella/estimate/enrichment.h>
+#include <lamella/scene/histories.h>
 
 #include <algorithm>
 #include <cmath>
@@ -245,6 +246,8 @@ namespace lamella
         case Source::section:
           return any(
             [](const auto &body) { return !body.theory.is_single_layer(); });
+        case Source::path:
+          return first_with_friction(scene) != nullptr;
         default:
           return std::any_of(scene.contacts.begin(),
                              scene.contacts.end(),
@@ -282,6 +285,8 @@ namespace lamella
       }
     if (source == Source::section)
       divide_sections(result, scene, sizes, rules);
+    if (source == Source::path)
+      result.solve.substeps.number *= 2;
     if (source == Source::contact)
       for (ContactPair &contact : result.contacts)
         contact.enforcement = Enforcement::exact;
@@ -291,10 +296,16 @@ namespace lamella
 
 
   Scene
-  for_estimates(Scene scene)
+  for_estimates(const Simulation &run)
   {
-    scene.solve.load_factors = {scene.solve.load_factors.back()};
-    scene.solve.strategy     = Strategy::condensed;
+    Scene scene          = run.model().scene();
+    scene.solve.strategy = Strategy::condensed;
+    if (first_with_friction(scene) == nullptr)
+      scene.solve.load_factors = {scene.solve.load_factors.back()};
+    else
+      for (const StepResults &step : run.results().steps)
+        scene.solve.substeps.number =
+          std::max(scene.solve.substeps.number, step.substeps);
     scene.lines.clear();
     scene.cuts.clear();
     scene.strength.criteria.clear();

@@ -51,9 +51,7 @@ namespace lamella
   Model
   Estimation::first_model() const
   {
-    return {for_estimates(run.model().scene()),
-            of_run->numbers(),
-            sizes_of(run.model())};
+    return {for_estimates(run), of_run->numbers(), sizes_of(run.model())};
   }
 
 
@@ -150,8 +148,7 @@ namespace lamella
   Estimation::climb()
   {
     cache.keep(models.front());
-    for (const Source source :
-         {Source::axis, Source::fields, Source::section, Source::contact})
+    for (const Source source : all_sources)
       if (has_source(models[base].scene, source))
         add_step(source);
     climb_once_more();

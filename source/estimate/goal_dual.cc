@@ -2,6 +2,7 @@
 
 #include <lamella/estimate/goal_dual.h>
 #include <lamella/recover/box_points.h>
+#include <lamella/scene/histories.h>
 
 #include <algorithm>
 
@@ -90,6 +91,8 @@ namespace lamella
   std::optional<GoalDual::Pair>
   GoalDual::derivative(const NamedQuantity &goal) const
   {
+    if (first_with_friction(model.model().scene()) != nullptr)
+      return std::nullopt;
     switch (goal.of)
       {
         case Of::probe:

@@ -141,7 +141,7 @@ namespace lamella
                         ModelCache           &cache,
                         const HeldPlaceRules &rules)
   {
-    const Scene scene = for_estimates(run.model().scene());
+    const Scene scene = for_estimates(run);
     if (!can_be_told(scene))
       return {};
     const auto shorter = with_short_elements(scene, run, rules);

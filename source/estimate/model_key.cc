@@ -181,7 +181,7 @@ namespace lamella
                  trade,
                  warnings,
                  resolved] = scene;
-    std::string key        = resolved;
+    std::string key        = resolved + words_of(solve.substeps.number);
     for (const BodyDescription &body : bodies)
       key += words_of(body) + "; ";
     key += words_of("divided", divisions);

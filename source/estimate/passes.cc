@@ -251,8 +251,7 @@ namespace lamella
           }
       }
     std::vector<Source> sources;
-    for (const Source source :
-         {Source::axis, Source::fields, Source::section, Source::contact})
+    for (const Source source : all_sources)
       if (std::any_of(names.begin(), names.end(), [source](const auto &name) {
             return is_of(name, source);
           }))

@@ -13,7 +13,7 @@ namespace lamella
                     std::ostream     &out,
                     ModelCache       &cache)
   {
-    Scene scene    = for_estimates(run.model().scene());
+    Scene scene    = for_estimates(run);
     bool  replaces = false;
     for (unsigned int b = 0; b < scene.bodies.size(); ++b)
       {

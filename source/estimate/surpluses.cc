@@ -4,6 +4,7 @@
 #include <lamella/estimate/local_errors.h>
 #include <lamella/estimate/poorer.h>
 #include <lamella/estimate/surpluses.h>
+#include <lamella/scene/histories.h>
 
 #include <cmath>
 
@@ -39,6 +40,8 @@ namespace lamella
   Surpluses::reason_for_none(const Simulation  &run,
                              const unsigned int least_degree)
   {
+    if (const ContactPair *contact = first_with_friction(run.model().scene()))
+      return "contact " + contact->name + " has friction";
     const Bodies &bodies = run.model().structure().bodies();
     const auto    beams  = beams_of(bodies);
     for (unsigned int b = 0; b < bodies.size(); ++b)

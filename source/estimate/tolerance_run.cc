@@ -86,7 +86,7 @@ namespace lamella
         << std::endl;
     next->solve();
     check_loads(*next);
-    cache.keep({for_estimates(next->model().scene()),
+    cache.keep({for_estimates(*next),
                 ResultNumbers(next->results()),
                 sizes_of(next->model())});
     if (simulation == nullptr)

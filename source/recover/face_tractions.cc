@@ -28,10 +28,11 @@ namespace lamella
 
 
   void
-  FaceTractions::add_contact(const ContactInterface        &contact,
-                             const ArrayView<const double> &forces)
+  FaceTractions::add_contact(const ContactInterface              &contact,
+                             const ArrayView<const double>       &forces,
+                             const ArrayView<const Tensor<1, 3>> &shears)
   {
-    contacts.push_back({&contact, ContactTraction(contact, forces)});
+    contacts.push_back({&contact, ContactTraction(contact, forces, shears)});
   }
 
 
@@ -81,18 +82,24 @@ namespace lamella
       {
         const bool is_first  = pressed.contact->first_body == face.body,
                    is_second = pressed.contact->second_body == face.body;
-        bool   presses       = false;
+        double side          = 0.;
         double reach         = face.tolerance;
         for (const ContactInterface::Point &point : pressed.contact->points)
-          if (point.normal.norm() > 0. &&
-              ((is_first && is_on_face(point.first, point.normal, true)) ||
-               (is_second && is_on_face(point.second, point.normal, false))))
-            {
-              presses = true;
-              reach = std::max(reach, 2. * point.first.distance(point.second));
-            }
-        if (presses)
-          contacts.push_back({&pressed.traction, reach});
+          {
+            if (point.normal.norm() == 0.)
+              continue;
+            const bool of_first = is_first &&
+                                  is_on_face(point.first, point.normal, true),
+                       of_second =
+                         is_second &&
+                         is_on_face(point.second, point.normal, false);
+            if (!of_first && !of_second)
+              continue;
+            side  = of_second ? 1. : -1.;
+            reach = std::max(reach, 2. * point.first.distance(point.second));
+          }
+        if (side != 0.)
+          contacts.push_back({&pressed.traction, reach, side});
       }
   }
 
@@ -106,8 +113,11 @@ namespace lamella
       if (load.region.body == face.body && load.region.covers(face.surface))
         t += load.factor * (*load.traction)(x, face.normal);
     for (const Pressing &contact : contacts)
-      t -= contact.traction->pressure_at(x, face.normal, contact.reach) *
-           face.normal;
+      {
+        const ContactTraction::Value value =
+          contact.traction->on_line(x, face.normal, contact.reach);
+        t += contact.side * value.shear - value.pressure * face.normal;
+      }
     return t;
   }
 } // namespace lamella

@@ -55,6 +55,7 @@ namespace lamella
           return units.stress;
         case 'f':
           return units.force;
+        case 'd':
         case 'm':
           return trimmed(units.force + " " + units.length);
         default:
@@ -94,7 +95,7 @@ namespace lamella
     of_what_presses()
     {
       static const std::vector<std::string> names{
-        "pressure", "width", "width x", "width y", "width z"};
+        "pressure", "width", "width x", "width y", "width z", "dissipated"};
       return names;
     }
 

@@ -19,11 +19,18 @@ namespace lamella
   {
     std::vector<ContactTraction::Row> all;
     for (const ContactRow &row : rows)
-      all.push_back({place_of(row.point),
-                     row.point.normal,
-                     row.point.area,
-                     row.force,
-                     row.on_second.moment});
+      {
+        all.push_back({place_of(row.point),
+                       row.point.normal,
+                       row.point.area,
+                       row.force,
+                       row.on_second.moment});
+        if (row.friction)
+          {
+            all.back().shear      = row.friction->shear;
+            all.back().dissipated = row.friction->dissipated;
+          }
+      }
     return ContactTraction(contact.surface, std::move(all));
   }
 
@@ -153,7 +160,9 @@ namespace lamella
                         {"normal", point_json(row.normal)},
                         {"area", row.area},
                         {"force", row.force},
-                        {"moment", point_json(row.moment)}});
+                        {"moment", point_json(row.moment)},
+                        {"shear", point_json(row.shear)},
+                        {"dissipated", row.dissipated}});
       if (traction.surface() != nullptr)
         {
           surface["hats"] =
@@ -176,7 +185,9 @@ namespace lamella
                         point_of(row.at("normal")),
                         row.at("area"),
                         row.at("force"),
-                        point_of(row.at("moment"))});
+                        point_of(row.at("moment")),
+                        point_of(row.at("shear")),
+                        row.at("dissipated")});
       const nlohmann::json                  &surface = json.at("surface");
       std::shared_ptr<const CarryingSurface> carrier;
       if (!surface.is_null())
@@ -259,6 +270,8 @@ namespace lamella
         const auto part = traction.resultant(quantity.strip);
         return (column[0] == 'f' ? part.force : part.moment)[component];
       }
+    if (column == "dissipated")
+      return traction.dissipated(quantity.strip);
     const PressedPatch patch(traction, quantity.strip);
     if (column == "pressure")
       return patch.pressure();
@@ -345,6 +358,8 @@ namespace lamella
     for (const auto &[name, traction] : tractions)
       {
         const PressedPatch patch(traction);
+        if (kind == 'd')
+          largest = std::max(largest, traction.dissipated());
         if (kind == 'p')
           largest = std::max(largest, traction.largest_pressure());
         if (kind == 'w')

@@ -11,7 +11,6 @@
 #include <algorithm>
 #include <cmath>
 #include <iomanip>
-#include <numeric>
 #include <ostream>
 
 namespace lamella
@@ -265,11 +264,7 @@ namespace lamella
     {
       const FrictionState &friction = results.last().state.friction;
       if (!friction.empty())
-        out << "  dissipated so far "
-            << to_text(std::accumulate(friction.dissipated.begin(),
-                                       friction.dissipated.end(),
-                                       0.),
-                       4)
+        out << "  dissipated so far " << to_text(friction.all_dissipated(), 4)
             << unit(results.units.force, results.units.length)
             << "; what load steps miss of the work "
             << to_text(friction.path_gap, 2)

@@ -17,10 +17,8 @@ namespace lamella
     const std::vector<std::string> &
     sources()
     {
-      static const std::vector<std::string> names{"axis",
-                                                  "fields",
-                                                  "section",
-                                                  "contact"};
+      static const std::vector<std::string> names{
+        "axis", "fields", "section", "contact", "path"};
       return names;
     }
 
@@ -49,7 +47,8 @@ namespace lamella
         {"axis and section",
          "shorter elements along the axis (Axis elements) and a higher degree "
          "over the section (LE-N)"},
-        {"contact", "a larger Penalty, or Enforcement = exact"}};
+        {"contact", "a larger Penalty, or Enforcement = exact"},
+        {"path", "more Substeps"}};
       return all.at(source);
     }
 

@@ -10,7 +10,6 @@
 #include <lamella/report/summary.h>
 
 #include <nlohmann/json.hpp>
-#include <numeric>
 
 namespace lamella
 {
@@ -88,9 +87,7 @@ namespace lamella
           json["substeps"].push_back(step.substeps);
           json["changes"].push_back(step.change ? Json(*step.change) : Json());
         }
-      json["dissipated"] = std::accumulate(friction.dissipated.begin(),
-                                           friction.dissipated.end(),
-                                           0.);
+      json["dissipated"] = friction.all_dissipated();
       json["gap"]        = friction.path_gap;
       return json;
     }

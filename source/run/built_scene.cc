@@ -157,7 +157,12 @@ namespace lamella
         apply_heat(given.loads, bodies);
         std::vector<ContactInterface> touching;
         for (const ContactPair &contact : given.contacts)
-          touching.push_back(make_interface(contact, bodies));
+          {
+            touching.push_back(make_interface(contact, bodies));
+            // What presses asks for fields, and so does what rubs.
+            if (contact.friction > 0.)
+              const Contact slips(contact, bodies, touching.back());
+          }
         // Counted in wave numbers, sections alike.
         const Progress::Part part(out, "fields of sections", 0.);
         FieldRules           told = field_rules;
@@ -286,7 +291,9 @@ namespace lamella
   {
     FaceTractions tractions(given.loads, factor, given.supports);
     for (unsigned int c = 0; c < contacts.size(); ++c)
-      tractions.add_contact(contacts[c], gap_rows.of_contact(c, state.force));
+      tractions.add_contact(contacts[c],
+                            gap_rows.of_contact(c, state.force),
+                            gap_rows.of_contact(c, state.friction.shear));
     return tractions;
   }
 

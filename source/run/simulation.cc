@@ -139,7 +139,7 @@ namespace lamella
                                       scene().solve.substeps,
                                       scene().find_first_failure);
     if (!found.steps.empty())
-      path->resume(found.steps.size(), found.last().state);
+      path->resume(found.steps.size(), found.last().state, found.last().checks);
   }
 
 

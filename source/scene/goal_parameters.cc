@@ -17,7 +17,7 @@ namespace lamella
       Anything(),
       "The numbers that the run is made for, between '|': PROBE: COLUMN (of "
       "probes.csv; PROBE/PLY on an interface), SUPPORT: fx (fy, fz, mx, my, "
-      "mz), CONTACT: fx (and so on, pressure, width, width x), or of a strip "
+      "mz), CONTACT: fx (and so on, pressure, width, width x, dissipated), or of a strip "
       "of a contact CONTACT: fx in AXIS FROM TO, as in roller: fz in y 40 60. "
       "By default those of Trade, else what the scene gives References for, "
       "and of probes without any the largest displacement and stress.");

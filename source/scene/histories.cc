@@ -18,4 +18,15 @@ namespace lamella
         return "Obstacle " + obstacle->name;
     return "";
   }
+
+
+
+  const ContactPair *
+  first_with_friction(const Scene &scene)
+  {
+    for (const ContactPair &contact : scene.contacts)
+      if (contact.friction > 0.)
+        return &contact;
+    return nullptr;
+  }
 } // namespace lamella

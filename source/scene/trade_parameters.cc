@@ -52,7 +52,7 @@ namespace lamella
         Anything(),
         "What is compared, between '|': PROBE: COLUMN (of probes.csv; PROBE/PLY "
         "on an interface), SUPPORT: fx (fy, fz, mx, my, mz), CONTACT: fx (and so "
-        "on, pressure, width, width x), or of a strip of a contact CONTACT: fx "
+        "on, pressure, width, width x, dissipated), or of a strip of a contact CONTACT: fx "
         "in AXIS FROM TO. By default those that Goals names, else what the scene "
         "gives References for, and of probes without any the largest "
         "displacement and stress.");

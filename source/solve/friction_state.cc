@@ -2,6 +2,8 @@
 
 #include <lamella/solve/friction_state.h>
 
+#include <numeric>
+
 namespace lamella
 {
   using namespace dealii;
@@ -15,6 +17,14 @@ namespace lamella
     for (const GapRow &row : rows)
       state.opening.push_back(row.initial_gap);
     return state;
+  }
+
+
+
+  double
+  FrictionState::all_dissipated() const
+  {
+    return std::accumulate(dissipated.begin(), dissipated.end(), 0.);
   }
 
 

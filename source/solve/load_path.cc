@@ -10,7 +10,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 namespace lamella
 {
@@ -72,12 +71,16 @@ namespace lamella
 
 
 
-    /// So far.
+    /// The largest force of supports and contacts.
     double
-    dissipated_in(const State &state)
+    largest_force(const Checks &checks)
     {
-      const auto &all = state.friction.dissipated;
-      return std::accumulate(all.begin(), all.end(), 0.);
+      double largest = 0.;
+      for (const Resultant &reaction : checks.reactions)
+        largest = std::max(largest, reaction.force.norm());
+      for (const KuhnTucker &contact : checks.contacts)
+        largest = std::max(largest, contact.force.norm());
+      return largest;
     }
   } // namespace
 
@@ -108,8 +111,9 @@ namespace lamella
     const double size =
       std::max(one.state.u.linfty_norm(),
                before.u.n_blocks() > 0 ? before.u.linfty_norm() : 0.);
-    const double lost     = dissipated_in(one.state) - dissipated_in(before),
-                 by_other = dissipated_in(other.state) - dissipated_in(before),
+    const double lost_before = before.friction.all_dissipated();
+    const double lost     = one.state.friction.all_dissipated() - lost_before,
+                 by_other = other.state.friction.all_dissipated() - lost_before,
                  energy =
                    std::max({lost,
                              by_other,
@@ -213,11 +217,12 @@ namespace lamella
 
 
   void
-  LoadPath::resume(const unsigned int n_done, State state)
+  LoadPath::resume(const unsigned int n_done, State state, const Checks &checks)
   {
     AssertIndexRange(n_done - 1, factors.size());
-    done = n_done;
-    last = std::move(state);
+    done       = n_done;
+    last       = std::move(state);
+    last_force = largest_force(checks);
     store(factors[done - 1].of_scene(), last);
   }
 
@@ -264,14 +269,9 @@ namespace lamella
   SolvedStep
   LoadPath::advance()
   {
-    SolvedStep     solved = next_as_wanted();
-    RelativeChange forces;
-    for (const Resultant &reaction : solved.checks.reactions)
-      forces.add(reaction.force, reaction.force);
-    for (const KuhnTucker &contact : solved.checks.contacts)
-      forces.add(contact.force, contact.force);
-    last_force = forces.largest;
-    last       = solved.state;
+    SolvedStep solved = next_as_wanted();
+    last_force        = largest_force(solved.checks);
+    last              = solved.state;
     store(factors[done].of_scene(), last);
     ++done;
     return solved;

@@ -9,7 +9,7 @@ kill -9 at a random moment. What a killed run leaves is whole: rows of as many l
 steps as its summary says, in every table, and their VTU files in the collection. Then
 it goes on with --resume, and every table is that of the uninterrupted run number by number
 to 1e-12 (numdiff). So does one that is killed behind its load steps, while it looks
-for the first failure or makes error bars. --resume on what cannot go on is refused,
+for the first failure or makes error bars, and a loop with friction in its middle. --resume on what cannot go on is refused,
 and a file that reaches its limit at a later step leaves the steps before it; a step
 that fails fails again when resumed.
 """
@@ -157,6 +157,41 @@ def check_kills_behind_steps(program, work):
               "  and says the same in its summary")
 
 
+def check_loop(program, work):
+    """Friction remembers: a loop that ends in its middle goes on as if it had not, each
+    step in as many substeps."""
+    def words(folder):
+        return [program, str(ROOT / "prm/leaf_spring_loop.prm"), "--output", str(folder),
+                "--set", "Theory=EBBT", "--set", "Substeps=auto", "--set",
+                "Goals/Quantities=tip: uz | interleaf-1: dissipated"]
+
+    whole = work / "whole_loop"
+    done = subprocess.run(words(whole), capture_output=True, text=True)
+    check(done.returncode == 0, f"a loop with friction {done.stderr[:200]}")
+    for stop in (5, 9):
+        folder = work / f"killed_loop{stop}"
+        process = subprocess.Popen(words(folder), stdout=subprocess.PIPE,
+                                   stderr=subprocess.DEVNULL, text=True)
+        for line in process.stdout:
+            if line.startswith(f"Load step {stop} of"):
+                break
+        process.kill()
+        process.wait()
+        steps = whole_steps(folder)
+        check(isinstance(steps, int) and 0 < steps < 16, f"killed in step {stop}: {steps}")
+        done = subprocess.run([*words(folder), "--resume"], capture_output=True, text=True)
+        off = differences(whole, folder) + same_numbers(whole / "goals.csv",
+                                                        folder / "goals.csv")
+        check(done.returncode == 0 and not off, f"  goes on to the same {off} "
+              f"{done.stderr[:200]}")
+        paths = [json.loads((path / "summary.json").read_text())["path"]
+                 for path in (whole, folder)]
+        check(paths[0]["changes"] == paths[1]["changes"] and
+              paths[0]["substeps"] == paths[1]["substeps"] and
+              paths[0]["dissipated"] == paths[1]["dissipated"] and
+              paths[0]["gap"] == paths[1]["gap"], f"  to the last bit: {paths[1]}")
+
+
 def check_refused(program, scene, work):
     def refused(what, words, *arguments):
         status, _, err = run(program, scene, *arguments)
@@ -218,6 +253,7 @@ def main():
     os.environ.update(OPENBLAS_NUM_THREADS="1", OMP_NUM_THREADS="1")
     check_kills(program, scene, work, kills, seed)
     check_kills_behind_steps(program, work)
+    check_loop(program, work)
     check_refused(program, scene, work)
     check_full_disk(program, scene, work)
     check_fails_again(program, work)

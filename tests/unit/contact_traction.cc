@@ -48,7 +48,7 @@ namespace
               const double   dA        = rule.weight(q) * (1. - u) *
                                 (along[0] * up[1] - along[1] * up[0]) *
                                 cross_product_3d(place.d_s, place.d_t).norm();
-              sum += dA * f(place.position, traction.pressure({k, st}));
+              sum += dA * f(place.position, traction.at({k, st}).pressure);
             }
     return sum;
   }
@@ -90,23 +90,14 @@ namespace
 
 
 
-  /// That the integral of the pressure is the resultant of the rows, on flat
-  /// surfaces, and that strips along all axes sum to it.
+  /// That strips along all axes sum to all of @p traction.
   void
-  check_resultants(const ContactInterface &contact, const Bodies &bodies)
+  check_strips(const ContactTraction  &traction,
+               const ContactInterface &contact,
+               const Bodies           &bodies)
   {
-    const std::vector<double> forces = some_forces(contact);
-    const ContactTraction traction(contact, dealii::make_array_view(forces));
-    const auto            by_work = by_rows(contact, bodies, 1, forces);
-    const double          size    = by_work.force.norm();
-    const auto            whole   = traction.resultant();
-    BOOST_TEST((whole.force - by_work.force).norm() < 1e-12 * size);
-    const Tensor<1, 3> n = contact.points[0].normal;
-    const Tensor<1, 3> by_pressure =
-      integral(traction,
-               [&n](const Point<3> &, const double p) { return p * n; });
-    BOOST_TEST((by_pressure - by_work.force).norm() < 1e-12 * size);
-
+    const auto   whole = traction.resultant();
+    const double size  = whole.force.norm();
     for (unsigned int axis = 0; axis < 3; ++axis)
       {
         const auto [low, high] = reach_along(contact.points, axis);
@@ -127,6 +118,45 @@ namespace
                    1e-12 * size * bodies[1]->bounding_box().center().norm() +
                      1e-12 * whole.moment.norm() + 1e-12 * size);
       }
+  }
+
+
+
+  /// That the integral of the pressure is the resultant of the rows, on flat
+  /// surfaces, and that strips along all axes sum to it.
+  void
+  check_resultants(const ContactInterface &contact, const Bodies &bodies)
+  {
+    const std::vector<double> forces = some_forces(contact);
+    const ContactTraction     traction(contact,
+                                   dealii::make_array_view(forces),
+                                   {});
+    const auto                by_work = by_rows(contact, bodies, 1, forces);
+    const double              size    = by_work.force.norm();
+    const auto                whole   = traction.resultant();
+    BOOST_TEST((whole.force - by_work.force).norm() < 1e-12 * size);
+    const Tensor<1, 3> n = contact.points[0].normal;
+    const Tensor<1, 3> by_pressure =
+      integral(traction,
+               [&n](const Point<3> &, const double p) { return p * n; });
+    BOOST_TEST((by_pressure - by_work.force).norm() < 1e-12 * size);
+
+    // With friction shears are in forces, those of strips among them.
+    std::vector<Tensor<1, 3>> shears;
+    Tensor<1, 3>              all;
+    for (unsigned int k = 0; k < forces.size(); ++k)
+      {
+        shears.push_back(forces[k] * Point<3>(0.1 * (k % 3), -0.2, 0.1));
+        all += shears.back();
+      }
+    const ContactTraction rubbing(contact,
+                                  dealii::make_array_view(forces),
+                                  dealii::make_array_view(
+                                    std::as_const(shears)));
+    BOOST_TEST((rubbing.resultant().force - whole.force - all).norm() <
+               1e-12 * size);
+    check_strips(traction, contact, bodies);
+    check_strips(rubbing, contact, bodies);
   }
 
 
@@ -193,11 +223,14 @@ BOOST_AUTO_TEST_CASE(uniform_on_either_side)
         for (const auto &point : interface.points)
           forces.push_back(3. * point.area);
         const ContactTraction traction(interface,
-                                       dealii::make_array_view(forces));
+                                       dealii::make_array_view(forces),
+                                       {});
         const auto            p_at = [&](const double x, const double y) {
-          return traction.pressure_at(placement.to_scene({x, y, lower_height}),
-                                      placement.axes[2],
-                                      0.01);
+          return traction
+            .on_line(placement.to_scene({x, y, lower_height}),
+                     placement.axes[2],
+                     0.01)
+            .pressure;
         };
         const double c = std::cos(25. * dealii::numbers::PI / 180.),
                      s = std::sin(25. * dealii::numbers::PI / 180.);
@@ -250,10 +283,11 @@ BOOST_AUTO_TEST_CASE(nodes_of_a_smaller_face)
       for (const auto &point : interface.points)
         forces.push_back(2. * point.area);
       const ContactTraction traction(interface,
-                                     dealii::make_array_view(forces));
+                                     dealii::make_array_view(forces),
+                                     {});
       const Tensor<1, 3>    up   = Point<3>(0., 0., 1.);
       const auto            p_at = [&](const double x, const double y) {
-        return traction.pressure_at({x, y, lower_height}, up, 0.01);
+        return traction.on_line({x, y, lower_height}, up, 0.01).pressure;
       };
       BOOST_TEST(std::abs(p_at(1.01, 1.99) - 2.) < 1e-10);
       BOOST_TEST(std::abs(p_at(1.4, 1.2) - 2.) < 1e-10);
@@ -338,7 +372,8 @@ BOOST_AUTO_TEST_CASE(a_curved_surface)
       const auto                interface = make_interface(pair, bodies);
       const std::vector<double> forces    = some_forces(interface);
       const ContactTraction     traction(interface,
-                                     dealii::make_array_view(forces));
+                                     dealii::make_array_view(forces),
+                                     {});
       double                    sum = 0.;
       for (const double force : forces)
         sum += force;

@@ -365,10 +365,11 @@ BOOST_AUTO_TEST_CASE(torsion_at_free_edges)
 
 
 
-BOOST_AUTO_TEST_CASE(pressures_on_a_face)
+BOOST_AUTO_TEST_CASE(tractions_on_a_face)
 {
-  // A grid of 2 x 3 nodes on the plane z = 1, lambda / A = 10 k: linear between
-  // them, nothing beyond, and nothing on the other face.
+  // A grid of 2 x 3 nodes on the plane z = 1, lambda / A = 10 k and a shear of
+  // k (1, -2, 0): linear between them, nothing beyond, and nothing on the other
+  // face. The bodies press each other alike, and rub each other the other way.
   const Polygon square{{0., 0.}, {1., 0.}, {1., 1.}, {0., 1.}};
   std::vector<CarryingSurface::Facet> facets;
   for (unsigned int j = 0; j < 2; ++j)
@@ -394,7 +395,8 @@ BOOST_AUTO_TEST_CASE(pressures_on_a_face)
     std::make_shared<const CarryingSurface>(CarryingSurface::Functions::hats,
                                             6,
                                             facets);
-  std::vector<double> forces;
+  std::vector<double>               forces;
+  std::vector<dealii::Tensor<1, 3>> shears;
   for (unsigned int k = 0; k < 6; ++k)
     {
       ContactInterface::Point point;
@@ -405,21 +407,26 @@ BOOST_AUTO_TEST_CASE(pressures_on_a_face)
       point.spacing = 1.;
       contact.points.push_back(point);
       forces.push_back(10. * k * point.area);
+      shears.push_back(k * point.area * Point<3>(1., -2., 0.));
     }
   FaceTractions all;
-  all.add_contact(contact, dealii::make_array_view(forces));
+  all.add_contact(contact,
+                  dealii::make_array_view(forces),
+                  dealii::make_array_view(shears));
   FaceTractions::Face face{
     0, "top", Point<3>(0., 0., 1.), Point<3>(0., 0., 1.), 1e-6};
   const FaceTractions::OnFace top(all, face);
   BOOST_TEST(std::abs(top(Point<3>(0., 0., 1.))[2]) < 1e-12);
-  BOOST_TEST(std::abs(top(Point<3>(1., 2., 1.))[2] + 50.) < 1e-12);
+  BOOST_TEST((top(Point<3>(1., 2., 1.)) - Point<3>(-5., 10., -50.)).norm() <
+             1e-12);
   BOOST_TEST(std::abs(top(Point<3>(0.25, 1.5, 1.))[2] + 32.5) < 1e-12);
   BOOST_TEST(std::abs(top(Point<3>(0.25, 2.5, 1.))[2]) < 1e-12);
   // The other body is pressed from above as well, on a face that looks down.
   face.body   = 1;
   face.normal = Point<3>(0., 0., -1.);
   const FaceTractions::OnFace below(all, face);
-  BOOST_TEST(std::abs(below(Point<3>(1., 2., 1.))[2] - 50.) < 1e-12);
+  BOOST_TEST((below(Point<3>(1., 2., 1.)) - Point<3>(5., -10., 50.)).norm() <
+             1e-12);
   face.body = 0;
   const FaceTractions::OnFace wrong_way(all, face);
   BOOST_TEST(wrong_way(Point<3>(1., 2., 1.)).norm() == 0.);

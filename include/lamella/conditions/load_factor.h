@@ -69,12 +69,6 @@ namespace lamella
       return {0., std::vector<double>(own.size(), 0.)};
     }
 
-    bool
-    operator==(const LoadFactor &other) const
-    {
-      return scene == other.scene && own == other.own;
-    }
-
     template <class Archive>
     void
     serialize(Archive &archive, const unsigned int)

@@ -88,7 +88,7 @@ namespace lamella
     /// The moment about there of a unit force in the row: not zero of a hold
     /// only.
     dealii::Tensor<1, 3> couple = {};
-    /// That of its support .
+    /// That of its support.
     unsigned int history = 0;
   };
 

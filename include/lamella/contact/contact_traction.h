@@ -24,7 +24,8 @@ namespace lamella
    * second side,
    *   sum_i lambda_i / A_i n_i int phi_i dA = sum lambda_i n_i,
    * is the resultant of the rows to rounding, whatever surfaces and meshes are.
-   * n_i is the row's normal.
+   * n_i is the row's normal. Friction adds the shear q(x), of lambda_t,i in the
+   * same way: on the second side, opposite on the first.
    *
    * Pressures of rows that have their force at a node alone are lumped; so is
    * their moment. What the moment of p n_i about the node is off by, an h^2 of
@@ -49,6 +50,10 @@ namespace lamella
       double area = 0., force = 0.;
       /// Of its force on the second side, about the scene's origin.
       dealii::Tensor<1, 3> moment;
+      /// lambda_t on the second side [force], and what the row has dissipated
+      /// so far [energy]: zero without friction.
+      dealii::Tensor<1, 3> shear      = {};
+      double               dissipated = 0.;
     };
 
     /// @p surface carries @p rows, in their order; null if nothing is known of
@@ -56,22 +61,32 @@ namespace lamella
     ContactTraction(std::shared_ptr<const CarryingSurface> surface,
                     std::vector<Row>                       rows);
 
-    /// That of @p contact with @p forces in its rows; moments are those of the
-    /// forces at the rows' places.
-    ContactTraction(const ContactInterface                &contact,
-                    const dealii::ArrayView<const double> &forces);
+    /// That of @p contact with @p forces in its rows and, with friction, @p
+    /// shears (else empty); moments are those of the forces at the rows'
+    /// places.
+    ContactTraction(
+      const ContactInterface                              &contact,
+      const dealii::ArrayView<const double>               &forces,
+      const dealii::ArrayView<const dealii::Tensor<1, 3>> &shears);
 
-    /// p at @p place of the surface [force/length^2].
-    double
-    pressure(const CarryingSurface::Place &place) const;
+    /// p and q at a place [force/length^2].
+    struct Value
+    {
+      double               pressure = 0.;
+      dealii::Tensor<1, 3> shear    = {};
+    };
 
-    /// p where the line through @p x along the unit vector @p n meets the
-    /// surface within @p reach [length]; 0 if it does not. So it is asked for
-    /// on either side of the contact.
-    double
-    pressure_at(const dealii::Point<3>     &x,
-                const dealii::Tensor<1, 3> &n,
-                const double                reach) const;
+    /// At @p place of the surface.
+    Value
+    at(const CarryingSurface::Place &place) const;
+
+    /// Where the line through @p x along the unit vector @p n meets the
+    /// surface within @p reach [length]; zero if it does not. So it is asked
+    /// for on either side of the contact.
+    Value
+    on_line(const dealii::Point<3>     &x,
+            const dealii::Tensor<1, 3> &n,
+            const double                reach) const;
 
     /// Force and moment about the scene's origin, on the second side.
     struct Resultant
@@ -88,6 +103,11 @@ namespace lamella
     /// int_strip phi_i dA / A_i, or 1. A row that is a point is in it or not.
     std::vector<double>
     shares(const std::optional<ContactStrip> &strip) const;
+
+    /// What friction has dissipated so far in all of the contact or in a strip:
+    /// that of its rows by shares() [energy].
+    double
+    dissipated(const std::optional<ContactStrip> &strip = {}) const;
 
     /// The largest lambda_i / A_i, A_i the tributary area.
     double

@@ -3,8 +3,8 @@
 #ifndef lamella_estimate_bars_by_source_h
 #define lamella_estimate_bars_by_source_h
 
+#include <lamella/estimate/contact_shares.h>
 #include <lamella/estimate/other_models.h>
-#include <lamella/estimate/penalty_share.h>
 #include <lamella/estimate/run_goals.h>
 
 #include <optional>
@@ -86,7 +86,7 @@ namespace lamella
     const Simulation  &run;
     SourceRules        rules;
     RunGoals           of_run;
-    PenaltyShare       penalties;
+    ContactShares      of_contact;
     std::vector<Other> others;
     /// Of each of the quantities, from the model with shorter elements; empty
     /// where nobody asks where errors are.

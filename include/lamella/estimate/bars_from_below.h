@@ -3,10 +3,10 @@
 #ifndef lamella_estimate_bars_from_below_h
 #define lamella_estimate_bars_from_below_h
 
+#include <lamella/estimate/contact_shares.h>
 #include <lamella/estimate/error_bar.h>
 #include <lamella/estimate/goal_dual.h>
 #include <lamella/estimate/other_models.h>
-#include <lamella/estimate/penalty_share.h>
 #include <lamella/estimate/run_goals.h>
 #include <lamella/estimate/surpluses.h>
 
@@ -46,9 +46,7 @@ namespace lamella
    * Each has gap rows of its own mesh and its own active set: what the run's
    * frozen one cannot see, that it is wrong, these see.
    *
-   * The penalties of contacts come with what they change (PenaltyShare), or of
-   * goals without a derivative with what exact contact changes on half of the
-   * elements.
+   * What penalties and load steps change comes to them (ContactShares).
    */
   class BarsFromBelow
   {
@@ -94,7 +92,7 @@ namespace lamella
     BelowRules        rules;
     RunGoals          of_run;
     GoalDual          dual;
-    PenaltyShare      penalties;
+    ContactShares     of_contact;
     /// Of each goal, if it has one.
     std::vector<std::optional<GoalDual::Pair>> derivatives;
     /// Null where the run has none.

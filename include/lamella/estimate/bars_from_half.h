@@ -3,9 +3,9 @@
 #ifndef lamella_estimate_bars_from_half_h
 #define lamella_estimate_bars_from_half_h
 
+#include <lamella/estimate/contact_shares.h>
 #include <lamella/estimate/error_bar.h>
 #include <lamella/estimate/other_models.h>
-#include <lamella/estimate/penalty_share.h>
 #include <lamella/estimate/run_goals.h>
 
 #include <optional>
@@ -92,7 +92,7 @@ namespace lamella
     HalfPlan          chosen;
     HalfRules         rules;
     RunGoals          of_run;
-    PenaltyShare      penalties;
+    ContactShares     of_contact;
     /// Whether all bodies are of LE.
     bool layerwise = false;
     /// H_p, H_r and H_l.

@@ -20,7 +20,8 @@ namespace lamella
     axis,    ///< the elements along the axes
     fields,  ///< the fields that nodes carry: theories, wave numbers
     section, ///< degree and cells of the sections; of solids all their cells
-    contact  ///< penetration under a penalty
+    contact, ///< penetration under a penalty
+    path     ///< the load steps on which friction depends
   };
 
   template <>
@@ -29,8 +30,16 @@ namespace lamella
     static constexpr NameOf<Source> all[] = {{Source::axis, "axis"},
                                              {Source::fields, "fields"},
                                              {Source::section, "section"},
-                                             {Source::contact, "contact"}};
+                                             {Source::contact, "contact"},
+                                             {Source::path, "path"}};
   };
+
+  /// In the order in which they are made less, one after the other.
+  inline constexpr Source all_sources[] = {Source::axis,
+                                           Source::fields,
+                                           Source::section,
+                                           Source::contact,
+                                           Source::path};
 
   /// Those of the bodies of @p model.
   std::vector<BodySize>
@@ -58,7 +67,8 @@ namespace lamella
    *             (degrees come first: they converge at twice the
    *             rate of equal cells where plies end, Szabo and Babuska 1991);
    *             solid-1 becomes solid-2, whose hexahedra are divided in eight;
-   *   contact   penalties become exact.
+   *   contact   penalties become exact;
+   *   path      twice as many substeps.
    * LE-N becomes SV-10 with the same functions where the body, of the size
    * @p sizes now, would have more than most_dofs_of_layers, and the fields of
    * responses are fewer than those of the section (may_have_responses()).
@@ -75,10 +85,11 @@ namespace lamella
   bool
   has_source(const Scene &scene, const Source source);
 
-  /// The scene as an estimate needs it: its last load step only, and nothing
-  /// asked for but probes.
+  /// The scene of @p run, which is solved, as an estimate needs it: its last
+  /// load step only, and nothing asked for but probes. With friction all load
+  /// steps, each in as many substeps as any took.
   Scene
-  for_estimates(Scene scene);
+  for_estimates(const Simulation &run);
 } // namespace lamella
 
 #endif

@@ -67,12 +67,9 @@ namespace lamella
     rounding_of(const NamedQuantity &quantity) const;
 
     /// The goal @p number with @p bar, which one without a limit is not held
-    /// to, and to which the share @p of_contact of
-    /// penalties comes, twice and as it is signed.
+    /// to.
     GoalResult
-    with_bar(const unsigned int number,
-             const ErrorBar    &bar,
-             const double       of_contact = 0.) const;
+    with_bar(const unsigned int number, const ErrorBar &bar) const;
 
     /// Name, value, unit, scale and tolerance of the goal @p number, no bar,
     /// and why there cannot be one if it has no limit.

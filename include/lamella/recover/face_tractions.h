@@ -17,13 +17,13 @@ namespace lamella
 {
   /**
    * What acts on the plane faces of bodies in a state, as a traction t per
-   * area: t = factor sum_loads t_load - p n, of all loads on surfaces and of
-   * the contact pressure p there. Loads along lines and at points have no
-   * traction and are left out, and so are the forces of supports, which are
-   * known as resultants only.
+   * area: t = factor sum_loads t_load - p n + q, of all loads on surfaces and
+   * of the contact pressure p and the shear q of friction there. Loads along
+   * lines and at points have no traction and are left out, and so are the
+   * forces of supports, which are known as resultants only.
    *
-   * *Contact.* A contact that has points on the face presses it with the
-   * pressure of its ContactTraction on the line through the place along the
+   * *Contact.* A contact that has points on the face presses and rubs it with
+   * the values of its ContactTraction on the line through the place along the
    * normal of the face, whichever side carries the points.
    */
   class FaceTractions
@@ -39,11 +39,12 @@ namespace lamella
                   const LoadFactor           &factor,
                   const std::vector<Support> &supports = {});
 
-    /// The pressure of @p contact, which is referred to, with the @p forces in
-    /// its rows.
+    /// The traction of @p contact, which is referred to, with the @p forces in
+    /// its rows and, with friction, @p shears.
     void
-    add_contact(const ContactInterface                &contact,
-                const dealii::ArrayView<const double> &forces);
+    add_contact(const ContactInterface                              &contact,
+                const dealii::ArrayView<const double>               &forces,
+                const dealii::ArrayView<const dealii::Tensor<1, 3>> &shears);
 
     /// A plane face of a body: its name there, a point of it, its outward unit
     /// normal, scene axes.
@@ -81,12 +82,12 @@ namespace lamella
       }
 
     private:
-      /// A contact that has points on the face, and how far its two sides are
-      /// apart at these [length].
+      /// A contact that has points on the face, how far its two sides are
+      /// apart at these [length], and 1 on its second side, -1 on its first.
       struct Pressing
       {
         const ContactTraction *traction;
-        double                 reach;
+        double                 reach, side;
       };
 
       const FaceTractions  &all;

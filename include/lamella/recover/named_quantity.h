@@ -19,8 +19,9 @@ namespace lamella
   /// A number of a run's results that can be asked for by name, at the last
   /// load step: a column of probes.csv at a probe, a difference of two of them
   /// (a measure), a component of the resultant of a support or a contact, or
-  /// the mean pressure or a width of what presses of a contact, all of it or a
-  /// strip (ContactTraction, PressedPatch).
+  /// the mean pressure or a width of what presses of a contact or what friction
+  /// has dissipated so far, all of it or a strip (ContactTraction,
+  /// PressedPatch).
   struct NamedQuantity
   {
     /// What it is a number of.
@@ -38,8 +39,8 @@ namespace lamella
     /// Of a probe on a ply interface, from 1 at the bottom; 0: not said.
     unsigned int ply = 0;
     /// `uz`, `syy`, ... of a probe; of a resultant `fx`, `fy`, `fz` or its
-    /// moments `mx`, `my`, `mz`; of a contact also `pressure`, `width`, and
-    /// `width x`, `width y`, `width z`. Of a measure `value`.
+    /// moments `mx`, `my`, `mz`; of a contact also `pressure`, `width`,
+    /// `width x`, `width y`, `width z` and `dissipated`. Of a measure `value`.
     std::string column;
     /// The first of the scene's References of this quantity.
     std::optional<double> given;
@@ -61,7 +62,7 @@ namespace lamella
 
     /// Numbers of one kind can be compared. Its letter: u displacement, e
     /// strain, s stress, j jump of a probe, f force, m moment, p pressure, w
-    /// width. Of a measure that of its terms.
+    /// width, d what is dissipated. Of a measure that of its terms.
     char
     kind() const;
 
@@ -184,8 +185,8 @@ namespace lamella
     /// The largest magnitude of what is of the same kind as @p quantity: any
     /// displacement, strain or stress of any probe, any force or any moment of
     /// supports and contacts, the pressure at any point of any contact, the
-    /// width of any contact along any axis. Of a measure the largest of the
-    /// kind of its terms over what these are divided by.
+    /// width of any contact along any axis, what any dissipates. Of a measure
+    /// the largest of the kind of its terms over what these are divided by.
     double
     largest_of_kind(const NamedQuantity &quantity) const;
 

@@ -14,6 +14,11 @@ namespace lamella
   /// with the load factor of the scene.
   std::string
   first_with_factors(const Scene &scene);
+
+  /// The first contact of @p scene with friction, which makes a state depend on
+  /// those before it; null if there is none.
+  const ContactPair *
+  first_with_friction(const Scene &scene);
 } // namespace lamella
 
 #endif

@@ -41,8 +41,7 @@ namespace lamella
      *   - mean lambda . (change of (g, s) + a lambda) - dissipated,
      * with the mean of the forces at its ends. Bodies are linear, so what the
      * loads have done is strain energy, what penalties store (a |lambda|^2 /
-     * 2), dissipated and this. It goes to zero as
-     * steps get shorter.
+     * 2), dissipated and this. It goes to zero as steps get shorter.
      */
     double path_gap = 0.;
 
@@ -51,6 +50,10 @@ namespace lamella
     {
       return shear.empty();
     }
+
+    /// The sum of `dissipated`, over all rows.
+    double
+    all_dissipated() const;
 
     /// That of @p rows without force or slip, of undeformed bodies.
     static FrictionState

@@ -114,9 +114,9 @@ namespace lamella
              const bool                     branches = false);
 
     /// Goes on after the first @p n_done steps, of which the last, at least
-    /// one, came to @p last.
+    /// one, came to @p last, of which @p checks were made.
     void
-    resume(const unsigned int n_done, State last);
+    resume(const unsigned int n_done, State last, const Checks &checks);
 
     /// The steps that are done.
     unsigned int
@@ -167,7 +167,6 @@ namespace lamella
     SolvedStep
     next_as_wanted() const;
 
-
     /// Where branches are, keeps @p state; of one factor the first.
     void
     store(const double factor, const State &state);
@@ -179,7 +178,8 @@ namespace lamella
     unsigned int                  done = 0;
     State                         last;
     /// The largest of supports and contacts there.
-    double                                last_force = 0.;
+    double last_force = 0.;
+
     std::vector<std::pair<double, State>> stored;
   };
 } // namespace lamella

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <lamella/estimate/contact_shares.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace lamella
+{
+  ContactShares::ContactShares(const Simulation &run)
+    : any_penalty(has_source(run.model().scene(), Source::contact))
+    , any_friction(has_source(run.model().scene(), Source::path))
+  {
+    // With friction the last state is that of a path: all of it is to be gone
+    // again.
+    if (!any_penalty || any_friction)
+      return;
+    std::vector<GapRow> rows(run.model().rows().begin(),
+                             run.model().rows().end());
+    for (GapRow &row : rows)
+      row.enforcement = Enforcement::exact;
+    const GapRows     view(rows);
+    ContactSolver     solver(run.contact_solver().shared_tangent(),
+                         view,
+                         run.model().scene().solve.loop,
+                         run.model().scene().solve.strategy);
+    const auto       &last    = run.results().last();
+    const LoadFactor &factor  = last.load_factor;
+    const State       without = solver.release_springs(
+      solver.solve_contact(solver.solve_free(factor), factor, last.state),
+      factor);
+
+    u = without.u;
+    u -= last.state.u;
+    std::vector<unsigned int> touching;
+    for (unsigned int r = 0; r < rows.size(); ++r)
+      {
+        const double now = without.active.empty() ? 0. : without.force[r],
+                     before =
+                       last.state.active.empty() ? 0. : last.state.force[r];
+        force.push_back(now - before);
+        if (now != 0. || before != 0.)
+          touching.push_back(r);
+      }
+    dual = std::make_unique<const GoalDual>(run, touching);
+  }
+
+
+
+  void
+  ContactShares::compare(const std::vector<NamedQuantity> &goals,
+                         OtherModels                      &others,
+                         const Scene                      &poorer,
+                         const ResultNumbers              &numbers)
+  {
+    poor = numbers;
+    const bool wants_models =
+      std::any_of(goals.begin(),
+                  goals.end(),
+                  [this](const NamedQuantity &goal) {
+                    return dual == nullptr || !dual->derivative(goal);
+                  });
+    if (any_penalty && wants_models)
+      exact =
+        others.solved(enriched(poorer, Source::contact, {}), "no penetration")
+          .numbers;
+    if (any_friction)
+      shorter =
+        others
+          .solved(enriched(poorer, Source::path, {}), "twice as many substeps")
+          .numbers;
+  }
+
+
+
+  double
+  ContactShares::of_penalties(const NamedQuantity &goal) const
+  {
+    const auto derivative =
+      dual == nullptr ? std::nullopt : dual->derivative(goal);
+    if (!derivative)
+      return exact->value(goal) - poor->value(goal);
+    double      sum    = derivative->u * u;
+    const auto &active = dual->active_rows();
+    for (unsigned int k = 0; k < active.size(); ++k)
+      sum += derivative->force[k] * force[active[k]];
+    return sum;
+  }
+
+
+
+  void
+  ContactShares::add_to(const NamedQuantity &goal, GoalResult &result) const
+  {
+    const auto add =
+      [&result](const Source source, const double error, const double most) {
+        result.estimate += error;
+        result.bar += std::abs(most);
+        result.shares.emplace_back(name_of(source), most);
+      };
+    if (any_penalty)
+      {
+        const double change = of_penalties(goal);
+        add(Source::contact, change, rules.of_penalties * change);
+      }
+    if (any_friction)
+      {
+        const double change = shorter->value(goal) - poor->value(goal);
+        add(Source::path, rules.left_of_path * change, rules.of_path * change);
+      }
+  }
+} // namespace lamella
