@@ -201,10 +201,9 @@ def forces_on_bodies(run):
     """(kind, name, force): all that acts on the bodies from outside at the last load step,
     the sum at the end, which is zero in equilibrium. Forces between bodies are inner ones,
     and heat has no resultant."""
-    factor = value(run.history.rows[-1], "load_factor")
     all_forces = []
     for name, load in loads(run):
-        all_forces.append(("load", name, scaled(load.get("force"), factor)))
+        all_forces.append(("load", name, scaled(load.get("force"), last_factor(run, name))))
     for name, support in run.summary.get("supports", {}).items():
         all_forces.append(("support", name, scaled(support.get("reaction"))))
     for name, contact in run.summary.get("contacts", {}).items():
@@ -213,6 +212,13 @@ def forces_on_bodies(run):
             all_forces.append(("obstacle", name, scaled(contact.get("force"), -1.)))
     total = [sum(components) for components in zip([0.] * 3, *(f for *_, f in all_forces))]
     return [*all_forces, ("sum", "", total)]
+
+
+def last_factor(run, load):
+    """What multiplies a load at the last load step: of its own `Factors`, if it has any."""
+    row = run.history.rows[-1]
+    own = split(run.scene[f"Load {load}/Factors"])
+    return to_number(own[int(value(row, "step")) - 1]) if own else value(row, "load_factor")
 
 
 def scaled(force, factor=1.):

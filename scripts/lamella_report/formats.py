@@ -109,7 +109,7 @@ class Units:
         return self.label(kind) or kind
 
     def brackets(self, kind):
-        """`[mm]`; also of a moment, of EI, of a density, and of a load on a "surface",
+        """`[mm]`; also of a moment, of EI, of an area, of a density, and of a load on a "surface",
         along a "line" or at a "point". Without units `[length]`, `[force length]`."""
         if kind == "density":
             return {"m": "[kg/m³]", "mm": "[t/mm³]"}.get(
@@ -117,7 +117,7 @@ class Units:
         force, length = self.named("force"), self.named("length")
         unit = {"moment": f"{force} {length}", "bending": f"{force} {length}²",
                 "surface": f"{force}/{length}²", "line": f"{force}/{length}",
-                "point": force}.get(kind) or self.named(kind)
+                "area": f"{length}²", "point": force}.get(kind) or self.named(kind)
         return f"[{unit}]"
 
     def behind(self, kind):

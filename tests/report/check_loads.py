@@ -7,7 +7,9 @@ Usage: check_loads.py LAMELLA SCENE.prm WORKDIR
 
 Couple, pressure, total force, point force, temperature and weight stand in words, with
 force and moment as statics gives them; density and expansion stand beside the materials;
-load factors do not multiply temperatures; a temperature is no force of the balance.
+load factors do not multiply temperatures, nor loads with factors of their own; a temperature
+is no force of the balance. Of a scene with friction the contact's chapter has its numbers and
+those of the path.
 """
 
 import json
@@ -64,7 +66,35 @@ def main():
     for line in ("Load turn: resultant (0, 0, 0) N in all, moment (0.3, 0, -0.2) N mm about "
                  "the origin", "Load warm: a temperature, which has no resultant"):
         expect(line in console, line)
+    rows = {row[0][0]: [float(data[0][0]) for _, data in row[1:]]
+            for row in page.tables["forces"][1:]}
+    expect(rows["load push"] == [0., 0., -1.] and rows["load pull"][1] == 3. and
+           "its own: 1, -2." in words, "a load with factors of its own")
+    check_friction(program, folder)
     sys.exit(1 if faults else 0)
+
+
+def check_friction(program, folder):
+    output = folder / "friction"
+    leaves = Path(__file__).resolve().parents[1] / "scenes/friction_leaves.prm"
+    subprocess.run([program, leaves, "--output", output, "--set", "Substeps=2",
+                    *(word for body in ("lower", "upper") for word in
+                      ("--set", f"Body {body}/Kinematics/Axis elements=6"))], check=True,
+                   stdout=subprocess.DEVNULL)
+    subprocess.run([program, "report", output], check=True, stdout=subprocess.DEVNULL)
+    page = Page((output / "report.html").read_text())
+    check_report.check_form(page)
+    summary = json.loads((output / "summary.json").read_text())
+    friction = summary["contacts"]["face"]["friction"]
+    expect(page.values("friction-of-face") == [
+        [friction["coefficient"]], friction["force"], [friction["sticking_area"]],
+        [friction["slipping_area"]], [friction["dissipated"]]] and
+        friction["slipping_area"] > 0., f"what rubs: {page.values('friction-of-face')}")
+    expect([row[1][0] for row in page.tables["path"][1:]] == ["2"] * 4, "substeps")
+    words = " ".join(page.text["scene"].split())
+    for sentence in ("with a coefficient of friction of 0.3 (surface to surface, exact)",
+                     "the way to each of them is done in parts (2)"):
+        expect(sentence in words, sentence)
 
 
 if __name__ == "__main__":
