@@ -128,7 +128,7 @@ class Units:
     def of_column(self, name):
         """In brackets the unit of a column of a table, or of a resultant: of `uz`, `sxy`,
         `fz`, `mx`, `x`, `pressure`, `width`. Empty where there is none."""
-        kind = {"pressure": "stress", "width": "length"}.get(name)
+        kind = {"pressure": "stress", "width": "length", "dissipated": "moment"}.get(name)
         if kind is None and 0 < len(name) <= 3:
             kind = {"u": "length", "x": "length", "y": "length", "z": "length",
                     "s": "stress", "f": "force", "m": "moment"}.get(name[0])

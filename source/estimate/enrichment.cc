@@ -286,7 +286,8 @@ namespace lamella
     if (source == Source::section)
       divide_sections(result, scene, sizes, rules);
     if (source == Source::path)
-      result.solve.substeps.number *= 2;
+      for (unsigned int &n : result.solve.substeps.each)
+        n *= 2;
     if (source == Source::contact)
       for (ContactPair &contact : result.contacts)
         contact.enforcement = Enforcement::exact;
@@ -304,8 +305,7 @@ namespace lamella
       scene.solve.load_factors = {scene.solve.load_factors.back()};
     else
       for (const StepResults &step : run.results().steps)
-        scene.solve.substeps.number =
-          std::max(scene.solve.substeps.number, step.substeps);
+        scene.solve.substeps.each.push_back(step.substeps);
     scene.lines.clear();
     scene.cuts.clear();
     scene.strength.criteria.clear();

@@ -128,7 +128,9 @@ namespace lamella
     const auto        look = [this](const Simulation &finer) {
       local = errors_of(*of_run, run, finer);
     };
-    const bool is_first = source == Source::axis && base == 0;
+    // Where along the axis duals say, and with friction there are none.
+    const bool is_first =
+      source == Source::axis && base == 0 && !has_source(scene, Source::path);
     const bool is_known = cache.find(scene) != nullptr;
     models.push_back(is_first && !is_known ? others.solved(scene, what, look) :
                                              others.solved(scene, what));

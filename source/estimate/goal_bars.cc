@@ -71,8 +71,8 @@ namespace lamella
 
 
 
-    /// Makes the share that the axis has of the bars of @p goals no less than
-    /// twice what they @p missed at places that are held.
+    /// Makes what the mesh has of the bars of @p goals no less than twice what
+    /// they @p missed at places that are held. What contact has comes on top.
     void
     widen(const std::vector<double> &missed, Goals &goals)
     {
@@ -81,9 +81,14 @@ namespace lamella
           GoalResult  &goal  = goals[k];
           const double whole = 2. * missed[k];
           goal.least         = std::abs(whole);
-          if (!(goal.least > goal.bar))
+          double of_contact  = 0.;
+          for (const auto &[source, share] : goal.shares)
+            if (source == name_of(Source::contact) ||
+                source == name_of(Source::path))
+              of_contact += std::abs(share);
+          if (!(goal.least > goal.bar - of_contact))
             continue;
-          goal.bar      = goal.least;
+          goal.bar      = goal.least + of_contact;
           goal.estimate = missed[k];
           for (auto &[source, share] : goal.shares)
             if (source == name_of(Source::axis))

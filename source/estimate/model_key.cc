@@ -181,7 +181,9 @@ namespace lamella
                  trade,
                  warnings,
                  resolved] = scene;
-    std::string key        = resolved + words_of(solve.substeps.number);
+    std::string key        = resolved;
+    for (const unsigned int n : solve.substeps.each)
+      key += words_of(n);
     for (const BodyDescription &body : bodies)
       key += words_of(body) + "; ";
     key += words_of("divided", divisions);

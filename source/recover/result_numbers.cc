@@ -27,7 +27,9 @@ namespace lamella
                        row.on_second.moment});
         if (row.friction)
           {
-            all.back().shear      = row.friction->shear;
+            // Across curved rows a body feels less than lambda_t.
+            all.back().shear =
+              row.on_second.force - row.force * row.point.normal;
             all.back().dissipated = row.friction->dissipated;
           }
       }

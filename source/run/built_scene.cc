@@ -144,6 +144,25 @@ namespace lamella
 
 
 
+  namespace
+  {
+    /// What presses asks for fields, and so do slips of what rubs.
+    std::vector<ContactInterface>
+    undeformed_interfaces(const std::vector<ContactPair> &contacts,
+                          const Bodies                   &bodies)
+    {
+      std::vector<ContactInterface> interfaces(contacts.size());
+      for (unsigned int k = 0; k < contacts.size(); ++k)
+        if (contacts[k].friction > 0.)
+          const Contact with_slips(contacts[k], bodies, interfaces[k]);
+        else
+          interfaces[k] = make_interface(contacts[k], bodies);
+      return interfaces;
+    }
+  } // namespace
+
+
+
   Bodies
   BuiltScene::make_bodies_with_fields(std::ostream &out)
   {
@@ -155,14 +174,6 @@ namespace lamella
     if (has_fields_to_choose(given.bodies))
       {
         apply_heat(given.loads, bodies);
-        std::vector<ContactInterface> touching;
-        for (const ContactPair &contact : given.contacts)
-          {
-            touching.push_back(make_interface(contact, bodies));
-            // What presses asks for fields, and so does what rubs.
-            if (contact.friction > 0.)
-              const Contact slips(contact, bodies, touching.back());
-          }
         // Counted in wave numbers, sections alike.
         const Progress::Part part(out, "fields of sections", 0.);
         FieldRules           told = field_rules;
@@ -177,7 +188,7 @@ namespace lamella
           given.bodies,
           given.supports,
           given.loads,
-          touching,
+          undeformed_interfaces(given.contacts, bodies),
           stress_places(bodies, given.probes, given.lines, given.cuts),
           told,
           given.gravity,

@@ -139,7 +139,13 @@ namespace lamella
                                       scene().solve.substeps,
                                       scene().find_first_failure);
     if (!found.steps.empty())
-      path->resume(found.steps.size(), found.last().state, found.last().checks);
+      {
+        // What another run checked is not kept with its state.
+        const StepResults &last = found.last();
+        path->resume(found.steps.size(),
+                     last.state,
+                     step.check(last.state, last.load_factor, false));
+      }
   }
 
 

@@ -2,6 +2,7 @@
 
 #include <lamella/base/entry.h>
 #include <lamella/base/patterns.h>
+#include <lamella/scene/friction_rules.h>
 #include <lamella/scene/histories.h>
 #include <lamella/scene/size_check.h>
 #include <lamella/scene/stacks.h>
@@ -255,56 +256,6 @@ namespace lamella
 
 
 
-    /// What a contact without friction has not got.
-    void
-    check_dissipated(const Scene &scene)
-    {
-      for (const auto *quantities :
-           {&scene.goals.quantities, &scene.trade.quantities})
-        for (const NamedQuantity &quantity : *quantities)
-          for (const ContactPair &contact : scene.contacts)
-            if (quantity.of == NamedQuantity::Of::contact &&
-                quantity.column == "dissipated" &&
-                contact.name == quantity.name && contact.friction == 0.)
-              Entry(quantity.path, quantity.label())
-                .refuse("contact " + contact.name + " has no friction",
-                        "Give it some (Friction), or leave this out.");
-    }
-
-
-
-    /// What friction is not made for: a matrix that is not symmetric, models
-    /// that are compared without the path that led to them, and branches of it.
-    void
-    check_friction(const Scene &scene, const Entries &in)
-    {
-      const ContactPair *const contact = first_with_friction(scene);
-      if (contact == nullptr)
-        {
-          if (scene.solve.substeps.number != 1)
-            in["Substeps"].refuse(
-              "no contact has friction, so the way to a load step changes "
-              "nothing",
-              "Leave it out.");
-          return;
-        }
-      const std::string rule = "contact " + contact->name + " has friction";
-      if (scene.solve.strategy == Strategy::full)
-        in["Contact strategy"].refuse(rule,
-                                      "Take condensed, or Friction = none.");
-      if (scene.find_first_failure)
-        in["Find"].refuse(
-          rule + ", and what a load does depends on those before it",
-          "Leave Find out, and give the Load factors of the path.");
-      if (!scene.goals.tolerances.empty())
-        throw InputError("Goals/Tolerance",
-                         "",
-                         rule + ", and a run to a tolerance knows no load path",
-                         "Leave Tolerance out.");
-    }
-
-
-
     /// What raises one load factor takes no others.
     void
     check_histories(const Scene &scene, const Entries &in)
@@ -341,7 +292,6 @@ namespace lamella
         finds_first_failure(in["Find"], scene.strength);
       check_sizes(scene);
       check_equilibrium(scene, in["Gravity"]);
-      check_dissipated(scene);
       check_friction(scene, in);
       check_histories(scene, in);
       return scene;

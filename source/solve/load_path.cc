@@ -251,6 +251,8 @@ namespace lamella
   SolvedStep
   LoadPath::next_as_wanted() const
   {
+    if (!substeps.each.empty())
+      return next_in(substeps.each[done]);
     if (substeps.number > 0)
       return next_in(substeps.number);
     SolvedStep before = next_in(1);

@@ -48,7 +48,7 @@ namespace lamella
   };
 
   /// What touches the body number @p body, @p beam, which carries all fields at
-  /// all nodes. In the order of supports, loads, contacts, each of which is
+  /// all nodes. In the order of supports, loads, contacts; a contact is
   /// followed by what rubs along either tangent. What presses normal
   /// to the axis is taken without its part along it (where surfaces slope).
   /// Heat that varies along the axis is a load where it does, in the name

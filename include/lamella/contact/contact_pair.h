@@ -76,7 +76,7 @@ namespace lamella
   };
 
   /**
-   * Two surfaces that may touch without friction, as a scene says it: what
+   * Two surfaces that may touch, and rub, as a scene says it: what
    * ContactParameters::parse() reads and make_interface() turns into gap rows.
    * Lengths are those of the scene, surfaces are named and not yet looked for.
    *

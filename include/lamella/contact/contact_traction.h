@@ -50,8 +50,8 @@ namespace lamella
       double area = 0., force = 0.;
       /// Of its force on the second side, about the scene's origin.
       dealii::Tensor<1, 3> moment;
-      /// lambda_t on the second side [force], and what the row has dissipated
-      /// so far [energy]: zero without friction.
+      /// What of its force on the second side is not lambda_i n_i [force], and
+      /// what the row has dissipated so far [energy]: zero without friction.
       dealii::Tensor<1, 3> shear      = {};
       double               dissipated = 0.;
     };

@@ -42,8 +42,8 @@ namespace lamella
    * A bar sums the sizes of what they change, by SourceRules: where fields
    * settle fast that of richer models is far shorter, which a tolerance is met
    * by, and poorer ones cost half of them. Richer ones are the estimate, with
-   * what penalties do; of poorer ones nobody has looked at how much is left.
-   * Penalties: as in BarsFromBelow.
+   * what penalties and load steps do; of poorer ones nobody has looked at how
+   * much is left. Penalties: as in BarsFromBelow.
    */
   class BarsBySource
   {

@@ -68,7 +68,7 @@ namespace lamella
    *             rate of equal cells where plies end, Szabo and Babuska 1991);
    *             solid-1 becomes solid-2, whose hexahedra are divided in eight;
    *   contact   penalties become exact;
-   *   path      twice as many substeps.
+   *   path      twice as many substeps (for_estimates() says how many).
    * LE-N becomes SV-10 with the same functions where the body, of the size
    * @p sizes now, would have more than most_dofs_of_layers, and the fields of
    * responses are fewer than those of the section (may_have_responses()).
@@ -87,7 +87,7 @@ namespace lamella
 
   /// The scene of @p run, which is solved, as an estimate needs it: its last
   /// load step only, and nothing asked for but probes. With friction all load
-  /// steps, each in as many substeps as any took.
+  /// steps, each in as many substeps as it took.
   Scene
   for_estimates(const Simulation &run);
 } // namespace lamella

@@ -41,7 +41,8 @@ namespace lamella
     GoalDual(const Simulation &model, std::vector<unsigned int> rows);
 
     /// J'_u, and J'_lambda of the active rows; none for what has no derivative
-    /// here: a jump, a moment, pressure, width and strips of a contact. Where
+    /// here: a jump, a moment, pressure, width and strips of a contact, and
+    /// with friction anything, which depends on the steps before. Where
     /// stresses are recovered it is that of the elements' own.
     std::optional<Pair>
     derivative(const NamedQuantity &goal) const;

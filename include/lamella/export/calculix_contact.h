@@ -32,8 +32,9 @@ namespace lamella
   };
 
   /**
-   * The contacts of a scene as frictionless surface-to-surface contact with the
-   * pressure p = K times the penetration, whatever the scene's enforcement.
+   * The contacts of a scene as surface-to-surface contact with their friction
+   * and the pressure p = K times the penetration, whatever the scene's
+   * enforcement.
    *
    * K is @p stiffness, or a hundred times E_n / h of the softer side (normal
    * modulus over the depth of the shallowest hexahedron below the surface): the

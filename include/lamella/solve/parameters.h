@@ -36,6 +36,8 @@ namespace lamella
     /// is dissipated by less than `tolerance`, a share.
     unsigned int number    = 1;
     double       tolerance = 0.01;
+    /// Of each load step, in place of `number`: those that another run took.
+    std::vector<unsigned int> each = {};
     /// Of those that are not given.
     static constexpr unsigned int most = 64;
   };
