@@ -59,7 +59,7 @@ def environment(run):
         length_cell=lambda length, scale=0.: formats.number(f"{length:.14g}", scale),
         table_uri=lambda path: pictures.data_uri("text/csv", content_of(path)))
     env.tests.update(number_cell=formats.is_number_cell, zero=scene.is_zero,
-                     all_zero=scene.are_zero)
+                     all_zero=scene.are_zero, rubbing=scene.rubs)
     # All that chapters.py finds, by its own names.
     env.globals.update(vars(chapters), value=value, split=scene.split,
                        regions_of=scene.regions_of)

@@ -70,6 +70,11 @@ def is_zero(text):
     return to_number(text) == 0.
 
 
+def rubs(contact):
+    """Whether the entries of a contact give it friction."""
+    return contact["Friction"] not in ("none", "0")
+
+
 def are_zero(text):
     """Whether a list has nothing but zeros, or nothing at all."""
     return all(map(is_zero, split(text)))
@@ -111,6 +116,10 @@ class Scene:
     def parts(self, kind, entry):
         """(name, its entries) of each name in a list."""
         return [(name, self.part(kind, name)) for name in self.names(entry)]
+
+    @property
+    def has_friction(self):
+        return any(rubs(contact) for _, contact in self.parts("Contact", "Contacts"))
 
     @property
     def has_heat(self):

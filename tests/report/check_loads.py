@@ -92,7 +92,9 @@ def check_friction(program, folder):
         friction["slipping_area"] > 0., f"what rubs: {page.values('friction-of-face')}")
     expect([row[1][0] for row in page.tables["path"][1:]] == ["2"] * 4, "substeps")
     words = " ".join(page.text["scene"].split())
+    expect("has no friction" not in words, "nothing says that there is none")
     for sentence in ("with a coefficient of friction of 0.3 (surface to surface, exact)",
+                     "what rubs obeys Coulomb's law",
                      "the way to each of them is done in parts (2)"):
         expect(sentence in words, sentence)
 
