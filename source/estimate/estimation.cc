@@ -150,9 +150,9 @@ namespace lamella
   Estimation::climb()
   {
     cache.keep(models.front());
-    for (const Source source : all_sources)
-      if (has_source(models[base].scene, source))
-        add_step(source);
+    for (const NameOf<Source> &source : Names<Source>::all)
+      if (has_source(models[base].scene, source.value))
+        add_step(source.value);
     climb_once_more();
   }
 

@@ -251,11 +251,11 @@ namespace lamella
           }
       }
     std::vector<Source> sources;
-    for (const Source source : all_sources)
-      if (std::any_of(names.begin(), names.end(), [source](const auto &name) {
-            return is_of(name, source);
+    for (const NameOf<Source> &source : Names<Source>::all)
+      if (std::any_of(names.begin(), names.end(), [&source](const auto &name) {
+            return is_of(name, source.value);
           }))
-        sources.push_back(source);
+        sources.push_back(source.value);
     return sources;
   }
 

@@ -24,6 +24,7 @@ namespace lamella
     path     ///< the load steps on which friction depends
   };
 
+  /// In the order in which they are made less, one after the other.
   template <>
   struct Names<Source>
   {
@@ -33,13 +34,6 @@ namespace lamella
                                              {Source::contact, "contact"},
                                              {Source::path, "path"}};
   };
-
-  /// In the order in which they are made less, one after the other.
-  inline constexpr Source all_sources[] = {Source::axis,
-                                           Source::fields,
-                                           Source::section,
-                                           Source::contact,
-                                           Source::path};
 
   /// Those of the bodies of @p model.
   std::vector<BodySize>
