@@ -17,6 +17,7 @@ from measure_foreseen import foreseen, plans
 from measure_rates import rates
 from measure_solids import calculix, hanging, million, solids
 from measure_friction import friction, rubbing
+from measure_rubbing import crossed_cylinders, punch, rubbed, rubbing_cost
 from measure_leaves import leaves
 from measure_tolerances import c3d20r, indentation, tolerances
 from measure_tools import POINT, ROOT, Run, axis, drawing, table
@@ -335,7 +336,8 @@ def main():
                                       compact, flexure, three_plies, paper,
                                       growth_plies, growth_length, bars, bars_richer, corners,
                                       rates, tolerances, indentation, leaves, c3d20r, beyond,
-                                      foreseen, plans, friction, rubbing)}
+                                      foreseen, plans, friction, rubbing, punch,
+                                      crossed_cylinders, rubbing_cost, rubbed)}
     unknown = [name for name in sys.argv[1:] if name not in tables]
     if unknown:
         sys.exit(f"no table {unknown[0]}; there are: {', '.join(tables)}")
@@ -343,7 +345,8 @@ def main():
     only_asked = ("parallel", "million", "fields", "aims", "hairs", "walls", "compact",
                   "flexure", "three_plies", "paper", "growth_plies", "growth_length", "bars",
                   "bars_richer", "corners", "tolerances", "indentation", "c3d20r", "beyond",
-                  "foreseen", "plans", "friction", "rubbing")
+                  "foreseen", "plans", "friction", "rubbing", "punch", "crossed_cylinders",
+                  "rubbing_cost", "rubbed")
     for name in sys.argv[1:] or [name for name in tables if name not in only_asked]:
         print(f"## {name}: {tables[name].__doc__}\n")
         tables[name]()

@@ -2,7 +2,11 @@
 
 #include <lamella/linear/dense_lu.h>
 
+#include <deal.II/lac/lapack_full_matrix.h>
 #include <deal.II/lac/lapack_templates.h>
+
+#include <algorithm>
+#include <cmath>
 
 namespace lamella
 {
@@ -16,6 +20,23 @@ namespace lamella
     if (n > 0)
       dealii::getrf(&size, &size, factors.data(), &size, pivots.data(), &info);
     singular = info != 0;
+  }
+
+
+
+  double
+  DenseLU::pivot_ratio() const
+  {
+    if (singular || n == 0)
+      return singular ? 0. : 1.;
+    double least = std::abs(factors[0]), largest = least;
+    for (int i = 1; i < n; ++i)
+      {
+        const double pivot = std::abs(factors[std::size_t(i) * n + i]);
+        least              = std::min(least, pivot);
+        largest            = std::max(largest, pivot);
+      }
+    return least / largest;
   }
 
 
@@ -54,5 +75,40 @@ namespace lamella
           sign = -sign;
       }
     return sign;
+  }
+
+
+
+  std::vector<double>
+  solve_dependent(const std::vector<double> &matrix,
+                  const std::vector<double> &b,
+                  const double               rounding)
+  {
+    const std::size_t   n = b.size();
+    std::vector<double> weight(n), weighted(matrix), x(b);
+    for (std::size_t i = 0; i < n; ++i)
+      weight[i] = 1. / std::sqrt(std::abs(matrix[i * n + i]));
+    for (std::size_t j = 0; j < n; ++j)
+      {
+        x[j] *= weight[j];
+        for (std::size_t i = 0; i < n; ++i)
+          weighted[j * n + i] *= weight[i] * weight[j];
+      }
+    const DenseLU factor(weighted, n);
+    if (factor.pivot_ratio() >= rounding)
+      factor.solve(x);
+    else
+      {
+        dealii::LAPACKFullMatrix<double> inverse(n);
+        std::copy(weighted.begin(), weighted.end(), &inverse(0, 0));
+        inverse.compute_inverse_svd(rounding);
+        const dealii::Vector<double> right(x.begin(), x.end());
+        dealii::Vector<double>       found(n);
+        inverse.vmult(found, right);
+        std::copy(found.begin(), found.end(), x.begin());
+      }
+    for (std::size_t i = 0; i < n; ++i)
+      x[i] *= weight[i];
+    return x;
   }
 } // namespace lamella

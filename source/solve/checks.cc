@@ -140,16 +140,17 @@ namespace lamella
 
 
 
-    /// The strain energy that the last digits of the displacements @p u make. A
+    /// The strain energy that the last digits of displacements of this @p size
+    /// make, those without contact among them. A
     /// body that has no more is moved by its supports as a whole; its forces
     /// are rounding, too, balance nothing, and are not looked at. (That of
     /// bending is larger by decades in the slenderest body that doubles can
     /// hold: it falls with (h / L)^3 only.)
     double
-    rounding_energy(const double largest_stiffness, const Vector &u)
+    rounding_energy(const double largest_stiffness, const double size)
     {
       constexpr double digits   = 1e3 * std::numeric_limits<double>::epsilon();
-      const double     rounding = digits * u.linfty_norm();
+      const double     rounding = digits * size;
       return 0.5 * largest_stiffness * rounding * rounding;
     }
 
@@ -215,7 +216,11 @@ namespace lamella
       checks.energy += deformation.energy;
       checks.max_rotation =
         std::max(checks.max_rotation, deformation.max_rotation);
-      const double noise = rounding_energy(tangent.largest_stiffness(b), u);
+      const double noise =
+        rounding_energy(tangent.largest_stiffness(b),
+                        state.free_sizes.empty() ?
+                          u.linfty_norm() :
+                          std::max(u.linfty_norm(), state.free_sizes[b]));
       const double energy =
         deformation.energy + structure.heat_energy(b) - heat_load * u;
       checks.energies.push_back(
@@ -232,13 +237,14 @@ namespace lamella
 
 
 
-    /// The largest component of displacements, those of obstacles among them.
+    /// The largest component of displacements, those of obstacles among them,
+    /// or what is left of a cancellation.
     double
     largest_displacement(const std::vector<ContactInterface> &contacts,
-                         const BlockVector                   &u,
+                         const State                         &state,
                          const LoadFactor                    &factor)
     {
-      double largest = u.linfty_norm();
+      double largest = std::max(state.u.linfty_norm(), state.cancelled());
       for (const ContactInterface &contact : contacts)
         if (contact.obstacle != nullptr)
           largest =
@@ -315,7 +321,7 @@ namespace lamella
     const Structure &structure = tangent.of();
     Checks           checks;
     checks.reactions = unloaded_reactions(structure.prescribed(), n_supports);
-    checks.max_displacement = largest_displacement(contacts, state.u, factor);
+    checks.max_displacement = largest_displacement(contacts, state, factor);
     std::vector<BodyForces> on_body;
     for (const auto &body : structure.bodies())
       on_body.emplace_back(*body);

@@ -471,7 +471,7 @@ namespace lamella
   ContactSolver::size_of(const State &state, const LoadFactor &factor) const
   {
     // Gaps are differences of displacements and of the way of obstacles.
-    double size = state.u.linfty_norm();
+    double size = std::max(state.u.linfty_norm(), state.cancelled());
     for (const GapRow &row : rows)
       size = std::max(size, std::abs(factor.of(row.history) * row.gap_rate));
     return size;
@@ -489,6 +489,9 @@ namespace lamella
     // The first correction is the solution itself, the second a refinement.
     state.free_corrections = refine(state, factor, 2);
     state.free_corrections.erase(state.free_corrections.begin());
+    for (unsigned int b = 0; b < state.u.n_blocks() && !structure.has_springs();
+         ++b)
+      state.free_sizes.push_back(state.u.block(b).linfty_norm());
     return state;
   }
 
@@ -588,7 +591,8 @@ namespace lamella
     add_forces(closed, dlambda, state);
 
     // Written so that what is not a number stays none.
-    const double size = state.u.linfty_norm(), change = du.l2_norm();
+    const double size   = std::max(state.u.linfty_norm(), state.cancelled()),
+                 change = du.l2_norm();
     if (!std::isfinite(change))
       throw NumericsError(
         "The solution is not a finite number. Check the loads, and "

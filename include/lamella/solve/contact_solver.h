@@ -7,6 +7,7 @@
 #include <lamella/solve/contact_strategy.h>
 #include <lamella/solve/friction_state.h>
 
+#include <algorithm>
 #include <functional>
 #include <memory>
 #include <string>
@@ -22,6 +23,10 @@ namespace lamella
     /// Displacements of all bodies, a block each: expanded, so prescribed DoFs
     /// have their values.
     BlockVector u;
+    /// Of each body: the largest displacement of the linear solution without
+    /// contact, at the same load factor; empty where stabilising springs hold a
+    /// body, which moves far without contact.
+    std::vector<double> free_sizes;
     /// Of each gap row: the contact force lambda, positive in compression; zero
     /// in rows that are not active. It loads the bodies with B^T lambda.
     std::vector<double> force;
@@ -41,6 +46,18 @@ namespace lamella
     /// first of `free_corrections` (the solution itself is left out) measures
     /// the digits that the assembled matrix lost.
     std::vector<double> free_corrections, contact_corrections;
+
+    /// Displacements below this length are what is left of a cancellation, as
+    /// of leaves that equal pressures press on each other: lengths are judged
+    /// by it where it is larger than the displacements.
+    double
+    cancelled() const
+    {
+      return free_sizes.empty() ?
+               0. :
+               arithmetic::cancelled *
+                 *std::max_element(free_sizes.begin(), free_sizes.end());
+    }
   };
 
   /// When iterations end. All tolerances of the loop are here; those without
@@ -374,7 +391,7 @@ namespace lamella
 
     /// The length that gaps and displacements of @p state are accurate to
     /// rounding of: the largest displacement, that of moving obstacles along
-    /// the rows' normals among them.
+    /// the rows' normals among them, or State::cancelled().
     double
     size_of(const State &state, const LoadFactor &factor) const;
 

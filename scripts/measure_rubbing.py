@@ -1,0 +1,191 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Friction against closed forms, boundary elements and CalculiX, and what it costs
+(doc/friction.md); see scripts/measure."""
+
+import math
+import statistics
+
+import numpy as np
+import peers
+
+from measure_bars import BarRun
+from measure_tolerances import Timed
+from measure_tools import ROOT, table
+
+PUNCH = ROOT / "tests/scenes/friction_punch.prm"
+CROSSED = ROOT / "tests/scenes/friction_crossed.prm"
+RUBBED = ROOT / "tests/calculix/rubbed.prm"
+# Of all of them.
+POISSON = 0.3
+
+
+def elliptic(k):
+    """The complete integral of the first kind, by the arithmetic-geometric mean."""
+    a, b = 1., math.sqrt(1. - k * k)
+    while abs(a - b) > 1e-15 * a:
+        a, b = 0.5 * (a + b), math.sqrt(a * b)
+    return 0.5 * math.pi / a
+
+
+def bisect(f, low, high, rounds=60):
+    for _ in range(rounds):
+        middle = 0.5 * (low + high)
+        low, high = (middle, high) if f(middle) > 0. else (low, middle)
+    return 0.5 * (low + high)
+
+
+def spence(mu):
+    """Spence (1975): K(c/a) / K'(c/a) = mu / beta; what shear does to pressure is left out."""
+    beta = (1. - 2. * POISSON) / (2. * (1. - POISSON))
+    return bisect(lambda k: mu / beta - elliptic(k) / elliptic(math.sqrt(1. - k * k)),
+                  1e-9, 1. - 1e-12)
+
+
+def boundary_elements(mu, n):
+    """c / a of the punch on a half plane (Johnson, Contact Mechanics, 2.25), with n constant
+    tractions on the right half, shear and pressure coupled: the slip at the end of what
+    sticks is zero."""
+    beta = (1. - 2. * POISSON) / (2. * (1. - POISSON))
+    ends = 1. - (1. - np.linspace(0., 1., n + 1)) ** 2
+    a, b = ends[:-1], ends[1:]
+    x, width = 0.5 * (a + b), b - a
+
+    def potential(left, right):
+        def antiderivative(t):
+            return t * np.log(np.abs(t)) - t
+        return antiderivative(x[:, None] - left) - antiderivative(x[:, None] - right)
+
+    even = potential(a, b) + potential(-b, -a)
+    odd = potential(a, b) - potential(-b, -a)
+    integral = np.tril(np.ones((n, n)), -1) * width + np.diag(0.5 * width)
+
+    def slip(sticking):
+        """Of the first element that slips."""
+        pressure = np.hstack([np.eye(n), np.zeros((n, sticking))])
+        shear = np.zeros((n, n + sticking))
+        shear[:sticking, n:] = np.eye(sticking)
+        shear[range(sticking, n), range(sticking, n)] = mu
+        down = -even @ pressure / math.pi + beta * integral @ shear
+        along = -beta * integral @ pressure - odd @ shear / math.pi
+        matrix = np.vstack([np.diff(down, axis=0), np.append(width, np.zeros(sticking)),
+                            along[:sticking]])
+        right = np.zeros(n + sticking)
+        right[n - 1] = 1.
+        return along[sticking] @ np.linalg.solve(matrix, right)
+
+    low, high = 2, n - 3
+    while high - low > 1:
+        middle = (low + high) // 2
+        low, high = (middle, high) if slip(middle) > 0. else (low, middle)
+    at_low, at_high = slip(low), slip(high)
+    return ends[low] + (ends[high] - ends[low]) * at_low / (at_low - at_high)
+
+
+def punch():
+    """doc/friction.md: the share of Spence's punch that sticks."""
+    rows = []
+    for mu in (0.1, 0.2, 0.3, 0.5):
+        run = BarRun(PUNCH, [f"Contact pad/Friction={mu}"])
+        coarse, fine = boundary_elements(mu, 200), boundary_elements(mu, 400)
+        sticks = run.summary["contacts"]["pad"]["friction"]["sticking_area"] / 0.1
+        rows.append([mu, f"{spence(mu):.3f}", f"{2. * fine - coarse:.3f}", f"{sticks:.3f}"])
+    table(["mu", "Spence, uncoupled", "boundary elements, to h = 0", "run"], rows)
+
+
+def mindlin(rows, force, pushed, friction=0.4, radius=8., young=200.):
+    """Stick radius, tractions and energy of a cycle of spheres (Mindlin 1949, Mindlin and
+    Deresiewicz 1953), with those of the @p rows of a contact pushed by the force @p pushed."""
+    shear_modulus = young / (2. * (1. + POISSON))
+    radius_of_contact = (0.75 * force * radius
+                         * 2. * (1. - POISSON ** 2) / young) ** (1. / 3.)
+    ratio = math.hypot(*pushed) / (friction * force)
+    sticks = radius_of_contact * (1. - ratio) ** (1. / 3.)
+    cycle = (0.9 * (friction * force) ** 2 / radius_of_contact
+             * 2. * (2. - POISSON) / shear_modulus
+             * (1. - (1. - ratio) ** (5. / 3.)
+                - 5. * ratio / 6. * (1. + (1. - ratio) ** (2. / 3.))))
+    largest = 1.5 * friction * force / (math.pi * radius_of_contact ** 2)
+
+    def cap(r, c):
+        return math.sqrt(max(0., 1. - (r / c) ** 2))
+
+    off = size = 0.
+    for row in rows:
+        r, area = math.hypot(float(row["x"]), float(row["y"])), float(row["area"])
+        exact = largest * (cap(r, radius_of_contact)
+                           - sticks / radius_of_contact * cap(r, sticks))
+        found = (float(row["shear_x"]) * pushed[0] + float(row["shear_y"]) * pushed[1]) / (
+            area * math.hypot(*pushed))
+        off, size = off + (found - exact) ** 2 * area, size + exact ** 2 * area
+    return radius_of_contact, ratio, sticks, cycle, math.sqrt(off / size)
+
+
+def crossed_cylinders():
+    """doc/friction.md: crossed cylinders as solids, a cycle beside Mindlin's closed forms."""
+    lines = []
+    ball = "0, 0, 8: 1.5: 1 | 0, 0, 8: 1: 1 | "
+    for name, balls in (("h / a = 0.10", "0, 0, 8: 0.6: 1"),
+                        ("h / a = 0.05", "0, 0, 8: 0.7: 1 | 0, 0, 8: 0.5: 1")):
+        run = BarRun(CROSSED, [f"Body {body}/Kinematics/Refine near={ball}{balls}"
+                               for body in ("upper", "lower")])
+        rows = run.tables["contact_nip.csv"]
+        steps = {step: [row for row in rows if row["step"] == str(step)] for step in (2, 4)}
+
+        def sum_of(column, step, steps=steps):
+            return sum(float(row[column]) for row in steps[step])
+
+        pushed = [sum_of("shear_x", 2), sum_of("shear_y", 2)]
+        a, ratio, c, cycle, off = mindlin(steps[2], sum_of("force", 2), pushed)
+        area = sum(float(row["area"]) for row in steps[2] if row["state"] == "stick")
+        lost = [sum(float(row["dissipated"]) * float(row["area"]) for row in steps[step])
+                for step in (2, 4)]
+        lines.append([name, sum(row["active"] == "1" for row in steps[2]), f"{ratio:.4f}",
+                      f"{c:.4f}", f"{math.sqrt(area / math.pi):.4f}",
+                      f"{math.degrees(math.atan2(pushed[1], pushed[0])):.3f}",
+                      f"{100. * off:.0f} %", f"{(lost[1] - lost[0]) / cycle:.4f}",
+                      run.summary["dofs"], f"{run.wall:.0f}"])
+    table(["nodes apart", "rows that touch", "Q / (mu P)", "c, Mindlin", "c, run",
+           "direction (28.369)", "shear, L2", "energy of a cycle over the closed form", "DoFs",
+           "s"], lines)
+
+
+# Scenes that come with the program, in one load step, with their contacts; the short beam
+# looks for its first failure, which friction refuses.
+SHIPPED = {
+    "hertz": ["nip"], "hertz_plane_strain": ["nip"], "laminated_beams": ["middle"],
+    "laminated_beams_shear": ["middle"], "leaf_spring": ["interleaf"],
+    "flexure_test": ["c_nose", "c_left", "c_right"], "sandwich": ["indentation"]}
+
+
+def rubbing_cost():
+    """doc/friction.md: processor seconds with mu = 0.3 over those without friction, one load
+    step, three of each in turn."""
+    rows = []
+    for scene, contacts in SHIPPED.items():
+        plain = ["Load factors=1", "Goals/Error bars=false"]
+        rubs = plain + [f"Contact {name}/Friction=0.3" for name in contacts]
+        pairs = [[Timed(ROOT / f"prm/{scene}.prm", more) for more in (plain, rubs)]
+                 for _ in range(3)]
+        seconds = [statistics.median(pair[k].seconds for pair in pairs) for k in (0, 1)]
+        rows.append([scene, pairs[0][0].summary["dofs"],
+                     sum(c["rows"] for c in pairs[0][1].summary["contacts"].values()),
+                     f"{seconds[0]:.2f}", f"{seconds[1]:.2f}",
+                     f"{statistics.median(b.seconds / a.seconds for a, b in pairs):.2f}"])
+    table(["scene", "DoFs", "pairs", "without [s]", "with [s]", "ratio"], rows)
+
+
+def rubbed():
+    """doc/friction.md: blocks that are rubbed to and fro, beside CalculiX, in turn."""
+    rows = []
+    for name, more in (("one substep", ["Substeps=1"]), ("as shipped, four", [])):
+        runs = [(peers.lamella_run(RUBBED, more), peers.peer_run(RUBBED, more,
+                                                                contact_stiffness=1e5))
+                for _ in range(3)]
+        ours, theirs = runs[0]
+        rows.append([name, *(f"{abs(b / a - 1):.1e}" for a, b in zip(
+            ours.contacts["faces"][::2], theirs.contacts["faces"][::2])),
+            f"{statistics.median(a.cpu_seconds for a, _ in runs):.2f}",
+            f"{statistics.median(b.cpu_seconds for _, b in runs):.2f}",
+            f"{statistics.median(b.cpu_seconds / a.cpu_seconds for a, b in runs):.1f}"])
+    table(["path", "Q, difference", "P, difference", "Lamella [s]", "CalculiX [s]", "ratio"],
+          rows)
