@@ -81,13 +81,14 @@ namespace lamella
 
   std::vector<double>
   solve_dependent(const std::vector<double> &matrix,
+                  const std::vector<double> &d,
                   const std::vector<double> &b,
                   const double               rounding)
   {
     const std::size_t   n = b.size();
     std::vector<double> weight(n), weighted(matrix), x(b);
     for (std::size_t i = 0; i < n; ++i)
-      weight[i] = 1. / std::sqrt(std::abs(matrix[i * n + i]));
+      weight[i] = 1. / std::sqrt(d[i]);
     for (std::size_t j = 0; j < n; ++j)
       {
         x[j] *= weight[j];

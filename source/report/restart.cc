@@ -42,9 +42,9 @@ namespace boost
         state.u.reinit(sizes);
       for (unsigned int b = 0; b < sizes.size(); ++b)
         archive &state.u.block(b);
-      archive &state.force &state.active &state.rest &state.iterations &state
-        .free_corrections    &state.contact_corrections;
-      lamella::FrictionState &friction = state.friction;
+      archive &state.free_sizes &state.force &state.active &state.rest &state
+        .iterations &state.free_corrections &state.contact_corrections;
+      lamella::FrictionState                &friction = state.friction;
       archive &friction.shear &friction.direction &friction.before &friction
         .length &friction.dissipated &friction.opening &friction.path_gap;
     }

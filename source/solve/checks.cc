@@ -140,17 +140,19 @@ namespace lamella
 
 
 
-    /// The strain energy that the last digits of displacements of this @p size
-    /// make, those without contact among them. A
-    /// body that has no more is moved by its supports as a whole; its forces
-    /// are rounding, too, balance nothing, and are not looked at. (That of
-    /// bending is larger by decades in the slenderest body that doubles can
-    /// hold: it falls with (h / L)^3 only.)
+    /// The strain energy that the last digits of the displacements @p u make,
+    /// or lengths of @p nothing, if that is more. A body that has no more is
+    /// moved by its supports as a whole; its forces are rounding, too, balance
+    /// nothing, and are not looked at. (That of bending is larger by decades in
+    /// the slenderest body that doubles can hold: it falls with (h / L)^3
+    /// only.)
     double
-    rounding_energy(const double largest_stiffness, const double size)
+    rounding_energy(const double  largest_stiffness,
+                    const Vector &u,
+                    const double  nothing)
     {
       constexpr double digits   = 1e3 * std::numeric_limits<double>::epsilon();
-      const double     rounding = digits * size;
+      const double     rounding = std::max(digits * u.linfty_norm(), nothing);
       return 0.5 * largest_stiffness * rounding * rounding;
     }
 
@@ -216,11 +218,11 @@ namespace lamella
       checks.energy += deformation.energy;
       checks.max_rotation =
         std::max(checks.max_rotation, deformation.max_rotation);
+      const double nothing = state.free_sizes.empty() ?
+                               0. :
+                               arithmetic::rounding * state.free_sizes[b];
       const double noise =
-        rounding_energy(tangent.largest_stiffness(b),
-                        state.free_sizes.empty() ?
-                          u.linfty_norm() :
-                          std::max(u.linfty_norm(), state.free_sizes[b]));
+        rounding_energy(tangent.largest_stiffness(b), u, nothing);
       const double energy =
         deformation.energy + structure.heat_energy(b) - heat_load * u;
       checks.energies.push_back(
@@ -237,14 +239,13 @@ namespace lamella
 
 
 
-    /// The largest component of displacements, those of obstacles among them,
-    /// or what is left of a cancellation.
+    /// The largest component of displacements, those of obstacles among them.
     double
     largest_displacement(const std::vector<ContactInterface> &contacts,
-                         const State                         &state,
+                         const BlockVector                   &u,
                          const LoadFactor                    &factor)
     {
-      double largest = std::max(state.u.linfty_norm(), state.cancelled());
+      double largest = u.linfty_norm();
       for (const ContactInterface &contact : contacts)
         if (contact.obstacle != nullptr)
           largest =
@@ -321,7 +322,7 @@ namespace lamella
     const Structure &structure = tangent.of();
     Checks           checks;
     checks.reactions = unloaded_reactions(structure.prescribed(), n_supports);
-    checks.max_displacement = largest_displacement(contacts, state, factor);
+    checks.max_displacement = largest_displacement(contacts, state.u, factor);
     std::vector<BodyForces> on_body;
     for (const auto &body : structure.bodies())
       on_body.emplace_back(*body);

@@ -132,8 +132,12 @@ namespace lamella
       {
         // Rows that depend on each other may share a force in any way, each of
         // which rubs otherwise: what rounding adds there must not be amplified.
-        constexpr double dependent = 10. * smallest_softness;
-        lambda = solve_dependent(system_of(closed), lambda, dependent);
+        constexpr double          dependent = 10. * smallest_softness;
+        std::vector<double>       sizes;
+        const std::vector<double> system = system_of(closed);
+        for (const unsigned int number : closed.numbers)
+          sizes.push_back(compliance.diagonal(number) + softness(number));
+        lambda = solve_dependent(system, sizes, lambda, dependent);
         return;
       }
     compliance.include(closed.numbers);

@@ -149,7 +149,7 @@ namespace lamella
     problem.force    = state.force;
     problem.estimate = state.force;
     problem.start    = state.active;
-    problem.closed   = parameters.rounding * size_of(state, factor);
+    problem.closed   = length_of(parameters.rounding, state, factor);
     if (state.friction.empty())
       return problem;
     problem.first_forces = forces_by_rows(state);
@@ -231,7 +231,7 @@ namespace lamella
     for (const double lambda : state.force)
       largest = std::max(largest, std::abs(lambda));
     const double slid =
-      std::max(closed, parameters.good_enough * size_of(state, factor));
+      std::max(closed, length_of(parameters.good_enough, state, factor));
     Misses found;
     for (const unsigned int r : state.active)
       {
@@ -259,9 +259,10 @@ namespace lamella
   {
     return misses(state,
                   factor,
-                  size_of(state, factor) *
-                    std::max(parameters.rounding,
-                             state.contact_corrections.back()));
+                  length_of(std::max(parameters.rounding,
+                                     state.contact_corrections.back()),
+                            state,
+                            factor));
   }
 
 
@@ -272,9 +273,9 @@ namespace lamella
                            const double      error,
                            const bool        was_slow) const
   {
-    const double size = size_of(state, factor);
-    return error <= parameters.law_tolerance * size ||
-           (was_slow && error <= parameters.good_enough * size);
+    return error <= length_of(parameters.law_tolerance, state, factor) ||
+           (was_slow &&
+            error <= length_of(parameters.good_enough, state, factor));
   }
 
 
@@ -286,7 +287,7 @@ namespace lamella
   {
     if (!strategy->forces_stand_alone() || !state.friction.empty())
       return false;
-    const double good_enough = parameters.good_enough * size_of(state, factor);
+    const double good_enough = length_of(parameters.good_enough, state, factor);
     state                    = settled;
     state.active.clear();
     state.contact_corrections = refine(state, factor, 1);
@@ -309,7 +310,7 @@ namespace lamella
         const Misses found = judge(at, factor);
         if (found.is_right_set())
           {
-            if (found.gap > parameters.good_enough * size_of(at, factor))
+            if (found.gap > length_of(parameters.good_enough, at, factor))
               return false;
             state = std::move(at);
             return true;
@@ -471,10 +472,20 @@ namespace lamella
   ContactSolver::size_of(const State &state, const LoadFactor &factor) const
   {
     // Gaps are differences of displacements and of the way of obstacles.
-    double size = std::max(state.u.linfty_norm(), state.cancelled());
+    double size = state.u.linfty_norm();
     for (const GapRow &row : rows)
       size = std::max(size, std::abs(factor.of(row.history) * row.gap_rate));
     return size;
+  }
+
+
+
+  double
+  ContactSolver::length_of(const double      share,
+                           const State      &state,
+                           const LoadFactor &factor) const
+  {
+    return std::max(share * size_of(state, factor), state.rounding());
   }
 
 
@@ -591,13 +602,12 @@ namespace lamella
     add_forces(closed, dlambda, state);
 
     // Written so that what is not a number stays none.
-    const double size   = std::max(state.u.linfty_norm(), state.cancelled()),
-                 change = du.l2_norm();
+    const double size = state.u.linfty_norm(), change = du.l2_norm();
     if (!std::isfinite(change))
       throw NumericsError(
         "The solution is not a finite number. Check the loads, and "
         "whether the stiffnesses are beyond what double precision holds.");
-    return change == 0. ? 0. : du.linfty_norm() / size;
+    return change <= state.rounding() ? 0. : du.linfty_norm() / size;
   }
 
 

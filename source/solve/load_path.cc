@@ -82,6 +82,19 @@ namespace lamella
         largest = std::max(largest, contact.force.norm());
       return largest;
     }
+
+
+
+    /// What displacements of @p state and of @p before are compared with.
+    double
+    displacements_of(const State &state, const State &before)
+    {
+      // Loads that cancel move nothing but the last digits.
+      constexpr double digits = 1e3;
+      return std::max({state.u.linfty_norm(),
+                       before.u.n_blocks() > 0 ? before.u.linfty_norm() : 0.,
+                       digits * state.rounding()});
+    }
   } // namespace
 
 
@@ -108,9 +121,7 @@ namespace lamella
       }
     BlockVector u = one.state.u;
     u -= other.state.u;
-    const double size =
-      std::max(one.state.u.linfty_norm(),
-               before.u.n_blocks() > 0 ? before.u.linfty_norm() : 0.);
+    const double size        = displacements_of(one.state, before);
     const double lost_before = before.friction.all_dissipated();
     const double lost     = one.state.friction.all_dissipated() - lost_before,
                  by_other = other.state.friction.all_dissipated() - lost_before,

@@ -88,7 +88,9 @@ namespace lamella
 
 
     void
-    require_contact_law(const KuhnTucker &contact, const double displacement)
+    require_contact_law(const KuhnTucker &contact,
+                        const double      displacement,
+                        const double      rounding)
     {
       if (!(contact.imbalance < tolerable))
         throw NumericsError(
@@ -97,7 +99,7 @@ namespace lamella
           " of their sum: its rows do not follow rigid motions, a fault of "
           "this program. Please report the scene.");
       else if (contact.min_force < 0. ||
-               !(contact.law_error <= sound * displacement))
+               !(contact.law_error <= std::max(sound * displacement, rounding)))
         throw NumericsError(
           "The contact conditions do not hold: the smallest force is " +
           to_text(contact.min_force) +
@@ -120,7 +122,7 @@ namespace lamella
     require_settled(state);
     require_balance(checks);
     for (const KuhnTucker &contact : checks.contacts)
-      require_contact_law(contact, checks.max_displacement);
+      require_contact_law(contact, checks.max_displacement, state.rounding());
     if (!std::isfinite(checks.max_rotation) || !std::isfinite(checks.energy))
       throw NumericsError("The solution is not a finite number. Check the "
                           "loads and the materials.");

@@ -277,4 +277,28 @@ BOOST_AUTO_TEST_CASE(signs_of_determinants)
   BOOST_TEST(sign({0., 1., 0., 0., 0., 1., 1., 0., 0.}) == 1);
 }
 
+BOOST_AUTO_TEST_CASE(rows_that_depend_share_a_force_evenly)
+{
+  // Three rows that measure the same, of which the third rubs: any forces that
+  // sum to the same will do, the least are equal. Another row stands alone.
+  const std::vector<double>
+    A = {2., 2., 2., 0., 2., 2., 2., 0., 2., 2., 2., 0., 0., 0., 0., 5.},
+    d = {2., 2., 2., 5.};
+  const std::vector<double> x = solve_dependent(A, d, {6., 6., 6., 10.}, 1e-9);
+  for (const unsigned int i : {0, 1, 2})
+    BOOST_TEST(std::abs(x[i] - 1.) < 1e-12);
+  BOOST_TEST(std::abs(x[3] - 2.) < 1e-12);
+  // Rows of other sizes are weighted: what depends is seen in small ones, too.
+  const std::vector<double> B = {2., 2e-4, 2e-4, 2e-8};
+  const std::vector<double> y =
+    solve_dependent(B, {2., 2e-8}, {4., 4e-4}, 1e-9);
+  BOOST_TEST(std::abs(y[0] - 1.) < 1e-12);
+  BOOST_TEST(std::abs(y[1] - 1e4) < 1e-8);
+  // Independent ones come out as of any other solver.
+  const std::vector<double> z =
+    solve_dependent({2., 1., -3., 4.}, {2., 4.}, {-1., 9.}, 1e-9);
+  BOOST_TEST(std::abs(z[0] - 23. / 11.) < 1e-14);
+  BOOST_TEST(std::abs(z[1] - 19. / 11.) < 1e-14);
+}
+
 BOOST_AUTO_TEST_SUITE_END()

@@ -74,9 +74,6 @@ namespace lamella
     /// Of the larger one: what a mesh or a solver gives twice for what is one
     /// thing, as the answers to one load, or lengths of equal elements.
     constexpr double alike = 1e-6;
-    /// Of what forces would do each alone: where less is left of them all, they
-    /// cancel, and what is left is no measure of accuracy.
-    constexpr double cancelled = 1e-4;
   } // namespace arithmetic
 } // namespace lamella
 

@@ -45,15 +45,16 @@ namespace lamella
     bool                singular;
   };
 
-  /// x = A^-1 b; where rows depend on each other, the x of least norm, sum
-  /// x_i^2 |A_ii|, among those for which A x comes nearest to @p b, each row
-  /// weighted with 1 / sqrt |A_ii|. @p matrix are n columns one after the
-  /// other, none with a zero on the diagonal. Rows depend on each other if a
-  /// pivot of the weighted matrix is below @p rounding of the largest; its
-  /// singular values below that share count as zero then (LAPACK's gesdd, some
-  /// 20 n^3 operations).
+  /// x = A^-1 b; where rows depend on each other, the x of least norm, sum d_i
+  /// x_i^2, among those for which A x comes nearest to @p b, each row weighted
+  /// with 1 / sqrt d_i, the size d_i > 0 of its diagonal. @p matrix are n
+  /// columns one after the other. Rows depend on each other if a pivot of the
+  /// weighted matrix is below @p rounding of the largest; its singular values
+  /// below that share count as zero then (LAPACK's gesdd, some 20 n^3
+  /// operations).
   std::vector<double>
   solve_dependent(const std::vector<double> &matrix,
+                  const std::vector<double> &d,
                   const std::vector<double> &b,
                   const double               rounding);
 } // namespace lamella

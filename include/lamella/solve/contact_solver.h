@@ -47,15 +47,15 @@ namespace lamella
     /// the digits that the assembled matrix lost.
     std::vector<double> free_corrections, contact_corrections;
 
-    /// Displacements below this length are what is left of a cancellation, as
-    /// of leaves that equal pressures press on each other: lengths are judged
-    /// by it where it is larger than the displacements.
+    /// Lengths below this are what rounding leaves where loads cancel, as of
+    /// leaves that equal pressures press on each other and that do not move:
+    /// of what they would move by without contact.
     double
-    cancelled() const
+    rounding() const
     {
       return free_sizes.empty() ?
                0. :
-               arithmetic::cancelled *
+               arithmetic::rounding *
                  *std::max_element(free_sizes.begin(), free_sizes.end());
     }
   };
@@ -391,9 +391,16 @@ namespace lamella
 
     /// The length that gaps and displacements of @p state are accurate to
     /// rounding of: the largest displacement, that of moving obstacles along
-    /// the rows' normals among them, or State::cancelled().
+    /// the rows' normals among them.
     double
     size_of(const State &state, const LoadFactor &factor) const;
+
+    /// @p share of size_of(), a tolerance, or State::rounding() if that is
+    /// more.
+    double
+    length_of(const double      share,
+              const State      &state,
+              const LoadFactor &factor) const;
 
     /// Counts @p round in @p iterations and reports it; throws NumericsError if
     /// rows are still changing after too many.
