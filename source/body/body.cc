@@ -188,12 +188,11 @@ namespace lamella
 
 
   std::unique_ptr<StiffnessMatrix>
-  Body::assembled_stiffness(const Constraints             &constraints,
-                            const std::vector<SpringTerm> &springs,
-                            const SolverKind               asked) const
+  Body::assembled(const StiffnessTerms &terms,
+                  const Constraints    &constraints,
+                  const SolverKind      asked) const
   {
-    const StiffnessTerms terms = stiffness_terms(springs);
-    const SolverKind     kind  = solver_kind(asked);
+    const SolverKind kind = solver_kind(asked);
     if (kind == SolverKind::cholmod)
       return assemble_serial(terms, constraints);
     return assemble_distributed(terms,
@@ -205,13 +204,23 @@ namespace lamella
 
 
 
-  std::unique_ptr<LinearSolver>
-  Body::make_solver(const Constraints             &constraints,
-                    const std::vector<SpringTerm> &springs,
-                    const SolverKind               asked,
-                    const SolverMonitor           &monitor) const
+  std::unique_ptr<StiffnessMatrix>
+  Body::assembled_stiffness(const Constraints             &constraints,
+                            const std::vector<SpringTerm> &springs,
+                            const SolverKind               asked) const
   {
-    const auto matrix = assembled_stiffness(constraints, springs, asked);
+    return assembled(stiffness_terms(springs), constraints, asked);
+  }
+
+
+
+  std::unique_ptr<LinearSolver>
+  Body::solver_of(const StiffnessTerms &terms,
+                  const Constraints    &constraints,
+                  const SolverKind      asked,
+                  const SolverMonitor  &monitor) const
+  {
+    const auto matrix = assembled(terms, constraints, asked);
     if (monitor.assembled)
       monitor.assembled();
     try
@@ -231,8 +240,20 @@ namespace lamella
 
 
 
+  std::unique_ptr<LinearSolver>
+  Body::make_solver(const Constraints             &constraints,
+                    const std::vector<SpringTerm> &springs,
+                    const SolverKind               asked,
+                    const SolverMonitor           &monitor) const
+  {
+    return solver_of(stiffness_terms(springs), constraints, asked, monitor);
+  }
+
+
+
   StiffnessTerms
   Body::tangent_terms(const Vector &,
+                      const Vector &,
                       const std::vector<SpringTerm> &springs) const
   {
     return stiffness_terms(springs);
@@ -250,6 +271,7 @@ namespace lamella
 
   std::unique_ptr<LinearSolver>
   Body::make_tangent_solver(const Vector &,
+                            const Vector &,
                             const Constraints             &constraints,
                             const std::vector<SpringTerm> &springs,
                             const SolverKind               asked,

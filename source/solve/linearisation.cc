@@ -18,9 +18,11 @@ namespace lamella
   Linearisation::Linearisation(const Structure   &structure,
                                const BlockVector &u,
                                const SolverKind   asked,
-                               const BodyMonitor &monitor)
+                               const BodyMonitor &monitor,
+                               const BlockVector &correction)
     : Linearisation(structure, u)
   {
+    const Vector none;
     for (unsigned int b = 0; b < structure.bodies().size(); ++b)
       {
         const Body   &body = *structure.bodies()[b];
@@ -36,12 +38,13 @@ namespace lamella
         of_body.advanced = monitor.advanced;
         try
           {
-            solvers.push_back(
-              body.make_tangent_solver(state.block(b),
-                                       structure.reduction(b).constraints(),
-                                       structure.spring_terms(b),
-                                       asked,
-                                       of_body));
+            solvers.push_back(body.make_tangent_solver(
+              state.block(b),
+              correction.n_blocks() > 0 ? correction.block(b) : none,
+              structure.reduction(b).constraints(),
+              structure.spring_terms(b),
+              asked,
+              of_body));
           }
         catch (const NotPositiveDefinite &error)
           {
@@ -58,7 +61,7 @@ namespace lamella
   Linearisation::terms(const unsigned int body) const
   {
     return structure.bodies()[body]->tangent_terms(
-      state.block(body), structure.spring_terms(body));
+      state.block(body), Vector(), structure.spring_terms(body));
   }
 
 

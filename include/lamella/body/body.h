@@ -728,14 +728,18 @@ namespace lamella
     /// The tangent of the internal forces at the displacement @p u, in the
     /// three ways that are asked for: as terms of a matrix with the springs
     /// @p springs, as f += K(u) w, and as what solves with it. Here, where
-    /// bodies are linear, it is the stiffness at all u.
+    /// bodies are linear, it is the stiffness at all u. A @p correction is the
+    /// last one on the way to u, none where it is empty: a solver may take the
+    /// stress that it predicted for the one that turns (GreenAnswer).
     virtual StiffnessTerms
     tangent_terms(const Vector                  &u,
+                  const Vector                  &correction,
                   const std::vector<SpringTerm> &springs = {}) const;
     virtual void
     add_tangent_forces(const Vector &u, const Vector &w, Vector &f) const;
     virtual std::unique_ptr<LinearSolver>
     make_tangent_solver(const Vector                  &u,
+                        const Vector                  &correction,
                         const Constraints             &constraints,
                         const std::vector<SpringTerm> &springs = {},
                         const SolverKind     asked   = SolverKind::automatic,
@@ -753,6 +757,14 @@ namespace lamella
     for_each_stiffness_block(
       const bool                                         with_values,
       const std::function<void(const StiffnessBlock &)> &use) const = 0;
+
+    /// What solves with the matrix of @p terms, condensed by @p constraints:
+    /// assembled, factorised and dropped as make_solver() says.
+    std::unique_ptr<LinearSolver>
+    solver_of(const StiffnessTerms &terms,
+              const Constraints    &constraints,
+              const SolverKind      asked,
+              const SolverMonitor  &monitor) const;
 
     /// T at @p x (scene axes) [K]; zero where nobody heats the body.
     double
@@ -773,6 +785,12 @@ namespace lamella
     const Placement placement;
 
   private:
+    /// The matrix of @p terms, condensed, for a solver as @p asked.
+    std::unique_ptr<StiffnessMatrix>
+    assembled(const StiffnessTerms &terms,
+              const Constraints    &constraints,
+              const SolverKind      asked) const;
+
     /// Of each own element the Gauss points of add_heat(), with their weights.
     using UseOfPoints = std::function<void(const std::vector<Location> &,
                                            const std::vector<double> &)>;

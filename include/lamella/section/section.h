@@ -204,6 +204,14 @@ namespace lamella
     SectionPoint
     evaluate(const unsigned int cell, const dealii::Point<2> &unit) const;
 
+    /// Whether strains of fields are others than their displacements have
+    /// (StrainCompletion).
+    bool
+    completes_strains() const
+    {
+      return completion != nullptr;
+    }
+
     /// What an initial strain @p initial of @p cell at its point @p x, as heat
     /// makes it, adds to the strains of all fields
     /// (StrainCompletion::of_initial()): zero for theories that complete no

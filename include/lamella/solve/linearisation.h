@@ -43,13 +43,15 @@ namespace lamella
     Linearisation(const Structure &structure, const BlockVector &u);
 
     /// About @p u, with what solves with the condensed stiffness of each body,
-    /// as @p asked. Throws LostDigits where one is not positive definite in
-    /// doubles, InputError as Body::solver_kind() does, and what @p monitor
-    /// throws.
+    /// as @p asked; after the @p correction that led to u, if there is one
+    /// (Body::make_tangent_solver()). Throws LostDigits where one is not
+    /// positive definite in doubles, InputError as Body::solver_kind() does,
+    /// and what @p monitor throws.
     Linearisation(const Structure   &structure,
                   const BlockVector &u,
                   const SolverKind   asked,
-                  const BodyMonitor &monitor = {});
+                  const BodyMonitor &monitor    = {},
+                  const BlockVector &correction = BlockVector());
 
     const Structure &
     of() const

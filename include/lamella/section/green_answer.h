@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef lamella_section_green_answer_h
+#define lamella_section_green_answer_h
+
+#include <lamella/section/section_answer.h>
+
+#include <array>
+#include <functional>
+#include <vector>
+
+namespace lamella
+{
+  /// The gradient of a displacement in the body's axes, a row a direction:
+  /// H[i][c] = d u_c / d x_i.
+  using Gradient = dealii::Tensor<2, 3>;
+
+  /// Green's strain of the gradient @p H,
+  ///   E_ij = (H_ij + H_ji + sum_c H_ic H_jc) / 2,
+  /// in the order of Voigt, shears twice.
+  Voigt
+  green_strain(const Gradient &H);
+
+  /**
+   * What a section answers to its fields where they turn by any angle: Total
+   * Lagrange, by the points of the section. With the gradient of the
+   * displacement, sums over the fields
+   *   H_x = q Phi_,x,   H_y = q' Phi,   H_z = q Phi_,z,
+   * Green's strain E and the second Piola-Kirchhoff stress S = C E of small
+   * strains, per length of the beam (integrals over the undeformed section)
+   *   energy = int E . C E / 2 dA,   W = int dE/dq^T S dA,
+   *   dW/dq = int (dE/dq)^T C dE/dq + S_ij (dH_i/dq)^T dH_j/dq dA.
+   * At q = 0 these are the matrices of SectionAnswer, over the same points.
+   *
+   * For sections whose strains are those of their displacements, all affine
+   * maps of the section among them: LE, TE-2 and up. A field alone is sparse in
+   * LE; the derivative comes cell by cell. Refers to the space.
+   */
+  class GreenAnswer
+  {
+  public:
+    /// An assertion fails if the section completes strains (StrainCompletion)
+    /// or the space has modes.
+    explicit GreenAnswer(const FieldSpace &space);
+
+    /// Of all fields of the section, at the stations of @p q.
+    SectionForces
+    forces(const FieldParts &q) const;
+
+    /// Of each cell of the section its fields, in the order of for_each_cell().
+    std::vector<const std::vector<unsigned int> *>
+    fields_of_cells() const;
+
+    /// The derivative of the work at the points of a cell: a row and a column
+    /// for each value and then each derivative of its fields, symmetric.
+    struct CellTangent
+    {
+      const std::vector<unsigned int> *fields = nullptr;
+      dealii::LAPACKFullMatrix<double> matrix;
+    };
+
+    /// Calls @p use with the tangent of each cell at station @p k of @p q. The
+    /// stress that turns with the material is the one that was predicted where
+    /// @p q was reached by the last @p correction,
+    ///   C (E - sum_c dH_ic dH_jc / 2),
+    /// E of before and its linear change (Magisano, Leonetti and Garcea,
+    /// Int. J. Numer. Meth. Engng 110, 2017: the tangent of mixed integration
+    /// points); that of @p q itself for a correction of zero.
+    void
+    for_each_cell(const FieldParts                               &q,
+                  const FieldParts                               &correction,
+                  const unsigned int                              k,
+                  const std::function<void(const CellTangent &)> &use) const;
+
+  private:
+    /// A point of the section: its weight and law, and of each of its fields
+    /// Phi, Phi_,x, Phi_,z.
+    struct Point
+    {
+      double                            weight;
+      ElasticLaw                        law;
+      std::vector<dealii::Tensor<1, 3>> value, along_x, along_z;
+    };
+    /// Points that have the same fields.
+    struct Cell
+    {
+      const std::vector<unsigned int> *fields = nullptr;
+      std::vector<Point>               points;
+    };
+
+    Gradient
+    gradient(const Cell        &cell,
+             const Point       &point,
+             const FieldParts  &q,
+             const unsigned int k) const;
+
+    /// d^2 (energy) / dH^2 at @p point, its weight in it, with the stress that
+    /// was predicted.
+    std::array<std::array<double, 9>, 9>
+    tangent_at(const Cell        &cell,
+               const Point       &point,
+               const FieldParts  &q,
+               const FieldParts  &correction,
+               const unsigned int k) const;
+
+    /// H at the points of @p cell, nine rows each, of a unit of each value and
+    /// then of each derivative of its fields.
+    dealii::LAPACKFullMatrix<double>
+    gradients(const Cell &cell) const;
+
+    const FieldSpace &space;
+    std::vector<Cell> cells;
+  };
+} // namespace lamella
+
+#endif

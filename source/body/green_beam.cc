@@ -1,0 +1,226 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <lamella/base/exceptions.h>
+#include <lamella/base/processes.h>
+#include <lamella/body/green_beam.h>
+
+#include <numeric>
+
+namespace lamella
+{
+  using namespace dealii;
+
+  namespace
+  {
+    std::vector<unsigned int>
+    numbers_below(const unsigned int n)
+    {
+      std::vector<unsigned int> numbers(n);
+      std::iota(numbers.begin(), numbers.end(), 0);
+      return numbers;
+    }
+
+
+
+    /// @p section, if it is one whose strains are those of its displacements.
+    std::shared_ptr<const Section>
+    turning(std::shared_ptr<const Section> section, const Axis &axis)
+    {
+      if (section->completes_strains() || axis.degree() != 3)
+        throw InputError(
+          "Large rotations of a beam want Theory = LE-N, or TE-N from TE-2 on, "
+          "and Axis element = B4: other sections cannot deform as a turned one "
+          "does, and B2 and B3 lock in their membrane.");
+      return section;
+    }
+  } // namespace
+
+
+
+  GreenBeam::GreenBeam(const std::string             &name,
+                       std::shared_ptr<const Section> section,
+                       std::shared_ptr<const Axis>    axis,
+                       const Placement               &placement)
+    : Beam(name, turning(section, *axis), axis, placement)
+    , answer(fields())
+    , all_fields(numbers_below(fields().n_fields()))
+  {}
+
+
+
+  void
+  GreenBeam::add_internal_forces(const Vector &u, Vector &f) const
+  {
+    const AxisLoop loop(fields(), axis(), dofs());
+    loop.add_forces(
+      [&](const unsigned int cell, const SectionAnswer &) {
+        return answer.forces(loop.on_element(cell, all_fields, u));
+      },
+      f);
+  }
+
+
+
+  Deformation
+  GreenBeam::deformation(const Vector &u) const
+  {
+    Deformation    result = Beam::deformation(u);
+    const AxisLoop loop(fields(), axis(), dofs());
+    result.energy           = 0.;
+    const auto [begin, end] = axis().own_cells();
+    for (unsigned int cell = begin; cell < end; ++cell)
+      result.energy +=
+        loop.energy(cell, answer.forces(loop.on_element(cell, all_fields, u)));
+    result.energy = Utilities::MPI::sum(result.energy, communicator());
+    return result;
+  }
+
+
+
+  // ---- the tangent
+
+  StiffnessBlock
+  GreenBeam::empty_block(const unsigned int               cell,
+                         const std::vector<unsigned int> &on_section) const
+  {
+    StiffnessBlock block;
+    for (const unsigned int node : axis().nodes_of_cell(cell))
+      for (const unsigned int alpha : on_section)
+        block.rows.push_back(dofs().first(node) + dofs().place(node, alpha));
+    block.columns = block.rows;
+    return block;
+  }
+
+
+
+  void
+  GreenBeam::add_station(const unsigned int              cell,
+                         const unsigned int              k,
+                         const GreenAnswer::CellTangent &tangent,
+                         StiffnessBlock                 &block) const
+  {
+    const unsigned int n_stations =
+      axis().integration_points().size() / axis().n_cells();
+    const AxisPoint &point = axis().integration_points()[cell * n_stations + k];
+    const double weight  = axis().integration_weights()[cell * n_stations + k];
+    const unsigned int n = tangent.fields->size(), n_nodes = point.N.size(),
+                       columns = n * n_nodes;
+    for (unsigned int i = 0; i < n_nodes; ++i)
+      for (unsigned int j = 0; j < n_nodes; ++j)
+        {
+          const double NN  = weight * point.N[i] * point.N[j],
+                       NdN = weight * point.N[i] * point.dN[j],
+                       dNN = weight * point.dN[i] * point.N[j],
+                       dd  = weight * point.dN[i] * point.dN[j];
+          for (unsigned int a = 0; a < n; ++a)
+            for (unsigned int b = 0; b < n; ++b)
+              block.values[(i * n + a) * columns + j * n + b] +=
+                NN * tangent.matrix(a, b) + NdN * tangent.matrix(a, n + b) +
+                dNN * tangent.matrix(n + a, b) +
+                dd * tangent.matrix(n + a, n + b);
+        }
+  }
+
+
+
+  void
+  GreenBeam::add_values(const unsigned int           cell,
+                        const Vector                &u,
+                        const Vector                &correction,
+                        std::vector<StiffnessBlock> &blocks) const
+  {
+    for (StiffnessBlock &block : blocks)
+      block.values.assign(block.rows.size() * block.columns.size(), 0.);
+    const AxisLoop   loop(fields(), axis(), dofs());
+    const FieldParts q  = loop.on_element(cell, all_fields, u),
+                     dq = loop.on_element(cell, all_fields, correction);
+    for (unsigned int k = 0; k < loop.n_stations(); ++k)
+      {
+        auto block = blocks.begin();
+        answer.for_each_cell(q,
+                             dq,
+                             k,
+                             [&](const GreenAnswer::CellTangent &tangent) {
+                               add_station(cell, k, tangent, *block++);
+                             });
+      }
+  }
+
+
+
+  void
+  GreenBeam::for_each_tangent_block(
+    const Vector                                      &u,
+    const Vector                                      &correction,
+    const bool                                         with_values,
+    const std::function<void(const StiffnessBlock &)> &use) const
+  {
+    const auto [begin, end] = axis().own_cells();
+    for (unsigned int cell = begin; cell < end; ++cell)
+      {
+        std::vector<StiffnessBlock> blocks;
+        for (const auto *on_section : answer.fields_of_cells())
+          blocks.push_back(empty_block(cell, *on_section));
+        if (with_values)
+          add_values(cell, u, correction, blocks);
+        for (const StiffnessBlock &block : blocks)
+          use(block);
+      }
+  }
+
+
+
+  StiffnessTerms
+  GreenBeam::tangent_terms(const Vector                  &u,
+                           const Vector                  &correction,
+                           const std::vector<SpringTerm> &springs) const
+  {
+    StiffnessTerms terms = stiffness_terms(springs);
+    // Copies: whoever has the terms may outlive the state.
+    terms.for_each_block =
+      [this,
+       u,
+       correction = correction.size() > 0 ? correction : Vector(u.size())](
+        const bool                                         with_values,
+        const std::function<void(const StiffnessBlock &)> &use) {
+        for_each_tangent_block(u, correction, with_values, use);
+      };
+    return terms;
+  }
+
+
+
+  void
+  GreenBeam::add_tangent_forces(const Vector &u,
+                                const Vector &w,
+                                Vector       &f) const
+  {
+    Vector share(f.size());
+    for_each_tangent_block(
+      u, Vector(u.size()), true, [&](const StiffnessBlock &block) {
+        const unsigned int n = block.rows.size();
+        for (unsigned int i = 0; i < n; ++i)
+          for (unsigned int j = 0; j < n; ++j)
+            share[block.rows[i]] +=
+              block.values[i * n + j] * w[block.columns[j]];
+      });
+    sum_over_processes(share);
+    f += share;
+  }
+
+
+
+  std::unique_ptr<LinearSolver>
+  GreenBeam::make_tangent_solver(const Vector                  &u,
+                                 const Vector                  &correction,
+                                 const Constraints             &constraints,
+                                 const std::vector<SpringTerm> &springs,
+                                 const SolverKind               asked,
+                                 const SolverMonitor           &monitor) const
+  {
+    return solver_of(tangent_terms(u, correction, springs),
+                     constraints,
+                     asked,
+                     monitor);
+  }
+} // namespace lamella

@@ -1,0 +1,373 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+// Beams that turn by any angle: the derivative of their forces, rigid turns,
+// small loads, and what is known of a cantilever that bends round.
+
+#include "fixtures.h"
+
+#include <lamella/base/exceptions.h>
+#include <lamella/body/green_beam.h>
+#include <lamella/material/library.h>
+#include <lamella/solve/beyond_linear.h>
+#include <lamella/solve/newton.h>
+
+#include <deal.II/physics/transformations.h>
+
+#include <boost/test/unit_test.hpp>
+
+#include <random>
+
+BOOST_AUTO_TEST_SUITE(large_rotations)
+
+using namespace lamella;
+using dealii::Point;
+using dealii::Tensor;
+
+namespace
+{
+  const Laminate two_plies = rectangle(1., 0.4, {30., -60.});
+
+  Material
+  orthotropic()
+  {
+    EngineeringConstants c;
+    c.E1   = 10.;
+    c.E2   = 2.;
+    c.E3   = 1.5;
+    c.G12  = 0.9;
+    c.G13  = 0.8;
+    c.G23  = 0.6;
+    c.nu12 = 0.3;
+    c.nu13 = 0.25;
+    c.nu23 = 0.35;
+    return c;
+  }
+
+  std::unique_ptr<GreenBeam>
+  green_beam(const unsigned int degree)
+  {
+    return std::make_unique<GreenBeam>("b",
+                                       make_section(two_plies,
+                                                    orthotropic(),
+                                                    degree),
+                                       make_axis(3., 2),
+                                       Placement());
+  }
+
+  Vector
+  random_vector(const unsigned int n,
+                const double       size,
+                const unsigned int seed)
+  {
+    std::mt19937                           generator(seed);
+    std::uniform_real_distribution<double> number(-size, size);
+    Vector                                 v(n);
+    for (double &entry : v)
+      entry = number(generator);
+    return v;
+  }
+
+  /// The displacement (@p A - 1) x of @p body.
+  Vector
+  affine(const Body &body, const Tensor<2, 3> &A)
+  {
+    const auto rows = prescribe_on_surface(body, [&A](const Point<3> &x) {
+      return A * Tensor<1, 3>(x) - Tensor<1, 3>(x);
+    });
+    const RowReduction reduction(body, 0, rows, {"all"});
+    return reduction.particular();
+  }
+
+  Vector
+  forces(const Body &body, const Vector &u)
+  {
+    Vector f(u.size());
+    body.add_internal_forces(u, f);
+    return f;
+  }
+} // namespace
+
+
+
+BOOST_AUTO_TEST_CASE(tangent_is_the_derivative_of_the_forces)
+{
+  const auto   body      = green_beam(2);
+  const Vector u         = random_vector(body->n_dofs(), 0.2, 1),
+               w         = random_vector(body->n_dofs(), 1., 2);
+  constexpr double h     = 1e-5;
+  Vector           ahead = u, back = u;
+  ahead.add(h, w);
+  back.add(-h, w);
+  Vector difference = forces(*body, ahead);
+  difference -= forces(*body, back);
+  difference /= 2. * h;
+  Vector derivative(u.size());
+  body->add_tangent_forces(u, w, derivative);
+  const double size = difference.l2_norm();
+  difference -= derivative;
+  BOOST_TEST(difference.l2_norm() < 1e-8 * size);
+
+  // The forces are the derivative of the energy.
+  const double work =
+    (body->deformation(ahead).energy - body->deformation(back).energy) /
+    (2. * h);
+  BOOST_TEST(std::abs(work - forces(*body, u) * w) <
+             1e-7 * std::abs(forces(*body, u) * w));
+}
+
+
+
+BOOST_AUTO_TEST_CASE(undeformed_it_is_the_stiffness_of_a_beam)
+{
+  const auto   body = green_beam(2);
+  const Vector w    = random_vector(body->n_dofs(), 1., 3);
+  Vector       linear(w.size()), tangent(w.size());
+  body->Beam::add_internal_forces(w, linear);
+  body->add_tangent_forces(Vector(w.size()), w, tangent);
+  const double size = linear.l2_norm();
+  linear -= tangent;
+  BOOST_TEST(linear.l2_norm() < 1e-12 * size);
+}
+
+
+
+BOOST_AUTO_TEST_CASE(a_rigid_turn_is_free_and_leaves_the_energy)
+{
+  const auto body = green_beam(1);
+  // Something stretched and sheared, then turned as well.
+  Tensor<2, 3> F({{1.02, 0.01, 0.}, {-0.03, 0.98, 0.02}, {0., 0.05, 1.01}});
+  const double energy = body->deformation(affine(*body, F)).energy;
+  BOOST_TEST(energy > 1e-4);
+  const Tensor<1, 3> axis = Tensor<1, 3>({1., 2., -1.}) / std::sqrt(6.);
+  for (const double degrees : {37., 90., 180., 360.})
+    {
+      const Tensor<2, 3> R =
+        dealii::Physics::Transformations::Rotations::rotation_matrix_3d(
+          Point<3>(axis), degrees * dealii::numbers::PI / 180.);
+      const Vector turn = affine(*body, R);
+      BOOST_TEST(forces(*body, turn).linfty_norm() < 1e-13);
+      BOOST_TEST(std::abs(body->deformation(turn).energy) < 1e-14);
+      BOOST_TEST(std::abs(body->deformation(affine(*body, R * F)).energy -
+                          energy) < 1e-13);
+    }
+}
+
+
+
+namespace
+{
+  /// A cantilever along y, L = 10, h = 0.1, b = 1, E = 1.2e6, nu = 0, under a
+  /// force along z at its tip that bends it with P L^2 / (E I) = 4.
+  Structure
+  sze(const std::string &kind, const unsigned int elements)
+  {
+    std::vector<std::unique_ptr<Body>> bodies;
+    const auto                         section =
+      make_section(rectangle(1., 0.1),
+                   EngineeringConstants::isotropic(1.2e6, 0.),
+                   2);
+    const auto axis = make_axis(10., elements);
+    if (kind == "large")
+      bodies.push_back(
+        std::make_unique<GreenBeam>("strip", section, axis, Placement()));
+    else
+      bodies.push_back(
+        std::make_unique<Beam>("strip", section, axis, Placement()));
+    return {std::move(bodies),
+            {clamp("start")},
+            {traction("end", "0", "0", "40")}};
+  }
+
+  Tensor<1, 3>
+  tip(const Structure &structure, const BlockVector &u)
+  {
+    const Body &body = *structure.bodies()[0];
+    return body
+      .sample(body.locate({Point<3>(0.5, 10., 0.05)})[0][0], u.block(0))
+      .displacement;
+  }
+} // namespace
+
+
+
+BOOST_AUTO_TEST_CASE(a_cantilever_bends_round)
+{
+  // The elastica: 3.2894 and 6.6996; with stretch and shear 3.28951
+  // and 6.70013, and 3.29000, 6.70033 by Green's strain. (The case of Sze, Liu
+  // and Lo, Finite Elem. Anal. Des. 40, 2004.)
+  const Structure structure = sze("large", 16);
+  const Newton    newton(structure);
+  Equilibrium     state;
+  unsigned int    iterations = 0;
+  state                      = newton.advance(newton.at_rest(), 1.);
+  iterations                 = state.iterations;
+  BOOST_TEST_MESSAGE("one step: " << iterations << " iterations, left "
+                                  << state.residual << ", w "
+                                  << std::setprecision(8)
+                                  << tip(structure, state.u)[2]);
+  BOOST_TEST(state.cuts == 0u);
+  BOOST_TEST(iterations <= 10u);
+  BOOST_TEST(std::abs(-tip(structure, state.u)[1] / 3.29 - 1.) < 3e-4);
+  BOOST_TEST(std::abs(tip(structure, state.u)[2] / 6.70033 - 1.) < 1e-4);
+
+  // Half of the load: the elastica, u 1.6064, w 4.9346 (Mattiasson, Int. J.
+  // Numer. Meth. Engng 17, 1981).
+  const Equilibrium half = newton.advance(newton.at_rest(), 0.5);
+  BOOST_TEST(std::abs(-tip(structure, half.u)[1] / 1.6064 - 1.) < 3e-4);
+  BOOST_TEST(std::abs(tip(structure, half.u)[2] / 4.9346 - 1.) < 3e-4);
+  // No path: on from there it is the same state.
+  const Equilibrium on = newton.advance(half, 1.);
+  BOOST_TEST((tip(structure, on.u) - tip(structure, state.u)).norm() < 1e-8);
+}
+
+
+
+BOOST_AUTO_TEST_CASE(it_comes_back_unloaded)
+{
+  // And a step that is too large is halved until it is not.
+  const Structure  structure = sze("large", 4);
+  NewtonParameters few;
+  few.max_iterations = 4;
+  const Newton      newton(structure, SolverKind::automatic, few);
+  const Equilibrium bent = newton.advance(newton.at_rest(), 1.),
+                    back = Newton(structure).advance(bent, 0.);
+  BOOST_TEST(bent.cuts > 0u);
+  BOOST_TEST(bent.factor.of_scene() == 1.);
+  BOOST_TEST(std::abs(tip(structure, bent.u)[2] / 6.70033 - 1.) < 0.01);
+  BOOST_TEST(tip(structure, back.u).norm() < 1e-8);
+  few.max_cuts = 0;
+  BOOST_CHECK_THROW(
+    Newton(structure, SolverKind::automatic, few).advance(newton.at_rest(), 1.),
+    NumericsError);
+}
+
+
+
+BOOST_AUTO_TEST_CASE(small_loads_are_the_linear_answer)
+{
+  const Structure           large = sze("large", 8), linear = sze("linear", 8);
+  const Newton              newton(large);
+  const double              factor = 1e-7;
+  const Equilibrium         state  = newton.advance(newton.at_rest(), factor);
+  const std::vector<GapRow> no_rows;
+  const GapRows             none(no_rows);
+  ContactSolver             solver(linearised(linear), none);
+  const State               exact = solver.solve_free(factor);
+  BOOST_TEST(std::abs(tip(large, state.u)[2] / tip(linear, exact.u)[2] - 1.) <
+             1e-8);
+}
+
+
+
+namespace
+{
+  /// A strip of 2 m between clamps with elements that grow from 2 mm at the
+  /// clamps and at the middle, 8 in each quarter.
+  std::shared_ptr<const Axis>
+  graded_axis()
+  {
+    std::vector<double> quarter{0.};
+    double              h = 0.002;
+    for (unsigned int k = 0; k < 8; ++k, h *= std::pow(250., 1. / 7.))
+      quarter.push_back(quarter.back() + h);
+    AxisMesh mesh;
+    mesh.length = 2.;
+    mesh.degree = 3;
+    for (double &y : quarter)
+      y *= 0.5 / quarter.back();
+    std::vector<double> ends = quarter;
+    for (unsigned int k = 7; k-- > 0;)
+      ends.push_back(1. - quarter[k]);
+    for (unsigned int k = ends.size() - 1; k-- > 0;)
+      ends.push_back(2. - ends[k]);
+    mesh.breaks.assign(ends.begin() + 1, ends.end() - 1);
+    mesh.elements.assign(ends.size() - 1, 1);
+    return std::make_shared<Axis>(mesh);
+  }
+
+  /// The upper strip of Sec. 4.2, alone, pressed by @p way at its middle.
+  Structure
+  pressed_strip(const bool large, const double way)
+  {
+    const auto carbon =
+      library_material("IM7-8552", Units::parse({"Units", "m, N"}));
+    const auto section =
+      make_section(rectangle(0.1, 0.003, {0., 90., 0.}), carbon, 2);
+    std::vector<std::unique_ptr<Body>> bodies;
+    if (large)
+      bodies.push_back(std::make_unique<GreenBeam>(
+        "strip", section, graded_axis(), Placement()));
+    else
+      bodies.push_back(
+        std::make_unique<Beam>("strip", section, graded_axis(), Placement()));
+    const Support press{"press",
+                        {{0,
+                          Region::Kind::line,
+                          "",
+                          {Point<3>(0., 1., 0.003), Point<3>(0.1, 1., 0.003)}}},
+                        {{{}, {}, -way}}};
+    return {std::move(bodies), {clamp("start"), clamp("end"), press}, {}};
+  }
+
+  /// What presses it.
+  double
+  force_of(const Structure &structure, const BlockVector &u)
+  {
+    double sum = 0.;
+    for (const auto &[row, multiplier] : structure.reduction(0).multipliers(
+           structure.internal_forces(u).block(0)))
+      if (structure.prescribed()[row].support == 2)
+        sum -= multiplier * structure.prescribed()[row].direction[2];
+    return sum;
+  }
+} // namespace
+
+
+
+BOOST_AUTO_TEST_CASE(a_strip_between_clamps_is_stretched)
+{
+  // Pressed by 75 and 150 mm: 15.15 and 116.9 kN by C3D20R with NLGEOM. Linear
+  // theory says 129 N at 150 mm.
+  const Structure   structure = pressed_strip(true, 0.15);
+  const Newton      newton(structure);
+  const Equilibrium half = newton.advance(newton.at_rest(), 0.5),
+                    full = newton.advance(half, 1.);
+  BOOST_TEST_MESSAGE(std::setprecision(6)
+                     << "75 mm: " << force_of(structure, half.u) << " N, "
+                     << half.iterations << " iterations, " << half.cuts
+                     << " cuts; 150 mm: " << force_of(structure, full.u)
+                     << " N, " << full.iterations << " iterations, "
+                     << full.cuts << " cuts");
+  BOOST_TEST(std::abs(force_of(structure, half.u) / 15.15e3 - 1.) < 0.01);
+  BOOST_TEST(std::abs(force_of(structure, full.u) / 116.9e3 - 1.) < 0.01);
+}
+
+
+
+BOOST_AUTO_TEST_CASE(the_stiffening_number_is_what_large_deflections_do)
+{
+  // r of the linear answer is by how much it underestimates the force, to the
+  // order of r^2.
+  for (const double way : {1e-4, 3e-4})
+    {
+      const Structure large = pressed_strip(true, way),
+                      small = pressed_strip(false, way);
+      const Newton              newton(large);
+      const std::vector<GapRow> no_rows;
+      const GapRows             none(no_rows);
+      ContactSolver             solver(linearised(small), none);
+      const State               state = solver.solve_free(1.);
+      const double              energy =
+        small.bodies()[0]->deformation(state.u.block(0)).energy;
+      const double r = beyond_linear(small, solver, state, {energy}).stiffening;
+      const double more =
+        force_of(large, newton.advance(newton.at_rest(), 1.).u) /
+          force_of(small, state.u) -
+        1.;
+      BOOST_TEST_MESSAGE("pressed by " << way << ": r " << r
+                                       << ", force more by " << more);
+      BOOST_TEST(std::abs(more / r - 1.) < 2e-3 + r);
+    }
+}
+
+BOOST_AUTO_TEST_SUITE_END()
