@@ -271,12 +271,21 @@ namespace lamella
 
 
 
+  SectionForces
+  Beam::section_forces(const SectionAnswer &answer, const FieldParts &q) const
+  {
+    return answer.forces(q);
+  }
+
+
+
   void
   Beam::add_internal_forces(const Vector &u, Vector &f) const
   {
     along_axis().add_forces(
       [&](const unsigned int cell, const SectionAnswer &answer) {
-        return answer.forces(along_axis().on_element(cell, answer.fields(), u));
+        return section_forces(
+          answer, along_axis().on_element(cell, answer.fields(), u));
       },
       f);
   }
@@ -290,7 +299,7 @@ namespace lamella
     along_axis().for_each_element(
       [&](const unsigned int cell, const SectionAnswer &answer) {
         const FieldParts q = along_axis().on_element(cell, answer.fields(), u);
-        result.energy += along_axis().energy(cell, answer.forces(q));
+        result.energy += along_axis().energy(cell, section_forces(answer, q));
         result.max_rotation =
           std::max(result.max_rotation, answer.largest_rotation(q));
       });

@@ -4,24 +4,12 @@
 #include <lamella/base/processes.h>
 #include <lamella/body/green_beam.h>
 
-#include <numeric>
-
 namespace lamella
 {
   using namespace dealii;
 
   namespace
   {
-    std::vector<unsigned int>
-    numbers_below(const unsigned int n)
-    {
-      std::vector<unsigned int> numbers(n);
-      std::iota(numbers.begin(), numbers.end(), 0);
-      return numbers;
-    }
-
-
-
     /// @p section, if it is one whose strains are those of its displacements.
     std::shared_ptr<const Section>
     turning(std::shared_ptr<const Section> section, const Axis &axis)
@@ -42,37 +30,15 @@ namespace lamella
                        std::shared_ptr<const Axis>    axis,
                        const Placement               &placement)
     : Beam(name, turning(section, *axis), axis, placement)
-    , answer(fields())
-    , all_fields(numbers_below(fields().n_fields()))
+    , green(fields())
   {}
 
 
 
-  void
-  GreenBeam::add_internal_forces(const Vector &u, Vector &f) const
+  SectionForces
+  GreenBeam::section_forces(const SectionAnswer &, const FieldParts &q) const
   {
-    const AxisLoop loop(fields(), axis(), dofs());
-    loop.add_forces(
-      [&](const unsigned int cell, const SectionAnswer &) {
-        return answer.forces(loop.on_element(cell, all_fields, u));
-      },
-      f);
-  }
-
-
-
-  Deformation
-  GreenBeam::deformation(const Vector &u) const
-  {
-    Deformation    result = Beam::deformation(u);
-    const AxisLoop loop(fields(), axis(), dofs());
-    result.energy           = 0.;
-    const auto [begin, end] = axis().own_cells();
-    for (unsigned int cell = begin; cell < end; ++cell)
-      result.energy +=
-        loop.energy(cell, answer.forces(loop.on_element(cell, all_fields, u)));
-    result.energy = Utilities::MPI::sum(result.energy, communicator());
-    return result;
+    return green.forces(q);
   }
 
 
@@ -99,10 +65,9 @@ namespace lamella
                          const GreenAnswer::CellTangent &tangent,
                          StiffnessBlock                 &block) const
   {
-    const unsigned int n_stations =
-      axis().integration_points().size() / axis().n_cells();
-    const AxisPoint &point = axis().integration_points()[cell * n_stations + k];
-    const double weight  = axis().integration_weights()[cell * n_stations + k];
+    const unsigned int number = cell * along_axis().n_stations() + k;
+    const AxisPoint   &point  = axis().integration_points()[number];
+    const double       weight = axis().integration_weights()[number];
     const unsigned int n = tangent.fields->size(), n_nodes = point.N.size(),
                        columns = n * n_nodes;
     for (unsigned int i = 0; i < n_nodes; ++i)
@@ -131,18 +96,20 @@ namespace lamella
   {
     for (StiffnessBlock &block : blocks)
       block.values.assign(block.rows.size() * block.columns.size(), 0.);
-    const AxisLoop   loop(fields(), axis(), dofs());
-    const FieldParts q  = loop.on_element(cell, all_fields, u),
-                     dq = loop.on_element(cell, all_fields, correction);
+    const AxisLoop loop = along_axis();
+    // All nodes carry all fields.
+    const std::vector<unsigned int> &all = dofs().fields(0);
+    const FieldParts                 q   = loop.on_element(cell, all, u),
+                     dq = loop.on_element(cell, all, correction);
     for (unsigned int k = 0; k < loop.n_stations(); ++k)
       {
         auto block = blocks.begin();
-        answer.for_each_cell(q,
-                             dq,
-                             k,
-                             [&](const GreenAnswer::CellTangent &tangent) {
-                               add_station(cell, k, tangent, *block++);
-                             });
+        green.for_each_cell(q,
+                            dq,
+                            k,
+                            [&](const GreenAnswer::CellTangent &tangent) {
+                              add_station(cell, k, tangent, *block++);
+                            });
       }
   }
 
@@ -159,7 +126,7 @@ namespace lamella
     for (unsigned int cell = begin; cell < end; ++cell)
       {
         std::vector<StiffnessBlock> blocks;
-        for (const auto *on_section : answer.fields_of_cells())
+        for (const auto *on_section : green.fields_of_cells())
           blocks.push_back(empty_block(cell, *on_section));
         if (with_values)
           add_values(cell, u, correction, blocks);

@@ -58,15 +58,15 @@ namespace lamella
 
 
 
-    /// B^T C B + S (x) 1, times @p weight.
-    std::array<std::array<double, 9>, 9>
-    point_tangent(const Gradient     &H,
-                  const ElasticLaw   &law,
-                  const Tensor<2, 3> &S,
-                  const double        weight)
+    /// B^T C B + S (x) 1 at @p H, S predicted where the last correction was
+    /// @p dH.
+    Tensor<2, 9>
+    point_tangent(const Gradient &H, const Gradient &dH, const ElasticLaw &law)
     {
-      const auto                           B = strain_derivative(H);
-      std::array<std::array<double, 9>, 9> D{};
+      const auto         B = strain_derivative(H);
+      const Tensor<2, 3> S =
+        unpacked(law.stress(green_strain(H) - quadratic_strain(dH)));
+      Tensor<2, 9> D;
       for (unsigned int n = 0; n < 9; ++n)
         {
           Voigt column;
@@ -75,13 +75,56 @@ namespace lamella
           const Voigt stress = law.stress(column);
           for (unsigned int m = 0; m < 9; ++m)
             for (unsigned int e = 0; e < 6; ++e)
-              D[m][n] += weight * B[e][m] * stress[e];
+              D[m][n] += B[e][m] * stress[e];
         }
       for (unsigned int i = 0; i < 3; ++i)
         for (unsigned int j = 0; j < 3; ++j)
           for (unsigned int c = 0; c < 3; ++c)
-            D[3 * i + c][3 * j + c] += weight * S[i][j];
+            D[3 * i + c][3 * j + c] += S[i][j];
       return D;
+    }
+
+
+
+    /// Of points that have the same fields the matrix of H, nine rows each.
+    LAPACKFullMatrix<double>
+    gradients_of_fields(const std::vector<SectionPoint> &points)
+    {
+      const unsigned int       n = points[0].fields->size();
+      LAPACKFullMatrix<double> G(9 * points.size(), 2 * n);
+      for (unsigned int p = 0; p < points.size(); ++p)
+        for (unsigned int a = 0; a < n; ++a)
+          {
+            // D_s Phi and the twist hold all derivatives within the section.
+            const Voigt       &e     = points[p].in_plane[a];
+            const double       twist = points[p].twist[a];
+            const Tensor<1, 3> along_x({e[0], e[3], 0.5 * e[4] - twist}),
+              along_z({0.5 * e[4] + twist, e[5], e[2]});
+            for (unsigned int c = 0; c < 3; ++c)
+              {
+                G(9 * p + c, a)         = along_x[c];
+                G(9 * p + 3 + c, n + a) = points[p].value[a][c];
+                G(9 * p + 6 + c, a)     = along_z[c];
+              }
+          }
+      return G;
+    }
+
+
+
+    /// Adds @p weight times D times the nine rows of @p G from @p first on to
+    /// those of @p DG.
+    void
+    add_product(const Tensor<2, 9>             &D,
+                const double                    weight,
+                const LAPACKFullMatrix<double> &G,
+                const unsigned int              first,
+                LAPACKFullMatrix<double>       &DG)
+    {
+      for (unsigned int b = 0; b < G.n(); ++b)
+        for (unsigned int r = 0; r < 9; ++r)
+          for (unsigned int s = 0; s < 9; ++s)
+            DG(first + r, b) += weight * D[r][s] * G(first + s, b);
     }
   } // namespace
 
@@ -106,21 +149,20 @@ namespace lamella
     Assert(space.n_fields() == section.n_fields() &&
              !section.completes_strains(),
            ExcNotImplemented());
+    std::vector<std::vector<SectionPoint>> points;
     section.for_each_point([&](const SectionPoint &at, const double weight) {
       if (cells.empty() || cells.back().fields != at.fields)
-        cells.push_back({at.fields, {}});
-      Point point{weight, section.law(at.cell, at.position), at.value, {}, {}};
-      for (unsigned int a = 0; a < at.fields->size(); ++a)
         {
-          // D_s Phi and the twist hold all derivatives within the section.
-          const Voigt &e = at.in_plane[a];
-          point.along_x.push_back(
-            Tensor<1, 3>({e[0], e[3], 0.5 * e[4] - at.twist[a]}));
-          point.along_z.push_back(
-            Tensor<1, 3>({0.5 * e[4] + at.twist[a], e[5], e[2]}));
+          cells.emplace_back();
+          cells.back().fields = at.fields;
+          points.emplace_back();
         }
-      cells.back().points.push_back(std::move(point));
+      cells.back().points.push_back(
+        {weight, section.law(at.cell, at.position)});
+      points.back().push_back(at);
     });
+    for (unsigned int c = 0; c < cells.size(); ++c)
+      cells[c].G = gradients_of_fields(points[c]);
   }
 
 
@@ -136,22 +178,25 @@ namespace lamella
 
 
 
-  Gradient
-  GreenAnswer::gradient(const Cell        &cell,
-                        const Point       &point,
-                        const FieldParts  &q,
-                        const unsigned int k) const
+  std::vector<Gradient>
+  GreenAnswer::gradients(const Cell        &cell,
+                         const FieldParts  &q,
+                         const unsigned int k) const
   {
-    Gradient H;
-    for (unsigned int a = 0; a < cell.fields->size(); ++a)
+    const unsigned int n = cell.fields->size();
+    Vector             coefficients(2 * n), H(cell.G.m());
+    for (unsigned int a = 0; a < n; ++a)
       {
-        const unsigned int alpha = (*cell.fields)[a];
-        const double       value = q[FieldPart::value](alpha, k);
-        H[0] += value * point.along_x[a];
-        H[1] += q[FieldPart::derivative](alpha, k) * point.value[a];
-        H[2] += value * point.along_z[a];
+        coefficients[a]     = q[FieldPart::value]((*cell.fields)[a], k);
+        coefficients[n + a] = q[FieldPart::derivative]((*cell.fields)[a], k);
       }
-    return H;
+    cell.G.vmult(H, coefficients);
+    std::vector<Gradient> at_points(cell.points.size());
+    for (unsigned int p = 0; p < at_points.size(); ++p)
+      for (unsigned int i = 0; i < 3; ++i)
+        for (unsigned int c = 0; c < 3; ++c)
+          at_points[p][i][c] = H[9 * p + 3 * i + c];
+    return at_points;
   }
 
 
@@ -162,58 +207,32 @@ namespace lamella
     const unsigned int n_stations = q[FieldPart::value].n();
     SectionForces      result(space.n_fields(), n_stations);
     for (const Cell &cell : cells)
-      for (const Point &point : cell.points)
-        for (unsigned int k = 0; k < n_stations; ++k)
-          {
-            const Gradient H      = gradient(cell, point, q, k);
-            const Voigt    strain = green_strain(H),
-                        stress    = point.weight * point.law.stress(strain);
-            result.energy[k] += 0.5 * (stress * strain);
-            // First Piola-Kirchhoff, a row a direction: S (1 + H).
-            const Tensor<2, 3> S = unpacked(stress), P = S + S * H;
-            for (unsigned int a = 0; a < cell.fields->size(); ++a)
-              {
-                const unsigned int alpha = (*cell.fields)[a];
-                result.work[FieldPart::value](alpha, k) +=
-                  P[0] * point.along_x[a] + P[2] * point.along_z[a];
-                result.work[FieldPart::derivative](alpha, k) +=
-                  P[1] * point.value[a];
-              }
-          }
+      for (unsigned int k = 0; k < n_stations; ++k)
+        {
+          const unsigned int          n = cell.fields->size();
+          const std::vector<Gradient> H = gradients(cell, q, k);
+          Vector                      P(cell.G.m()), work(2 * n);
+          for (unsigned int p = 0; p < H.size(); ++p)
+            {
+              const Voigt strain = green_strain(H[p]),
+                          stress = cell.points[p].weight *
+                                   cell.points[p].law.stress(strain);
+              result.energy[k] += 0.5 * (stress * strain);
+              // First Piola-Kirchhoff, a row a direction: S (1 + H).
+              const Tensor<2, 3> S = unpacked(stress), at_point = S + S * H[p];
+              for (unsigned int i = 0; i < 3; ++i)
+                for (unsigned int c = 0; c < 3; ++c)
+                  P[9 * p + 3 * i + c] = at_point[i][c];
+            }
+          cell.G.Tvmult(work, P);
+          for (unsigned int a = 0; a < n; ++a)
+            {
+              const unsigned int alpha = (*cell.fields)[a];
+              result.work[FieldPart::value](alpha, k) += work[a];
+              result.work[FieldPart::derivative](alpha, k) += work[n + a];
+            }
+        }
     return result;
-  }
-
-
-
-  std::array<std::array<double, 9>, 9>
-  GreenAnswer::tangent_at(const Cell        &cell,
-                          const Point       &point,
-                          const FieldParts  &q,
-                          const FieldParts  &correction,
-                          const unsigned int k) const
-  {
-    const Gradient H         = gradient(cell, point, q, k);
-    const Voigt    predicted = point.law.stress(
-      green_strain(H) - quadratic_strain(gradient(cell, point, correction, k)));
-    return point_tangent(H, point.law, unpacked(predicted), point.weight);
-  }
-
-
-
-  LAPACKFullMatrix<double>
-  GreenAnswer::gradients(const Cell &cell) const
-  {
-    const unsigned int       n = cell.fields->size();
-    LAPACKFullMatrix<double> G(9 * cell.points.size(), 2 * n);
-    for (unsigned int p = 0; p < cell.points.size(); ++p)
-      for (unsigned int a = 0; a < n; ++a)
-        for (unsigned int c = 0; c < 3; ++c)
-          {
-            G(9 * p + c, a)         = cell.points[p].along_x[a][c];
-            G(9 * p + 3 + c, n + a) = cell.points[p].value[a][c];
-            G(9 * p + 6 + c, a)     = cell.points[p].along_z[a][c];
-          }
-    return G;
   }
 
 
@@ -227,19 +246,18 @@ namespace lamella
   {
     for (const Cell &cell : cells)
       {
-        const LAPACKFullMatrix<double> G = gradients(cell);
-        LAPACKFullMatrix<double>       DG(G.m(), G.n());
-        for (unsigned int p = 0; p < cell.points.size(); ++p)
-          {
-            const auto D = tangent_at(cell, cell.points[p], q, correction, k);
-            for (unsigned int b = 0; b < G.n(); ++b)
-              for (unsigned int r = 0; r < 9; ++r)
-                for (unsigned int s = 0; s < 9; ++s)
-                  DG(9 * p + r, b) += D[r][s] * G(9 * p + s, b);
-          }
+        const std::vector<Gradient> H  = gradients(cell, q, k),
+                                    dH = gradients(cell, correction, k);
+        LAPACKFullMatrix<double> DG(cell.G.m(), cell.G.n());
+        for (unsigned int p = 0; p < H.size(); ++p)
+          add_product(point_tangent(H[p], dH[p], cell.points[p].law),
+                      cell.points[p].weight,
+                      cell.G,
+                      9 * p,
+                      DG);
         CellTangent tangent{cell.fields,
-                            LAPACKFullMatrix<double>(G.n(), G.n())};
-        G.Tmmult(tangent.matrix, DG);
+                            LAPACKFullMatrix<double>(DG.n(), DG.n())};
+        cell.G.Tmmult(tangent.matrix, DG);
         use(tangent);
       }
   }

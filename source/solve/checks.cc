@@ -218,11 +218,8 @@ namespace lamella
       checks.energy += deformation.energy;
       checks.max_rotation =
         std::max(checks.max_rotation, deformation.max_rotation);
-      const double nothing = state.free_sizes.empty() ?
-                               0. :
-                               arithmetic::rounding * state.free_sizes[b];
       const double noise =
-        rounding_energy(tangent.largest_stiffness(b), u, nothing);
+        rounding_energy(tangent.largest_stiffness(b), u, state.rounding(b));
       const double energy =
         deformation.energy + structure.heat_energy(b) - heat_load * u;
       checks.energies.push_back(

@@ -35,39 +35,35 @@ namespace lamella
 
 
 
-  Newton::Left
-  Newton::left_of(const BlockVector &u, const LoadFactor &factor) const
+  std::optional<double>
+  Newton::share_left(const BlockVector &r,
+                     const LoadFactor  &factor,
+                     const double       began) const
   {
-    const BlockVector internal = structure.internal_forces(u),
-                      load     = structure.load(factor);
-    BlockVector left           = load;
-    left -= internal;
+    const BlockVector load     = structure.load(factor);
+    BlockVector       internal = load, left = r;
+    internal -= r;
     structure.condense(left);
-    return {left.l2_norm(), std::max(internal.l2_norm(), load.l2_norm())};
+    const double norm = left.l2_norm();
+    // Written so that what is not a number is nothing.
+    if (!(norm <= parameters.diverged * began))
+      return std::nullopt;
+    return norm <= parameters.nothing * began ?
+             0. :
+             norm / std::max(internal.l2_norm(), load.l2_norm());
   }
 
 
 
-  BlockVector
-  Newton::correction_at(const Equilibrium &state,
-                        const LoadFactor  &to,
-                        const BlockVector &moved,
-                        const BlockVector &last,
-                        double            &began) const
+  bool
+  Newton::is_equilibrium(const double left,
+                         const double before,
+                         const double change) const
   {
-    const Linearisation tangent(structure, state.u, asked, {}, last);
-    BlockVector         r = structure.load(to);
-    r -= structure.internal_forces(state.u);
-    const bool is_first = began == 0.;
-    if (is_first)
-      {
-        r -= tangent.apply(moved);
-        began = r.l2_norm();
-      }
-    BlockVector correction = tangent.solve(r);
-    if (is_first)
-      correction += moved;
-    return correction;
+    return left <= parameters.balanced ||
+           (left < parameters.floor && left > parameters.stalls * before) ||
+           (left < parameters.near &&
+            change < parameters.still * structure.size());
   }
 
 
@@ -79,30 +75,35 @@ namespace lamella
   {
     BlockVector moved = structure.particular(to), correction;
     moved -= structure.particular(state.factor);
-    double before = std::numeric_limits<double>::max(), began = 0.;
+    BlockVector r = structure.residual(state.u, to);
+    if (moved.l2_norm() > 0.)
+      r -= Linearisation(structure, state.u).apply(moved);
+    const double began  = r.l2_norm();
+    double       before = std::numeric_limits<double>::max();
     for (unsigned int k = 0; k < parameters.max_iterations; ++k)
       {
         ++state.iterations;
-        correction = correction_at(
-          state, to, moved, predicted ? correction : BlockVector(), began);
+        correction = Linearisation(structure,
+                                   state.u,
+                                   asked,
+                                   {},
+                                   predicted ? correction : BlockVector())
+                       .solve(r);
+        if (k == 0)
+          correction += moved;
         state.u += correction;
 
-        const Left   found = left_of(state.u, to);
-        const double left  = found.norm <= parameters.nothing * began ?
-                               0. :
-                               found.norm / found.scale;
-        if (!(found.norm <= parameters.diverged * began))
+        r               = structure.residual(state.u, to);
+        const auto left = share_left(r, to, began);
+        if (!left)
           return false;
-        if (left <= parameters.balanced ||
-            (left < parameters.floor && left > parameters.stalls * before) ||
-            (left < parameters.near &&
-             correction.linfty_norm() < parameters.still * structure.size()))
+        if (is_equilibrium(*left, before, correction.linfty_norm()))
           {
             state.factor   = to;
-            state.residual = left;
+            state.residual = *left;
             return true;
           }
-        before = left;
+        before = *left;
       }
     return false;
   }

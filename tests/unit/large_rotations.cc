@@ -43,15 +43,16 @@ namespace
     return c;
   }
 
-  std::unique_ptr<GreenBeam>
-  green_beam(const unsigned int degree)
+  template <class Kind>
+  std::unique_ptr<Kind>
+  beam(const unsigned int degree)
   {
-    return std::make_unique<GreenBeam>("b",
-                                       make_section(two_plies,
-                                                    orthotropic(),
-                                                    degree),
-                                       make_axis(3., 2),
-                                       Placement());
+    return std::make_unique<Kind>("b",
+                                  make_section(two_plies,
+                                               orthotropic(),
+                                               degree),
+                                  make_axis(3., 2),
+                                  Placement());
   }
 
   Vector
@@ -91,7 +92,7 @@ namespace
 
 BOOST_AUTO_TEST_CASE(tangent_is_the_derivative_of_the_forces)
 {
-  const auto   body      = green_beam(2);
+  const auto   body      = beam<GreenBeam>(2);
   const Vector u         = random_vector(body->n_dofs(), 0.2, 1),
                w         = random_vector(body->n_dofs(), 1., 2);
   constexpr double h     = 1e-5;
@@ -119,10 +120,10 @@ BOOST_AUTO_TEST_CASE(tangent_is_the_derivative_of_the_forces)
 
 BOOST_AUTO_TEST_CASE(undeformed_it_is_the_stiffness_of_a_beam)
 {
-  const auto   body = green_beam(2);
+  const auto   body = beam<GreenBeam>(2);
   const Vector w    = random_vector(body->n_dofs(), 1., 3);
   Vector       linear(w.size()), tangent(w.size());
-  body->Beam::add_internal_forces(w, linear);
+  beam<Beam>(2)->add_internal_forces(w, linear);
   body->add_tangent_forces(Vector(w.size()), w, tangent);
   const double size = linear.l2_norm();
   linear -= tangent;
@@ -133,7 +134,7 @@ BOOST_AUTO_TEST_CASE(undeformed_it_is_the_stiffness_of_a_beam)
 
 BOOST_AUTO_TEST_CASE(a_rigid_turn_is_free_and_leaves_the_energy)
 {
-  const auto body = green_beam(1);
+  const auto body = beam<GreenBeam>(1);
   // Something stretched and sheared, then turned as well.
   Tensor<2, 3> F({{1.02, 0.01, 0.}, {-0.03, 0.98, 0.02}, {0., 0.05, 1.01}});
   const double energy = body->deformation(affine(*body, F)).energy;

@@ -308,6 +308,18 @@ namespace lamella
       const bool                                         with_values,
       const std::function<void(const StiffnessBlock &)> &use) const override;
 
+    /// What integrates over the axis. Refers to the beam.
+    AxisLoop
+    along_axis() const
+    {
+      return {*space, *beam_axis, dof_map};
+    }
+
+    /// The internal forces and the energy at stations with the coefficients
+    /// @p q of the fields of @p answer: what it answers.
+    virtual SectionForces
+    section_forces(const SectionAnswer &answer, const FieldParts &q) const;
+
   private:
     friend class BeamSecondOrder;
 
@@ -353,13 +365,6 @@ namespace lamella
     axis_states(const unsigned int         cell,
                 const std::vector<double> &etas,
                 const Vector              &u) const;
-
-    /// What integrates over the axis. Refers to the beam.
-    AxisLoop
-    along_axis() const
-    {
-      return {*space, *beam_axis, dof_map};
-    }
 
     /// Kinematics at a point, in the body's axes: the displacement and the
     /// strain (as the theory completes it, order of Eq. 4).

@@ -15,8 +15,8 @@ namespace lamella
    *   f_(i,alpha) = int N_i W_0,alpha + N_i' W_1,alpha dy,
    * and its tangent is their derivative. At u = 0 that is the stiffness of the
    * Beam. Displacements add up as ever: rows, supports and dead loads are those
-   * of the Beam. Strains and stresses at points, pictures and second_order()
-   * are still those of small rotations.
+   * of the Beam. Strains, stresses and rotations at points, pictures and
+   * second_order() are still those of small rotations.
    *
    * With B4 alone and for theories whose strains are those of their
    * displacements (LE, TE-2 and up).
@@ -30,9 +30,6 @@ namespace lamella
               std::shared_ptr<const Section> section,
               std::shared_ptr<const Axis>    axis,
               const Placement               &placement);
-
-    void
-    add_internal_forces(const Vector &u, Vector &f) const override;
 
     StiffnessTerms
     tangent_terms(const Vector                  &u,
@@ -50,10 +47,11 @@ namespace lamella
                         const SolverKind     asked   = SolverKind::automatic,
                         const SolverMonitor &monitor = {}) const override;
 
-    /// The energy of Green's strain, int E . C E / 2 dV. Rotations are those of
-    /// small ones, curl u / 2.
-    Deformation
-    deformation(const Vector &u) const override;
+  protected:
+    /// Those of Green's strain.
+    SectionForces
+    section_forces(const SectionAnswer &answer,
+                   const FieldParts    &q) const override;
 
   private:
     /// Calls @p use with the derivative of the forces at @p u, with the stress
@@ -88,8 +86,7 @@ namespace lamella
                 const GreenAnswer::CellTangent &tangent,
                 StiffnessBlock                 &block) const;
 
-    const GreenAnswer               answer;
-    const std::vector<unsigned int> all_fields;
+    const GreenAnswer green;
   };
 } // namespace lamella
 

@@ -5,7 +5,6 @@
 
 #include <lamella/section/section_answer.h>
 
-#include <array>
 #include <functional>
 #include <vector>
 
@@ -73,40 +72,26 @@ namespace lamella
                   const std::function<void(const CellTangent &)> &use) const;
 
   private:
-    /// A point of the section: its weight and law, and of each of its fields
-    /// Phi, Phi_,x, Phi_,z.
     struct Point
     {
-      double                            weight;
-      ElasticLaw                        law;
-      std::vector<dealii::Tensor<1, 3>> value, along_x, along_z;
+      double     weight;
+      ElasticLaw law;
     };
-    /// Points that have the same fields.
+    /// Points that have the same fields, with the matrix G of H at them, nine
+    /// rows each, H_x, H_y, H_z: of a unit of the value of each field and then
+    /// of its derivative.
     struct Cell
     {
       const std::vector<unsigned int> *fields = nullptr;
       std::vector<Point>               points;
+      dealii::LAPACKFullMatrix<double> G;
     };
 
-    Gradient
-    gradient(const Cell        &cell,
-             const Point       &point,
-             const FieldParts  &q,
-             const unsigned int k) const;
-
-    /// d^2 (energy) / dH^2 at @p point, its weight in it, with the stress that
-    /// was predicted.
-    std::array<std::array<double, 9>, 9>
-    tangent_at(const Cell        &cell,
-               const Point       &point,
-               const FieldParts  &q,
-               const FieldParts  &correction,
-               const unsigned int k) const;
-
-    /// H at the points of @p cell, nine rows each, of a unit of each value and
-    /// then of each derivative of its fields.
-    dealii::LAPACKFullMatrix<double>
-    gradients(const Cell &cell) const;
+    /// H at the points of @p cell at station @p k of @p q.
+    std::vector<Gradient>
+    gradients(const Cell        &cell,
+              const FieldParts  &q,
+              const unsigned int k) const;
 
     const FieldSpace &space;
     std::vector<Cell> cells;

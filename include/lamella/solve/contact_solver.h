@@ -47,16 +47,23 @@ namespace lamella
     /// the digits that the assembled matrix lost.
     std::vector<double> free_corrections, contact_corrections;
 
-    /// Lengths below this are what rounding leaves where loads cancel, as of
-    /// leaves that equal pressures press on each other and that do not move:
-    /// of what they would move by without contact.
+    /// Lengths of @p body below this are what rounding leaves where loads
+    /// cancel, as of leaves that equal pressures press on each other and that
+    /// do not move: of what they would move by without contact.
+    double
+    rounding(const unsigned int body) const
+    {
+      return free_sizes.empty() ? 0. : arithmetic::rounding * free_sizes[body];
+    }
+
+    /// The largest of all bodies.
     double
     rounding() const
     {
-      return free_sizes.empty() ?
-               0. :
-               arithmetic::rounding *
-                 *std::max_element(free_sizes.begin(), free_sizes.end());
+      double largest = 0.;
+      for (unsigned int b = 0; b < free_sizes.size(); ++b)
+        largest = std::max(largest, rounding(b));
+      return largest;
     }
   };
 

@@ -6,6 +6,8 @@
 #include <lamella/base/arithmetic.h>
 #include <lamella/solve/linearisation.h>
 
+#include <optional>
+
 namespace lamella
 {
   /// When Newton's iterations end, and what is done where they do not.
@@ -74,16 +76,6 @@ namespace lamella
     advance(const Equilibrium &start, const LoadFactor &to) const;
 
   private:
-    /// K^-1 (f(t) - f_int(u)), after the @p last correction. In the first
-    /// iteration, where the forces that the step @p began with are 0 and become
-    /// known, supports take @p moved with them.
-    BlockVector
-    correction_at(const Equilibrium &state,
-                  const LoadFactor  &to,
-                  const BlockVector &moved,
-                  const BlockVector &last,
-                  double            &began) const;
-
     /// One step, with the stress that corrections predict or without; whether
     /// it ended. Counts its iterations in @p state.
     bool
@@ -93,14 +85,21 @@ namespace lamella
     bool
     attempt(const LoadFactor &to, Equilibrium &state) const;
 
-    /// f(t) - f_int(u), condensed, and what it is small beside: the larger one
-    /// of the two.
-    struct Left
-    {
-      double norm, scale;
-    };
-    Left
-    left_of(const BlockVector &u, const LoadFactor &factor) const;
+    /// The size of the unbalanced forces @p r at @p factor, condensed, over
+    /// the loads or the internal forces; 0 where they are rounding of those
+    /// that the step @p began with. Nothing where they grow beyond all bounds.
+    std::optional<double>
+    share_left(const BlockVector &r,
+               const LoadFactor  &factor,
+               const double       began) const;
+
+    /// Whether iterations end where the share @p left is unbalanced, @p before
+    /// by the iteration before, and the last correction is a @p change of that
+    /// length.
+    bool
+    is_equilibrium(const double left,
+                   const double before,
+                   const double change) const;
 
     const Structure       &structure;
     const SolverKind       asked;
