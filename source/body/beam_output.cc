@@ -67,6 +67,19 @@ namespace lamella
 
 
   FieldSample
+  Beam::sample_at(const SectionPoint &point,
+                  const AxisPoint    &on_axis,
+                  const Vector       &u) const
+  {
+    return field_sample(point_state(point, on_axis, u),
+                        point,
+                        placement.to_scene(
+                          {point.position[0], on_axis.y, point.position[1]}));
+  }
+
+
+
+  FieldSample
   Beam::sample(const Location &where, const Vector &u) const
   {
     std::vector<FieldSample> samples;
@@ -78,11 +91,7 @@ namespace lamella
         const AxisPoint on_axis =
           beam_axis->evaluate(place.cell / beam_section->n_cells(),
                               place.unit[1]);
-        samples.push_back(
-          field_sample(point_state(point, on_axis, u),
-                       point,
-                       placement.to_scene(
-                         {point.position[0], on_axis.y, point.position[1]})));
+        samples.push_back(sample_at(point, on_axis, u));
       }
     return mean_of(samples);
   }

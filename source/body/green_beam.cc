@@ -2,7 +2,10 @@
 
 #include <lamella/base/exceptions.h>
 #include <lamella/base/processes.h>
+#include <lamella/body/fields.h>
 #include <lamella/body/green_beam.h>
+
+#include <algorithm>
 
 namespace lamella
 {
@@ -39,6 +42,132 @@ namespace lamella
   GreenBeam::section_forces(const SectionAnswer &, const FieldParts &q) const
   {
     return green.forces(q);
+  }
+
+
+
+  // ---- where it is, and what it shows
+
+  std::vector<Vector>
+  GreenBeam::rigid_motions_at(const Vector &u) const
+  {
+    std::vector<Vector> motions = rigid_motions();
+    std::vector<double> moved(section().n_fields());
+    for (unsigned int c = 0; c < 3; ++c)
+      {
+        Tensor<1, 3> axis;
+        axis[c] = 1.;
+        for (unsigned int node = 0; node < dofs().n_nodes(); ++node)
+          {
+            // All nodes carry all fields, in their order.
+            const unsigned int first = dofs().first(node);
+            std::copy_n(u.begin() + first, moved.size(), moved.begin());
+            const std::vector<double> more =
+              section().turned(placement.vector_to_body(axis), moved);
+            for (unsigned int alpha = 0; alpha < more.size(); ++alpha)
+              motions[3 + c][first + alpha] += more[alpha];
+          }
+      }
+    return motions;
+  }
+
+
+
+  Gradient
+  GreenBeam::gradient(const SectionPoint &point,
+                      const AxisPoint    &on_axis,
+                      const Vector       &u) const
+  {
+    return gradient_at(point,
+                       along_axis().at(ArrayView<const AxisPoint>(&on_axis, 1),
+                                       *point.fields,
+                                       u),
+                       0);
+  }
+
+
+
+  double
+  GreenBeam::turn_along(const unsigned int cell, const Vector &u) const
+  {
+    const SectionPoint middle = section().evaluate(0, {0.5, 0.5});
+    const auto         turn   = [&](const double eta) {
+      return PolarDecomposition(gradient(middle, axis().evaluate(cell, eta), u))
+        .turn();
+    };
+    return angle_of(transpose(turn(0.)) * turn(1.));
+  }
+
+
+
+  Deformation
+  GreenBeam::deformation(const Vector &u) const
+  {
+    Deformation result;
+    const auto [begin, end] = axis().own_cells();
+    for (unsigned int cell = begin; cell < end; ++cell)
+      {
+        const FieldParts q = along_axis().on_element(cell, dofs().fields(0), u);
+        const Stretch    stretch = green.largest(q);
+        result.energy += along_axis().energy(cell, green.forces(q));
+        result.max_rotation = std::max(result.max_rotation, stretch.turn);
+        result.max_strain   = std::max(result.max_strain, stretch.strain);
+        result.max_mean_strain =
+          std::max(result.max_mean_strain, stretch.along);
+        result.max_element_turn =
+          std::max(result.max_element_turn, turn_along(cell, u));
+      }
+    result.energy = Utilities::MPI::sum(result.energy, communicator());
+    for (double *largest : {&result.max_rotation,
+                            &result.max_strain,
+                            &result.max_mean_strain,
+                            &result.max_element_turn})
+      *largest = Utilities::MPI::max(*largest, communicator());
+    return result;
+  }
+
+
+
+  FieldSample
+  GreenBeam::sample_at(const SectionPoint &point,
+                       const AxisPoint    &on_axis,
+                       const Vector       &u) const
+  {
+    const FieldParts q =
+      along_axis().at(ArrayView<const AxisPoint>(&on_axis, 1),
+                      *point.fields,
+                      u);
+    Tensor<1, 3> displacement;
+    for (unsigned int a = 0; a < point.fields->size(); ++a)
+      displacement += q[FieldPart::value](a, 0) * point.value[a];
+    const Gradient H      = gradient_at(point, q, 0);
+    const Voigt    strain = green_strain(H);
+    return SampleTurns(placement,
+                       section().ply_axes(point.cell, point.position))
+      .sample(displacement,
+              strain,
+              PolarDecomposition(H).turned_stress(
+                section().law(point.cell, point.position).stress(strain)));
+  }
+
+
+
+  std::vector<OutputCell>
+  GreenBeam::cut(const double       position,
+                 const unsigned int n,
+                 const Vector      &u) const
+  {
+    return Body::cut(position, n, u);
+  }
+
+
+
+  void
+  GreenBeam::for_each_output_cell(const GridIntervals   &n,
+                                  const Vector          &u,
+                                  const UseOfOutputCell &use) const
+  {
+    Body::for_each_output_cell(n, u, use);
   }
 
 

@@ -3,6 +3,7 @@
 #include <lamella/axis/parameters.h>
 #include <lamella/base/patterns.h>
 #include <lamella/body/beam.h>
+#include <lamella/body/green_beam.h>
 #include <lamella/body/parameters.h>
 #include <lamella/body/solid.h>
 #include <lamella/body/solid_parameters.h>
@@ -269,11 +270,13 @@ namespace lamella
             check_degrees(description, mesh);
             section = make_section(mesh, description.theory);
           }
-        bodies.push_back(
-          std::make_unique<Beam>(description.name,
-                                 section,
-                                 std::make_shared<Axis>(description.axis),
-                                 description.placement));
+        const auto axis = std::make_shared<Axis>(description.axis);
+        if (description.turns)
+          bodies.push_back(std::make_unique<GreenBeam>(
+            description.name, section, axis, description.placement));
+        else
+          bodies.push_back(std::make_unique<Beam>(
+            description.name, section, axis, description.placement));
       }
     return bodies;
   }

@@ -53,6 +53,9 @@ namespace lamella
     , search(undeformed.contact(), bodies)
   {
     interface = interface_within(undeformed, reach);
+    keep_lines();
+    if (bodies[contact.first.body]->turns())
+      reach = std::max(reach, automatic_search_distance(contact, bodies));
     undeformed.decide(interface.discretisation,
                       interface.points_on_second ? PointsOn::second :
                                                    PointsOn::first);
@@ -64,6 +67,17 @@ namespace lamella
     const auto before = integrate(undeformed, Feet::kept, points);
     for (unsigned int k = 0; k < before.size(); ++k)
       taken_out[key(interface.points[k])] = std::max(0., -before[k].gap);
+  }
+
+
+
+  void
+  Contact::keep_lines()
+  {
+    if (interface.discretisation == Discretisation::line_to_roller)
+      lines = std::make_unique<RollerLines>(*undeformed.surface(false),
+                                            *undeformed.obstacle(),
+                                            interface);
   }
 
 
@@ -132,6 +146,7 @@ namespace lamella
   {
     const ContactSides at(undeformed, u, factor);
     interface = interface_within(at, reach);
+    keep_lines();
     points.clear();
     find_points();
     // What a point weighs is its undeformed area.
@@ -154,6 +169,8 @@ namespace lamella
   {
     find_points();
     const ContactSides at(undeformed, u, factor);
+    if (lines != nullptr)
+      lines->follow(*at.surface(false), *at.obstacle(), points);
     integrals =
       integrate(at,
                 interface.discretisation == Discretisation::node_to_node ?
@@ -161,6 +178,33 @@ namespace lamella
                   Feet::found,
                 points);
     write(at, u, factor);
+  }
+
+
+
+  void
+  Contact::name_places()
+  {
+    const bool          on_second = interface.points_on_second;
+    const MeshSurface  *other     = undeformed.surface(!on_second);
+    std::vector<double> most(interface.rows.size(), 0.);
+    for (unsigned int q = 0; q < points.size(); ++q)
+      for (const auto &[row, weight] : shares_of(functions(), q, points[q]))
+        {
+          ContactInterface::Point &at = interface.points[row];
+          const auto &[own, place]    = points[q].carrying;
+          (on_second ? at.second : at.first) =
+            lines == nullptr ?
+              place_of(at) :
+              undeformed.surface(on_second)->facets()[own].map(place).position;
+          if (const auto &[facet, st] = points[q].opposing;
+              other != nullptr && weight > most[row])
+            {
+              most[row] = weight;
+              (on_second ? at.first : at.second) =
+                other->facets()[facet].map(st).position;
+            }
+        }
   }
 
 
@@ -201,6 +245,7 @@ namespace lamella
     std::vector<BodyRow> second;
     if (interface.second_body)
       second = rows_on(true, *interface.second_body);
+    name_places();
     for (unsigned int k = 0; k < interface.rows.size(); ++k)
       {
         GapRow &row = interface.rows[k];
@@ -361,6 +406,9 @@ namespace lamella
                         const LoadFactor                &factor,
                         const std::vector<unsigned int> &active)
   {
+    // What is nearest to a roller is found in every move().
+    if (lines != nullptr)
+      return {};
     find_points();
     const ContactSides    at(undeformed, u, factor);
     const double          touching = -arithmetic::negligible * u.linfty_norm();

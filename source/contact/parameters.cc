@@ -67,7 +67,9 @@ namespace lamella
       "node to node: rows between nodes that face each other; node to surface: "
       "between the nodes of one side and the places of the other that they "
       "face; surface to surface: gaps averaged around the nodes of one side, "
-      "as in mortar methods, whatever the nodes of the other.");
+      "as in mortar methods, whatever the nodes of the other; line to roller: "
+      "with Rotations = large, the line of a beam that is nearest to a "
+      "cylinder across it, wherever it wanders.");
     prm.declare_entry("Points on",
                       name_of(PointsOn::automatic),
                       selection<PointsOn>(),
@@ -232,6 +234,11 @@ namespace lamella
       if (contact.discretisation == Discretisation::node_to_node)
         in["Discretisation"].refuse(
           rule, "Use auto, surface to surface, or node to surface.");
+      if (contact.discretisation == Discretisation::line_to_roller &&
+          contact.obstacle->shape != Obstacle::Shape::cylinder)
+        in["Discretisation"].refuse("the obstacle '" + contact.obstacle->name +
+                                      "' is no roller",
+                                    "Use auto.");
       if (contact.points_on == PointsOn::second)
         in["Points on"].refuse(rule, "Use first, or auto.");
     }
@@ -254,6 +261,8 @@ namespace lamella
     contact.overclosure    = in["Overclosure"].choice<Overclosure>();
     if (contact.obstacle != nullptr)
       check_obstacle(contact, in);
+    else if (contact.discretisation == Discretisation::line_to_roller)
+      in["Discretisation"].refuse("its Second is no obstacle", "Use auto.");
     contact.search_distance = parse_search_distance(in["Search distance"]);
     contact.penalty         = parse_penalty(in);
     contact.tolerance       = parse_tolerance(in["Tolerance"]);

@@ -98,12 +98,13 @@ namespace lamella
                    axis,
                    stabilisation,
                    is_held,
+                   turns,
                    refinement]     = body;
       const auto &[theories, ends] = pieces;
       return name + " " + section + " " + words_of(theory) +
              words_of(theories) + words_of(ends) + words_of(axis) +
              words_of(stabilisation) + (is_held ? "held " : "") +
-             words_of(refinement);
+             (turns ? "turns " : "") + words_of(refinement);
     }
 
 

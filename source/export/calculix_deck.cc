@@ -58,6 +58,11 @@ namespace lamella
       write_output_sets(std::ostream &deck) const;
       void
       write_output(std::ostream &deck) const;
+      bool
+      is_large() const
+      {
+        return scene.solve.rotations == Rotations::large;
+      }
       /// The elements of one row of a probe on @p body, with places and
       /// weights.
       Json
@@ -157,8 +162,9 @@ namespace lamella
     {
       deck << "** " << (scene.title.empty() ? "A scene" : scene.title)
            << "\n** written by lamella " << version()
-           << ": linear kinematics, units " << scene.units.length << ", "
-           << scene.units.force << ", " << scene.units.stress << '\n';
+           << (is_large() ? ": large rotations" : ": linear kinematics")
+           << ", units " << scene.units.length << ", " << scene.units.force
+           << ", " << scene.units.stress << '\n';
       mesh.write(deck);
       conditions.write_sets(deck);
       contacts.write_model(deck);
@@ -170,7 +176,8 @@ namespace lamella
       for (unsigned int step = 0; step < factors.size(); ++step)
         {
           deck << "** load factor " << to_text(factors[step].of_scene())
-               << "\n*STEP, INC=1000\n*STATIC\n"
+               << "\n*STEP, INC=1000" << (is_large() ? ", NLGEOM" : "")
+               << "\n*STATIC\n"
                << calculix_number(first_increment) << ", 1.\n";
           conditions.write_step(deck, factors[step].of_scene());
           contacts.write_step(deck, factors[step].of_scene());

@@ -278,9 +278,23 @@ namespace lamella
     {
       out << "  force balance " << to_text(checks.force_balance, 2)
           << ", moment balance " << to_text(checks.moment_balance, 2)
-          << ", residual " << to_text(checks.residual, 2) << ", energy balance "
-          << to_text(checks.energy_balance, 2) << ", largest rotation "
-          << to_text(checks.max_rotation, 3) << " rad\n  stiffening by large "
+          << ", residual " << to_text(checks.residual, 2)
+          << (checks.is_large ?
+                "" :
+                ", energy balance " + to_text(checks.energy_balance, 2))
+          << ", largest rotation " << to_text(checks.max_rotation, 3) << " rad";
+      if (checks.is_large)
+        {
+          out << "\n  large rotations: strains to "
+              << to_text(100. * checks.max_strain, 3)
+              << " %, elements turn by up to "
+              << to_text(checks.max_element_turn * 180. / dealii::numbers::PI,
+                         3)
+              << " degrees; places, moments and balances are those of the "
+                 "deformed bodies\n";
+          return;
+        }
+      out << "\n  stiffening by large "
           << "deflections " << to_text(100. * checks.beyond.stiffening, 2)
           << " %, buckling at "
           << (checks.beyond.buckling_factor ?

@@ -131,14 +131,10 @@ namespace lamella
   {
     // The nodes of the side that carries them are known, the places opposite
     // by their positions.
-    std::vector<Location> nodes;
-    std::vector<Point<3>> opposite;
+    const std::vector<Location> nodes = places_of_points();
+    std::vector<Point<3>>       opposite;
     for (const ContactInterface::Point &point : contact.points)
-      {
-        nodes.push_back(point.node);
-        opposite.push_back(contact.points_on_second ? point.first :
-                                                      point.second);
-      }
+      opposite.push_back(contact.points_on_second ? point.first : point.second);
     const Bodies &bodies = structure.bodies();
     if (contact.points_on_second)
       {
@@ -161,6 +157,22 @@ namespace lamella
     for (unsigned int k = 0; k < contact.points.size(); ++k)
       if (in_quads.count(k) == 0)
         alone.push_back(k);
+  }
+
+
+
+  std::vector<Location>
+  ContactSurface::places_of_points() const
+  {
+    // Lines of a beam touch a roller anywhere.
+    const bool is_line =
+      contact.discretisation == Discretisation::line_to_roller;
+    const Body           &first = *structure.bodies()[contact.first_body];
+    std::vector<Location> places;
+    for (const ContactInterface::Point &point : contact.points)
+      places.push_back(is_line ? first_of(first.locate({point.first}))[0] :
+                                 point.node);
+    return places;
   }
 
 

@@ -24,8 +24,17 @@ namespace lamella
     standing.version = version();
     standing.scene   = scenery.resolved;
     if (scenery.write_vtu)
-      for (const ContactInterface &contact : scenery.contacts)
-        surfaces.emplace_back(contact, scenery.structure);
+      make_surfaces();
+  }
+
+
+
+  void
+  ResultsWriter::make_surfaces()
+  {
+    surfaces.clear();
+    for (const ContactInterface &contact : scenery.contacts)
+      surfaces.emplace_back(contact, scenery.structure);
   }
 
 
@@ -114,6 +123,9 @@ namespace lamella
                 scenery.strength));
     if (!is_speaker())
       return;
+    // Of bodies that turn who faces whom is another matter in each step.
+    if (scenery.structure.turns())
+      make_surfaces();
     for (unsigned int k = 0; k < surfaces.size(); ++k)
       {
         const std::string name = "contact_" + scenery.contacts[k].name;

@@ -286,6 +286,30 @@ namespace lamella
 
 
 
+    void
+    add_checks(const Results &results, const Checks &checks, Json &json)
+    {
+      json["force_balance"]        = checks.force_balance;
+      json["moment_balance"]       = checks.moment_balance;
+      json["residual"]             = checks.residual;
+      json["max_rotation"]         = checks.max_rotation;
+      json["energy"]               = checks.energy;
+      json["stabilisation_energy"] = checks.stabilisation_energy;
+      json["rotations"]            = checks.is_large ? "large" : "linear";
+      if (checks.is_large)
+        {
+          json["max_strain"]       = checks.max_strain;
+          json["max_mean_strain"]  = checks.max_mean_strain;
+          json["max_element_turn"] = checks.max_element_turn;
+          return;
+        }
+      json["beyond_linear"]  = beyond_json(results);
+      json["external_work"]  = checks.external_work;
+      json["energy_balance"] = checks.energy_balance;
+    }
+
+
+
     /// Resultants and checks of the last load step.
     void
     add_last_step(const Results &results, Json &json)
@@ -300,18 +324,10 @@ namespace lamella
       json["probes"] = probes_json(results);
       for (unsigned int m = 0; m < results.measures.size(); ++m)
         json["measures"][results.measures[m]] = last.measures[m];
-      json["force_balance"]        = checks.force_balance;
-      json["moment_balance"]       = checks.moment_balance;
-      json["residual"]             = checks.residual;
-      json["max_rotation"]         = checks.max_rotation;
-      json["beyond_linear"]        = beyond_json(results);
-      json["energy"]               = checks.energy;
-      json["external_work"]        = checks.external_work;
-      json["energy_balance"]       = checks.energy_balance;
-      json["stabilisation_energy"] = checks.stabilisation_energy;
-      json["condition_estimate"]   = results.condition_estimate;
-      json["free_corrections"]     = last.state.free_corrections;
-      json["contact_corrections"]  = last.state.contact_corrections;
+      add_checks(results, checks, json);
+      json["condition_estimate"]  = results.condition_estimate;
+      json["free_corrections"]    = last.state.free_corrections;
+      json["contact_corrections"] = last.state.contact_corrections;
       if (const PlyReserve *worst = worst_of(last.plies))
         json["strength"] = reserve_json(results, *worst);
       if (const auto &first = results.first_failure; first && first->where)

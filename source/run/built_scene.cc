@@ -242,7 +242,7 @@ namespace lamella
                                     "Discretisation",
                                     name_of(contact.discretisation));
       }
-    gap_rows = GapRows(contacts);
+    number_rows();
     check_partners(contacts);
     check_conflicts(contacts, whole->bodies());
     check_strips();
@@ -337,6 +337,20 @@ namespace lamella
                 "a run to a tolerance begins with it" :
                 "as the scene says")
           << (reasons[b].empty() ? "" : "; ") << reasons[b] << "\n";
+  }
+
+
+
+  void
+  BuiltScene::tell_pairs(std::vector<ContactFacts> &found) const
+  {
+    for (unsigned int k = 0; k < contacts.size(); ++k)
+      {
+        found[k].rows            = contacts[k].rows.size();
+        found[k].unpaired        = contacts[k].unpaired;
+        found[k].unpaired_second = contacts[k].unpaired_second;
+        found[k].surface         = contacts[k].surface;
+      }
   }
 
 

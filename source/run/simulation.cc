@@ -9,6 +9,7 @@
 #include <lamella/run/factor_progress.h>
 #include <lamella/run/first_failure.h>
 #include <lamella/run/simulation.h>
+#include <lamella/solve/large_step.h>
 #include <lamella/solve/lost_digits.h>
 #include <lamella/solve/memory_budget.h>
 
@@ -106,10 +107,9 @@ namespace lamella
     do_steps(observer);
     if (scene().find_first_failure)
       find_first_failure();
-    const std::vector<std::string> warnings = solver->warnings();
-    found.endnotes.insert(found.endnotes.end(),
-                          warnings.begin(),
-                          warnings.end());
+    if (solver != nullptr)
+      for (const std::string &warning : solver->warnings())
+        found.endnotes.push_back(warning);
     found.converged = true;
     count_costs();
     return found;
@@ -124,28 +124,52 @@ namespace lamella
     const std::string  memory = budget.require_matrices(built->structure());
     print_bodies(out, built->structure(), built->interfaces(), scene().units);
     out << "Memory: " << memory << std::endl;
-    make_solver(budget);
-    if (!found.steps.empty())
-      solver->recall(found.last().memory);
-    const Step step(*solver,
-                    built->interfaces(),
-                    built->contact_lives(),
-                    scene().supports.size(),
-                    scene().solve,
-                    timer);
-    recorder = std::make_unique<StepRecorder>(*built, found, cured_state(step));
-    path     = std::make_unique<LoadPath>(step,
+    auto step = scene().solve.rotations == Rotations::large ?
+                  make_large_step(budget) :
+                  make_linear_step(budget);
+    recorder =
+      std::make_unique<StepRecorder>(*built, found, cured_state(*step));
+    path = std::make_unique<LoadPath>(std::move(step),
                                       scene().solve.load_factors,
                                       scene().solve.substeps,
                                       scene().find_first_failure);
     if (!found.steps.empty())
-      {
-        // What another run checked is not kept with its state.
-        const StepResults &last = found.last();
-        path->resume(found.steps.size(),
-                     last.state,
-                     step.check(last.state, last.load_factor, false));
-      }
+      path->resume(found.steps.size(), found.last().state);
+  }
+
+
+
+  std::unique_ptr<Step>
+  Simulation::make_linear_step(const MemoryBudget &budget)
+  {
+    make_solver(budget);
+    if (!found.steps.empty())
+      solver->recall(found.last().memory);
+    return std::make_unique<LinearStep>(*solver,
+                                        built->interfaces(),
+                                        built->contact_lives(),
+                                        scene().supports.size(),
+                                        scene().solve,
+                                        timer);
+  }
+
+
+
+  std::unique_ptr<Step>
+  Simulation::make_large_step(const MemoryBudget &budget)
+  {
+    Linearisation::BodyMonitor monitor;
+    monitor.sized = [budget](const Body &body, const FactorSize &size) {
+      budget.require_factor(body, size);
+    };
+    return std::make_unique<LargeStep>(
+      built->structure(),
+      MovingContacts(built->interfaces(), built->contact_lives()),
+      scene().supports.size(),
+      scene().solve,
+      [this](const std::string &line) { out << "  " << line << std::endl; },
+      monitor,
+      timer);
   }
 
 
@@ -208,14 +232,14 @@ namespace lamella
 
 
   std::shared_ptr<const BlockVector>
-  Simulation::cured_state(const Step &step)
+  Simulation::cured_state(Step &step)
   {
     if (built->strength() == nullptr || !built->structure().is_heated())
       return nullptr;
     out << "State without loads, of heat alone" << std::endl;
+    const LoadFactor none = scene().solve.load_factors.front().without_loads();
     return std::make_shared<const BlockVector>(
-      step(State(), scene().solve.load_factors.front().without_loads())
-        .state.u);
+      step(State(), none, none).state.u);
   }
 
 
@@ -226,8 +250,7 @@ namespace lamella
     StepResults      kept = std::move(found.steps.back());
     const SolvedStep solved{kept.load_factor,
                             path->state(),
-                            path->stepping().check(path->state(),
-                                                   kept.load_factor)};
+                            path->check_again()};
     StepResults     &last = found.steps.back();
     last                  = recorder->record(kept.step, solved, solved.state);
     last.memory           = std::move(kept.memory);
@@ -270,13 +293,19 @@ namespace lamella
   {
     const State      previous = path->state();
     const SolvedStep solved   = path->advance();
+    if (built->structure().turns())
+      {
+        built->number_rows();
+        built->tell_pairs(found.contacts);
+      }
     if (solved.change)
       out << "  in " << solved.substeps << " substeps; half as many differ by "
           << to_text(100. * *solved.change, 2) << " %" << std::endl;
     {
       TimerOutput::Scope scope(timer, name_of(Phase::output));
       found.steps.push_back(recorder->record(path->n_done(), solved, previous));
-      found.steps.back().memory = solver->memory();
+      if (solver != nullptr)
+        found.steps.back().memory = solver->memory();
       recorder->take_measures(found);
     }
     if (!observer)

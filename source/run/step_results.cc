@@ -47,6 +47,26 @@ namespace lamella
 
 
 
+  bool
+  StepRecorder::has_touched(const State       &previous,
+                            const unsigned int contact,
+                            const unsigned int row) const
+  {
+    if (!structure.turns())
+      return !previous.force.empty() &&
+             built.rows().of_contact(contact, previous.force)[row] > 0.;
+    // Contacts that pair anew give their rows other numbers, but points stay.
+    if (facts.steps.empty())
+      return false;
+    const auto &before = facts.last().contacts[contact];
+    const auto &here   = place_of(built.interfaces()[contact].points[row]);
+    return std::any_of(before.begin(), before.end(), [&](const auto &other) {
+      return other.touches() && place_of(other.point) == here;
+    });
+  }
+
+
+
   void
   StepRecorder::take_contacts(const SolvedStep &solved,
                               const State      &previous,
@@ -61,9 +81,12 @@ namespace lamella
         auto                   &change = results.changes.emplace_back();
         for (unsigned int k = 0; k < contact.rows.size(); ++k)
           {
+            const ContactInterface::Point &pair = contact.points[k];
+            // Of rows that move Eq. 17 of the places that face each other.
             rows.push_back(
-              {contact.points[k],
-               contact.rows[k].initial_gap,
+              {pair,
+               structure.turns() ? (pair.second - pair.first) * pair.normal :
+                                   contact.rows[k].initial_gap,
                contact.rows[k].gap(solved.state.u, solved.load_factor),
                forces.normal[k],
                solved.checks.contacts[c].of_rows[k]});
@@ -72,8 +95,7 @@ namespace lamella
                                       forces.slips(k),
                                       forces.length[k],
                                       forces.dissipated[k]};
-            const bool touched = !previous.force.empty() &&
-                                 all.of_contact(c, previous.force)[k] > 0.;
+            const bool touched = has_touched(previous, c, k);
             change.closed += rows.back().touches() && !touched;
             change.opened += !rows.back().touches() && touched;
           }
@@ -145,13 +167,14 @@ namespace lamella
     add(warnings_of(solved.checks.beyond, structure));
     if (scene.solve.is_judged)
       add(built.plausibility().doubts(solved.state.u));
-    for (unsigned int k = 0; k < contacts.size(); ++k)
+    for (unsigned int k = 0; k < contacts.size() && !structure.turns(); ++k)
       add(
         broken_assumptions(contacts[k],
                            structure.bodies(),
                            solved.state.u,
                            solved.load_factor,
                            built.rows().among_contact(k, solved.state.active)));
+    add(warnings_of_rollers(solved));
     add(warnings_of_holds(solved.checks));
     if (solved.change && *solved.change > scene.solve.substeps.tolerance)
       warnings.push_back(
@@ -160,6 +183,41 @@ namespace lamella
         to_text(100. * *solved.change, 2) +
         " %: where it slips while pressures change, results depend on the way; "
         "put load factors between");
+    return warnings;
+  }
+
+
+
+  std::vector<std::string>
+  StepRecorder::warnings_of_rollers(const SolvedStep &solved) const
+  {
+    constexpr double         worth_saying = 3e-3;
+    std::vector<std::string> warnings;
+    if (!structure.turns())
+      return warnings;
+    for (unsigned int c = 0; c < built.interfaces().size(); ++c)
+      {
+        const ContactInterface &contact = built.interfaces()[c];
+        if (contact.obstacle == nullptr ||
+            contact.obstacle->shape != Obstacle::Shape::cylinder ||
+            contact.discretisation == Discretisation::line_to_roller)
+          continue;
+        double spacing = 0.;
+        for (const unsigned int k :
+             built.rows().among_contact(c, solved.state.active))
+          spacing = std::max(spacing, contact.points[k].spacing);
+        // Half a spacing beside the place that touches.
+        const double off = 0.5 * spacing / contact.obstacle->radius;
+        if (off * solved.checks.max_rotation > worth_saying)
+          warnings.push_back(
+            "contact " + contact.name + ": points that touch are " +
+            to_text(spacing, 3) + " apart on a roller of radius " +
+            to_text(contact.obstacle->radius, 4) +
+            ", so that the direction of its force is off by up to " +
+            to_text(off, 2) +
+            " rad: take Discretisation = line to roller, or shorter elements "
+            "wherever it touches");
+      }
     return warnings;
   }
 

@@ -4,6 +4,7 @@
 #include <lamella/base/patterns.h>
 #include <lamella/scene/friction_rules.h>
 #include <lamella/scene/histories.h>
+#include <lamella/scene/rotation_rules.h>
 #include <lamella/scene/size_check.h>
 #include <lamella/scene/stacks.h>
 #include <lamella/scene/subsection_kinds.h>
@@ -294,6 +295,7 @@ namespace lamella
       check_equilibrium(scene, in["Gravity"]);
       check_friction(scene, in);
       check_histories(scene, in);
+      take_rotations(scene, in);
       return scene;
     }
   } // namespace

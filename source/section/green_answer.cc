@@ -2,6 +2,9 @@
 
 #include <lamella/section/green_answer.h>
 
+#include <algorithm>
+#include <cmath>
+
 namespace lamella
 {
   using namespace dealii;
@@ -95,16 +98,12 @@ namespace lamella
       for (unsigned int p = 0; p < points.size(); ++p)
         for (unsigned int a = 0; a < n; ++a)
           {
-            // D_s Phi and the twist hold all derivatives within the section.
-            const Voigt       &e     = points[p].in_plane[a];
-            const double       twist = points[p].twist[a];
-            const Tensor<1, 3> along_x({e[0], e[3], 0.5 * e[4] - twist}),
-              along_z({0.5 * e[4] + twist, e[5], e[2]});
+            const auto along = derivatives_of_field(points[p], a);
             for (unsigned int c = 0; c < 3; ++c)
               {
-                G(9 * p + c, a)         = along_x[c];
+                G(9 * p + c, a)         = along[0][c];
                 G(9 * p + 3 + c, n + a) = points[p].value[a][c];
-                G(9 * p + 6 + c, a)     = along_z[c];
+                G(9 * p + 6 + c, a)     = along[1][c];
               }
           }
       return G;
@@ -127,18 +126,6 @@ namespace lamella
             DG(first + r, b) += weight * D[r][s] * G(first + s, b);
     }
   } // namespace
-
-
-
-  Voigt
-  green_strain(const Gradient &H)
-  {
-    Voigt e = quadratic_strain(H);
-    for (unsigned int i = 0; i < 3; ++i)
-      for (unsigned int j = 0; j < 3; ++j)
-        e[place[i][j]] += H[i][j];
-    return e;
-  }
 
 
 
@@ -233,6 +220,33 @@ namespace lamella
             }
         }
     return result;
+  }
+
+
+
+  Stretch
+  GreenAnswer::largest(const FieldParts &q) const
+  {
+    Stretch found;
+    for (unsigned int k = 0; k < q[FieldPart::value].n(); ++k)
+      {
+        double area = 0., squares = 0.;
+        for (const Cell &cell : cells)
+          {
+            const std::vector<Gradient> H = gradients(cell, q, k);
+            for (unsigned int p = 0; p < H.size(); ++p)
+              {
+                const Stretch here   = stretch_of(H[p]);
+                const double  weight = cell.points[p].weight;
+                found.turn           = std::max(found.turn, here.turn);
+                found.strain         = std::max(found.strain, here.strain);
+                area += weight;
+                squares += weight * here.along * here.along;
+              }
+          }
+        found.along = std::max(found.along, std::sqrt(squares / area));
+      }
+    return found;
   }
 
 

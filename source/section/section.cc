@@ -108,6 +108,32 @@ namespace lamella
 
 
 
+  std::vector<double>
+  Section::turned(const Tensor<1, 3> &v, const std::vector<double> &q) const
+  {
+    // Fields are orthogonal in functions times components.
+    std::vector<Tensor<1, 3>> of_function(expansion->n_functions());
+    for (unsigned int alpha = 0; alpha < n_fields(); ++alpha)
+      for (const SectionField::Term &term : fields[alpha].terms)
+        of_function[term.function][term.component] += term.factor * q[alpha];
+    for (Tensor<1, 3> &u : of_function)
+      u = cross_product_3d(v, u);
+    std::vector<double> result;
+    for (const SectionField &field : fields)
+      {
+        double along = 0., norm = 0.;
+        for (const SectionField::Term &term : field.terms)
+          {
+            along += term.factor * of_function[term.function][term.component];
+            norm += term.factor * term.factor;
+          }
+        result.push_back(along / norm);
+      }
+    return result;
+  }
+
+
+
   namespace
   {
     /// D_s u of Eq. 5 for the derivatives of u.

@@ -389,8 +389,8 @@ namespace lamella
   require_linear_range(const BeyondLinear &found, const Structure &structure)
   {
     const std::string remedy =
-      ". The linear result is no approximation here: reduce the loads, or say "
-      "Beyond linear range = accept if you want it all the same.";
+      ". The linear result is no approximation here: take Rotations = large, "
+      "or reduce the loads; or say Beyond linear range = accept if you want it all the same.";
     if (found.stiffening > most_stiffening)
       throw NumericsError(
         "Large deflections: " + stiffening_in_words(found, structure) + remedy);

@@ -8,9 +8,9 @@ namespace lamella
 {
   using namespace dealii;
 
-  BodyForces::BodyForces(const Body &of)
+  BodyForces::BodyForces(const Body &of, const Vector &u)
     : body(of)
-    , rigid(of.rigid_motions())
+    , rigid(of.rigid_motions_at(u))
     , size(of.size())
   {}
 

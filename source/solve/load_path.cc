@@ -138,12 +138,12 @@ namespace lamella
 
 
 
-  Step::Step(ContactSolver                       &solver,
-             const std::vector<ContactInterface> &contacts,
-             const Contacts                      &lives,
-             const unsigned int                   n_supports,
-             const SolveParameters               &parameters,
-             TimerOutput                         &timer)
+  LinearStep::LinearStep(ContactSolver                       &solver,
+                         const std::vector<ContactInterface> &contacts,
+                         const Contacts                      &lives,
+                         const unsigned int                   n_supports,
+                         const SolveParameters               &parameters,
+                         TimerOutput                         &timer)
     : solver(solver)
     , structure(solver.tangent().of())
     , contacts(contacts)
@@ -157,9 +157,10 @@ namespace lamella
 
 
   SolvedStep
-  Step::operator()(const State      &before,
-                   const LoadFactor &factor,
-                   const bool        last) const
+  LinearStep::operator()(const State &before,
+                         const LoadFactor &,
+                         const LoadFactor &factor,
+                         const bool        last)
   {
     SolvedStep solved;
     solved.load_factor = factor;
@@ -181,9 +182,9 @@ namespace lamella
 
 
   Checks
-  Step::check(const State      &state,
-              const LoadFactor &factor,
-              const bool        last) const
+  LinearStep::check(const State      &state,
+                    const LoadFactor &factor,
+                    const bool        last)
   {
     Checks checks;
     {
@@ -215,11 +216,11 @@ namespace lamella
 
 
 
-  LoadPath::LoadPath(const Step                    &step,
+  LoadPath::LoadPath(std::shared_ptr<Step>          step,
                      const std::vector<LoadFactor> &factors,
                      const Substeps                &substeps,
                      const bool                     branches)
-    : step(step)
+    : step(std::move(step))
     , factors(factors)
     , substeps(substeps)
     , branches(branches)
@@ -228,12 +229,12 @@ namespace lamella
 
 
   void
-  LoadPath::resume(const unsigned int n_done, State state, const Checks &checks)
+  LoadPath::resume(const unsigned int n_done, State state)
   {
     AssertIndexRange(n_done - 1, factors.size());
     done       = n_done;
     last       = std::move(state);
-    last_force = largest_force(checks);
+    last_force = largest_force(step->check(last, factors[done - 1], false));
     store(factors[done - 1].of_scene(), last);
   }
 
@@ -244,16 +245,21 @@ namespace lamella
   {
     const LoadFactor &to  = factors[done],
                      from = done == 0 ? to.without_loads() : factors[done - 1];
-    SolvedStep solved =
-      n == 1 ? step(last, to) : step(last, to.after(from, 1. / n), false);
-    for (unsigned int k = 2; k <= n; ++k)
+    const auto part       = [&](const unsigned int k) {
+      return k == 0 ? from : k == n ? to : to.after(from, 1. * k / n);
+    };
+    SolvedStep   solved;
+    unsigned int iterations = 0, cuts = 0;
+    for (unsigned int k = 1; k <= n; ++k)
       {
-        const unsigned int iterations = solved.state.iterations;
-        solved                        = k == n ? step(solved.state, to) :
-                                                 step(solved.state, to.after(from, 1. * k / n), false);
-        solved.state.iterations += iterations;
+        solved =
+          (*step)(k == 1 ? last : solved.state, part(k - 1), part(k), k == n);
+        iterations += solved.state.iterations;
+        cuts += solved.cuts;
       }
-    solved.substeps = n;
+    solved.state.iterations = iterations;
+    solved.cuts             = cuts;
+    solved.substeps         = n;
     return solved;
   }
 
@@ -297,14 +303,16 @@ namespace lamella
   {
     // Of two that are as near the newer one: its rows are known.
     const State *from    = nullptr;
-    double       nearest = 0.;
+    double       nearest = 0., nearest_factor = 0.;
     for (const auto &[at, state] : stored)
       if (from == nullptr || std::abs(at - factor) <= nearest)
         {
-          from    = &state;
-          nearest = std::abs(at - factor);
+          from           = &state;
+          nearest        = std::abs(at - factor);
+          nearest_factor = at;
         }
-    SolvedStep solved = step(from == nullptr ? State() : *from, factor);
+    SolvedStep solved =
+      (*step)(from == nullptr ? State() : *from, nearest_factor, factor);
     store(factor, solved.state);
     return solved;
   }

@@ -2,6 +2,7 @@
 
 #include <lamella/base/exceptions.h>
 #include <lamella/base/text.h>
+#include <lamella/solve/contact_strategy.h>
 #include <lamella/solve/newton.h>
 
 #include <algorithm>
@@ -10,10 +11,32 @@
 
 namespace lamella
 {
+  namespace
+  {
+    const std::vector<ContactInterface> no_interfaces;
+    const Contacts                      no_contacts;
+  } // namespace
+
+
+
   Newton::Newton(const Structure        &structure,
                  const SolverKind        asked,
                  const NewtonParameters &parameters)
-    : structure(structure)
+    : Newton(structure,
+             MovingContacts(no_interfaces, no_contacts),
+             asked,
+             parameters)
+  {}
+
+
+
+  Newton::Newton(const Structure        &structure,
+                 const MovingContacts   &contacts,
+                 const SolverKind        asked,
+                 const NewtonParameters &parameters)
+    : progress([](const std::string &) {})
+    , structure(structure)
+    , contacts(contacts)
     , asked(asked)
     , parameters(parameters)
   {
@@ -27,30 +50,52 @@ namespace lamella
   Equilibrium
   Newton::at_rest(const LoadFactor &factor) const
   {
-    Equilibrium state;
-    state.u      = structure.zero();
-    state.factor = factor.without_loads();
-    return state;
+    Equilibrium at;
+    at.state.u = structure.zero();
+    at.state.force.assign(contacts.rows().size(), 0.);
+    at.factor = factor.without_loads();
+    return at;
   }
 
 
 
-  std::optional<double>
-  Newton::share_left(const BlockVector &r,
-                     const LoadFactor  &factor,
-                     const double       began) const
+  BlockVector
+  Newton::unbalanced(const State &state, const LoadFactor &factor) const
+  {
+    BlockVector r = structure.residual(state.u, factor);
+    contacts.add_forces(state, r);
+    return r;
+  }
+
+
+
+  bool
+  Newton::measure(const BlockVector &r,
+                  const LoadFactor  &factor,
+                  double            &began,
+                  Equilibrium       &at) const
   {
     const BlockVector load     = structure.load(factor);
     BlockVector       internal = load, left = r;
+    contacts.add_forces(at.state, internal);
     internal -= r;
     structure.condense(left);
     const double norm = left.l2_norm();
-    // Written so that what is not a number is nothing.
-    if (!(norm <= parameters.diverged * began))
-      return std::nullopt;
-    return norm <= parameters.nothing * began ?
-             0. :
-             norm / std::max(internal.l2_norm(), load.l2_norm());
+    // From rest, where nothing but an obstacle moves, there was nothing.
+    if (began == 0.)
+      began = norm;
+    at.residual  = norm <= parameters.nothing * began ?
+                     0. :
+                     norm / std::max(internal.l2_norm(), load.l2_norm());
+    at.law_error = contacts.law_error(at.state, factor);
+    progress("iteration " + std::to_string(at.state.iterations) + ": " +
+             to_text(at.residual, 2) + " of the forces unbalanced" +
+             (contacts.none() ?
+                "" :
+                ", " + std::to_string(at.state.active.size()) +
+                  " rows active, gaps off by " + to_text(at.law_error, 2)));
+    // Written so that what is not a number is beyond all bounds.
+    return norm <= parameters.diverged * began;
   }
 
 
@@ -69,41 +114,107 @@ namespace lamella
 
 
   bool
-  Newton::step(const LoadFactor &to,
-               const bool        predicted,
-               Equilibrium      &state) const
+  Newton::keeps_law(const Equilibrium &at) const
   {
-    BlockVector moved = structure.particular(to), correction;
-    moved -= structure.particular(state.factor);
-    BlockVector r = structure.residual(state.u, to);
-    if (moved.l2_norm() > 0.)
-      r -= Linearisation(structure, state.u).apply(moved);
-    const double began  = r.l2_norm();
-    double       before = std::numeric_limits<double>::max();
+    return at.law_error <= std::max(parameters.law * at.state.u.linfty_norm(),
+                                    parameters.touching * structure.size());
+  }
+
+
+
+  BlockVector
+  Newton::correct(const BlockVector &r,
+                  const BlockVector &moved,
+                  const BlockVector &correction,
+                  const LoadFactor  &to,
+                  State             &state) const
+  {
+    const Linearisation about(structure, state.u, asked, monitor, correction);
+    BlockVector         du = about.solve(r);
+    du += moved;
+    state.u += du;
+    if (contacts.none())
+      return du;
+    ContactProblem problem;
+    for (const GapRow &row : contacts.rows())
+      problem.gap.push_back(row.gap(state.u, to));
+    problem.force = problem.estimate = state.force;
+    problem.start                    = state.active;
+    problem.closed                   = parameters.touching * structure.size();
+    const ContactSolution found =
+      make_strategy(Strategy::condensed, about, contacts.rows())
+        ->settle(problem, [this, rounds = 0u](const Round &round) mutable {
+          if (++rounds > parameters.max_iterations)
+            throw NumericsError("The contact did not settle in " +
+                                std::to_string(rounds - 1) + " rounds.");
+          if (!round.changed.empty())
+            progress("  contact: " + std::to_string(round.active) +
+                     " rows active, " + std::to_string(round.changed.size()) +
+                     " change");
+        });
+    if (found.force.empty())
+      return du;
+    state.force  = found.force;
+    state.active = found.active;
+    state.u += found.du;
+    du += found.du;
+    return du;
+  }
+
+
+
+  Newton::Beginning
+  Newton::beginning(const LoadFactor &to, const Equilibrium &at) const
+  {
+    Beginning result;
+    result.moved = structure.particular(to);
+    result.moved -= structure.particular(at.factor);
+    result.r = unbalanced(at.state, to);
+    if (result.moved.l2_norm() > 0.)
+      result.r -= Linearisation(structure, at.state.u).apply(result.moved);
+    // An obstacle that moves leaves the start in equilibrium.
+    result.size = std::max({result.r.l2_norm(),
+                            structure.load(to).l2_norm(),
+                            structure.internal_forces(at.state.u).l2_norm()});
+    return result;
+  }
+
+
+
+  bool
+  Newton::step(const LoadFactor &to, const bool predicted, Equilibrium &at)
+  {
+    State &state = at.state;
+    contacts.move(state, at.factor);
+    auto [moved, r, began] = beginning(to, at);
+    BlockVector  correction;
+    double       before   = std::numeric_limits<double>::max();
+    unsigned int pairings = 0;
     for (unsigned int k = 0; k < parameters.max_iterations; ++k)
       {
         ++state.iterations;
-        correction = Linearisation(structure,
-                                   state.u,
-                                   asked,
-                                   {},
-                                   predicted ? correction : BlockVector())
-                       .solve(r);
-        if (k == 0)
-          correction += moved;
-        state.u += correction;
+        const std::vector<unsigned int> were_active = state.active;
+        correction =
+          correct(r, moved, predicted ? correction : BlockVector(), to, state);
+        moved = 0.;
 
-        r               = structure.residual(state.u, to);
-        const auto left = share_left(r, to, began);
-        if (!left)
+        contacts.move(state, to);
+        r = unbalanced(state, to);
+        if (!measure(r, to, began, at))
           return false;
-        if (is_equilibrium(*left, before, correction.linfty_norm()))
+        if (is_equilibrium(at.residual, before, correction.linfty_norm()) &&
+            state.active == were_active && keeps_law(at))
           {
-            state.factor   = to;
-            state.residual = *left;
-            return true;
+            if (contacts.none() || !contacts.see_what_touches(state, to))
+              {
+                at.factor = to;
+                return true;
+              }
+            if (++pairings > parameters.max_pairings)
+              return false;
+            r = unbalanced(state, to);
           }
-        before = *left;
+        before = at.residual;
       }
     return false;
   }
@@ -111,54 +222,64 @@ namespace lamella
 
 
   bool
-  Newton::attempt(const LoadFactor &to, Equilibrium &state) const
+  Newton::attempt(const LoadFactor &to, Equilibrium &at)
   {
-    const Equilibrium before     = state;
-    unsigned int      iterations = state.iterations;
+    const Equilibrium   before = at;
+    const PressedPlaces pressed(contacts.interfaces(), before.state);
+    const auto          back = [&] {
+      const unsigned int iterations = at.state.iterations;
+      at                            = before;
+      at.state.iterations           = iterations;
+      pressed.give(contacts.interfaces(), at.state);
+    };
     for (const bool predicted : {true, false})
       {
-        state            = before;
-        state.iterations = iterations;
         try
           {
-            if (step(to, predicted, state))
+            if (step(to, predicted, at))
               return true;
           }
-        catch (const NumericsError &)
-          {}
-        iterations = state.iterations;
+        catch (const NumericsError &error)
+          {
+            last_failure = error.what();
+            progress(last_failure);
+          }
+        back();
       }
-    state            = before;
-    state.iterations = iterations;
     return false;
   }
 
 
 
   Equilibrium
-  Newton::advance(const Equilibrium &start, const LoadFactor &to) const
+  Newton::advance(const Equilibrium &start, const LoadFactor &to)
   {
-    Equilibrium state = start;
-    state.iterations = state.cuts = 0;
+    Equilibrium at      = start;
+    at.state.iterations = at.cuts = 0;
     // How far it is, and how far the next step is to go.
     double done = 0., way = 1.;
     while (done < 1.)
       {
         const double     next   = std::min(1., done + way);
         const LoadFactor target = next < 1. ? to.after(start.factor, next) : to;
-        if (attempt(target, state))
+        if (attempt(target, at))
           {
             done = next;
             continue;
           }
         way /= 2.;
-        if (++state.cuts > parameters.max_cuts)
+        if (++at.cuts > parameters.max_cuts)
           throw NumericsError(
-            "No equilibrium was found beyond the share " + to_text(done, 4) +
-            " of the way to load factor " + to_text(to.of_scene()) +
-            ": the loads may pass a limit there. Prescribe a displacement in "
-            "place of them.");
+            "No stable equilibrium was found beyond load factor " +
+            to_text(at.factor.of_scene(), 6) + ", on the way to " +
+            to_text(to.of_scene(), 6) +
+            ": the loads may pass a limit there, or a column may buckle. "
+            "Prescribe a displacement in place of loads, or give the structure "
+            "the imperfection that it has." +
+            (last_failure.empty() ? "" : " (" + last_failure + ")"));
+        progress("no convergence: a step of " + to_text(way, 4) +
+                 " of the way is tried");
       }
-    return state;
+    return at;
   }
 } // namespace lamella

@@ -15,6 +15,33 @@ namespace lamella
   {
     // What nobody waits for.
     constexpr unsigned int most_iterations = 1000000;
+
+
+
+    void
+    declare_solver(ParameterHandler &prm)
+    {
+      prm.declare_entry(
+        "Linear solver",
+        "auto",
+        selection<SolverKind>(),
+        "auto: on one process cholmod, or dense blocks for beams of SV and "
+        "SV-N, mumps on several, cg for large solids; cholmod, mumps: factorise; "
+        "cg: conjugate gradients with algebraic multigrid, for solids, with "
+        "little memory.");
+      prm.declare_entry(
+        "Memory limit",
+        "auto",
+        Anything(),
+        "What a run may take on each machine, as in 2 GB; auto: "
+        "what the machine has. A scene that needs more is "
+        "refused before it takes it.");
+      prm.declare_entry("Maximum iterations",
+                        "50",
+                        patterns::number(),
+                        "Newton iterations of a load step before it fails; a "
+                        "scene that needs more wants smaller steps.");
+    }
   } // namespace
 
 
@@ -35,31 +62,20 @@ namespace lamella
                       "is done, or auto, as many (to 64) as it takes until "
                       "twice as many change forces, displacements and "
                       "dissipated energy by less than 1 %; auto 0.1: 0.1 %.");
+    prm.declare_entry(
+      "Rotations",
+      "linear",
+      selection<Rotations>(),
+      "linear: displacements and rotations are small, as in the paper; large: "
+      "bodies turn by any angle and slide on each other by any distance, at "
+      "small strains: for LE-N and TE-N from TE-2 on, with Axis element = B4.");
     prm.declare_entry("Contact strategy",
                       "condensed",
                       selection<Strategy>(),
                       "condensed: factorise once, contact on the compliance of "
                       "its rows; full: assemble and factorise K + K^p in each "
                       "iteration, as in the paper. Same results.");
-    prm.declare_entry(
-      "Linear solver",
-      "auto",
-      selection<SolverKind>(),
-      "auto: on one process cholmod, or dense blocks for beams of SV and "
-      "SV-N, mumps on several, cg for large solids; cholmod, mumps: factorise; "
-      "cg: conjugate gradients with algebraic multigrid, for solids, with "
-      "little memory.");
-    prm.declare_entry("Memory limit",
-                      "auto",
-                      Anything(),
-                      "What a run may take on each machine, as in 2 GB; auto: "
-                      "what the machine has. A scene that needs more is "
-                      "refused before it takes it.");
-    prm.declare_entry("Maximum iterations",
-                      "50",
-                      patterns::number(),
-                      "Newton iterations of a load step before it fails; a "
-                      "scene that needs more wants smaller steps.");
+    declare_solver(prm);
     prm.declare_entry("Rotation limit",
                       "0.5",
                       patterns::positive(),
@@ -116,6 +132,7 @@ namespace lamella
     if (parameters.load_factors.empty())
       in["Load factors"].is_missing("give one number a load step.");
     parameters.substeps     = parse_substeps(in["Substeps"]);
+    parameters.rotations    = in["Rotations"].choice<Rotations>();
     parameters.strategy     = in["Contact strategy"].choice<Strategy>();
     const Entry solver      = in["Linear solver"];
     parameters.solver       = solver.choice<SolverKind>();
@@ -127,8 +144,9 @@ namespace lamella
                     "Choose auto, or the condensed strategy.");
     parameters.loop.max_iterations =
       in["Maximum iterations"].whole(1, most_iterations);
-    parameters.rotation_limit = in["Rotation limit"].positive();
-    parameters.beyond_linear  = in["Beyond linear range"].choice<OutOfRange>();
+    parameters.newton.max_iterations = parameters.loop.max_iterations;
+    parameters.rotation_limit        = in["Rotation limit"].positive();
+    parameters.beyond_linear = in["Beyond linear range"].choice<OutOfRange>();
     return parameters;
   }
 } // namespace lamella

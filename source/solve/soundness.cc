@@ -23,6 +23,11 @@ namespace lamella
     constexpr double worth_failing = 0.1, worth_saying = 1e-3;
     // Of the displacements; rows that average this much of the gap away.
     constexpr double large_averaging = 1e-2;
+    // From where on the difference between one elastic law of small strains
+    // and another shows, and from where on none is to be trusted; and the turn
+    // of an element [rad] that B4 with four points loses 1 % to.
+    constexpr double worth_naming = 0.01, large_strain = 0.05,
+                     large_element_turn = 20. * dealii::numbers::PI / 180.;
     // What displacements and gaps of a trusted result may be off by.
     constexpr double sound = 1e-6;
     // Forces come out of displacements that are held in doubles, which leaves
@@ -113,6 +118,24 @@ namespace lamella
 
 
 
+  namespace
+  {
+    void
+    require_small_strain(const Checks &checks)
+    {
+      // At corners and below lines that press a mesh finds any strain that it
+      // is fine enough for; what sections stretch and bend by tells.
+      if (!(checks.max_mean_strain <= large_strain))
+        throw NumericsError(
+          "Strains reach " + to_text(100. * checks.max_mean_strain, 3) +
+          " % along an axis, in the mean of a section, and the law of these materials, linear "
+          "in Green's strain, is made for " +
+          to_text(100. * large_strain, 2) + " % at most. Reduce the loads.");
+    }
+  } // namespace
+
+
+
   void
   require_sound(const State  &state,
                 const Checks &checks,
@@ -126,12 +149,14 @@ namespace lamella
     if (!std::isfinite(checks.max_rotation) || !std::isfinite(checks.energy))
       throw NumericsError("The solution is not a finite number. Check the "
                           "loads and the materials.");
-    if (checks.max_rotation > rotation_limit)
+    if (checks.is_large)
+      require_small_strain(checks);
+    else if (checks.max_rotation > rotation_limit)
       throw NumericsError(
         "Rotations reach " + to_text(checks.max_rotation, 3) +
         " rad, beyond Rotation limit = " + to_text(rotation_limit) +
-        ": linear kinematics does not describe this scene. Reduce the loads, "
-        "or raise the limit if you want the linear result all the same.");
+        ": linear kinematics does not describe this scene. Take Rotations = "
+        "large, or reduce the loads; or raise the limit if you want the linear result all the same.");
   }
 
 
@@ -142,6 +167,7 @@ namespace lamella
     add_contact_warnings(const ContactInterface   &contact,
                          const KuhnTucker         &kkt,
                          const double              displacement,
+                         const bool                is_large,
                          std::vector<std::string> &warnings)
     {
       const std::string what = "contact " + contact.name + ": ";
@@ -151,6 +177,9 @@ namespace lamella
           ", " + to_text(100. * kkt.max_penetration / displacement, 2) +
           " % of the displacements: a result of the penalty as "
           "much as of the bodies; raise it, or take Enforcement = exact");
+      // Rows that move have no gap of the start.
+      if (is_large)
+        return;
       if (kkt.averaged_away > large_averaging * displacement)
         warnings.push_back(
           what + "gaps averaged over elements are up to " +
@@ -168,6 +197,53 @@ namespace lamella
                            "the bodies overlap from the start by up to " +
                            to_text(-smallest, 3) + " and are pushed apart");
     }
+
+
+
+    /// Of how far the theory carries.
+    void
+    add_warnings_of_rotations(const Checks             &checks,
+                              std::vector<std::string> &warnings)
+    {
+      if (checks.max_rotation > linear_rotation)
+        warnings.push_back(
+          "rotations reach " + to_text(checks.max_rotation, 3) +
+          " rad, where linear kinematics makes the shape longer by rotation^2 / "
+          "2 = " +
+          to_text(50. * checks.max_rotation * checks.max_rotation, 2) +
+          " %; read the results as those of a linear model");
+    }
+
+
+
+    /// Of bodies that turn.
+    void
+    add_warnings_of_turns(const Checks             &checks,
+                          std::vector<std::string> &warnings)
+    {
+      if (checks.max_strain > large_strain)
+        warnings.push_back(
+          "strains reach " + to_text(100. * checks.max_strain, 3) +
+          " % somewhere (" + to_text(100. * checks.max_mean_strain, 2) +
+          " % along an axis, in the mean of a section): at corners and below "
+          "lines that bear a force they are what the mesh is fine enough for, "
+          "and stresses there say nothing");
+      else if (checks.max_strain > worth_naming)
+        warnings.push_back(
+          "strains reach " + to_text(100. * checks.max_strain, 3) +
+          " %: a law that is linear in Green's strain and one that is linear "
+          "in the stretch differ by " +
+          to_text(150. * checks.max_strain, 2) +
+          " % in the stress there, and materials by what nobody has measured");
+      if (checks.max_element_turn > large_element_turn)
+        warnings.push_back(
+          "an element of an axis turns by " +
+          to_text(checks.max_element_turn * 180. / dealii::numbers::PI, 3) +
+          " degrees from end to end, which it follows to some per cent only: " +
+          to_text(
+            std::ceil(checks.max_element_turn / (large_element_turn / 2.)), 3) +
+          " times as many there would turn by 10");
+    }
   } // namespace
 
 
@@ -182,14 +258,12 @@ namespace lamella
       add_contact_warnings(contacts[k],
                            checks.contacts[k],
                            checks.max_displacement,
+                           checks.is_large,
                            warnings);
-    if (checks.max_rotation > linear_rotation)
-      warnings.push_back(
-        "rotations reach " + to_text(checks.max_rotation, 3) +
-        " rad, where linear kinematics makes the shape longer by rotation^2 / 2 "
-        "= " +
-        to_text(50. * checks.max_rotation * checks.max_rotation, 2) +
-        " %; read the results as those of a linear model");
+    if (checks.is_large)
+      add_warnings_of_turns(checks, warnings);
+    else
+      add_warnings_of_rotations(checks, warnings);
     if (checks.stabilisation_share > worth_saying)
       warnings.push_back(
         "stabilising springs hold " +

@@ -245,6 +245,16 @@ namespace lamella
 
 
   bool
+  Structure::turns() const
+  {
+    return std::any_of(all_bodies.begin(),
+                       all_bodies.end(),
+                       [](const auto &body) { return body->turns(); });
+  }
+
+
+
+  bool
   Structure::is_heated() const
   {
     return std::any_of(all_bodies.begin(),

@@ -116,6 +116,12 @@ namespace lamella
     , base(fingerprint(overrides))
     , quantities(scene.trade.quantities)
   {
+    if (scene.solve.rotations == Rotations::large)
+      throw InputError(
+        "Rotations",
+        name_of(scene.solve.rotations),
+        "a trade compares theories most of which cannot turn yet",
+        "Run it with Rotations = linear.");
     if (quantities.empty() && scene.trade.whole_probes.empty())
       throw InputError("Trade/Quantities",
                        "",

@@ -320,6 +320,12 @@ namespace lamella
     virtual SectionForces
     section_forces(const SectionAnswer &answer, const FieldParts &q) const;
 
+    /// The fields of @p u at @p point of the section, at @p on_axis.
+    virtual FieldSample
+    sample_at(const SectionPoint &point,
+              const AxisPoint    &on_axis,
+              const Vector       &u) const;
+
   private:
     friend class BeamSecondOrder;
 

@@ -239,7 +239,12 @@ namespace lamella
     double energy = 0.;
     /// The largest |curl u| / 2 at the integration points, in rad. The theory
     /// is that of small rotations; solve/checks.h warns or fails beyond them.
+    /// Of a body that turns (Body::turns()) the largest angle.
     double max_rotation = 0.;
+    /// Of a body that turns the largest principal value of Green's strain, the
+    /// largest root mean square over a section of that along the axis, and the
+    /// largest turn from one end of an element to the other [rad].
+    double max_strain = 0., max_mean_strain = 0., max_element_turn = 0.;
   };
 
   /// A rigid motion as amplitudes: three translations along the scene's axes
@@ -389,6 +394,26 @@ namespace lamella
      */
     virtual std::vector<Vector>
     rigid_motions() const = 0;
+
+    /// The same of the body where @p u has moved it, for forces whose moments
+    /// are those about places where they act now,
+    ///   e_m   and   e_m x (X + u - centre()).
+    /// Here, where displacements are small, rigid_motions().
+    virtual std::vector<Vector>
+    rigid_motions_at(const Vector &) const
+    {
+      return rigid_motions();
+    }
+
+    /// Whether the body turns by any angle: its internal forces are not linear
+    /// in displacements and act where these have moved it, and strains and
+    /// stresses of samples are in axes that turn with the material. Rows of
+    /// strains and stresses it has none.
+    virtual bool
+    turns() const
+    {
+      return false;
+    }
 
     /// Those rigid motions that the theory's displacements do not contain (EBBT
     /// and TBT cannot turn about their axis): nothing needs to hold them, and

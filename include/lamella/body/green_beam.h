@@ -14,9 +14,13 @@ namespace lamella
    * Piola-Kirchhoff stress (GreenAnswer), integrated over the undeformed body,
    *   f_(i,alpha) = int N_i W_0,alpha + N_i' W_1,alpha dy,
    * and its tangent is their derivative. At u = 0 that is the stiffness of the
-   * Beam. Displacements add up as ever: rows, supports and dead loads are those
-   * of the Beam. Strains, stresses and rotations at points, pictures and
-   * second_order() are still those of small rotations.
+   * Beam. Displacements add up as ever: rows of displacements, supports and
+   * dead loads are those of the Beam.
+   *
+   * Samples have Green's strain E, and as stress R^T sigma R, Cauchy's in axes
+   * that turn with the material (PolarDecomposition): where nothing turns these
+   * are the body's axes, and ply axes turn along, so that both mean what they
+   * do of a Beam. second_order() is that of small rotations.
    *
    * With B4 alone and for theories whose strains are those of their
    * displacements (LE, TE-2 and up).
@@ -30,6 +34,25 @@ namespace lamella
               std::shared_ptr<const Section> section,
               std::shared_ptr<const Axis>    axis,
               const Placement               &placement);
+
+    bool
+    turns() const override
+    {
+      return true;
+    }
+    std::vector<Vector>
+    rigid_motions_at(const Vector &u) const override;
+    Deformation
+    deformation(const Vector &u) const override;
+    /// Point by point.
+    std::vector<OutputCell>
+    cut(const double       position,
+        const unsigned int n,
+        const Vector      &u) const override;
+    void
+    for_each_output_cell(const GridIntervals   &n,
+                         const Vector          &u,
+                         const UseOfOutputCell &use) const override;
 
     StiffnessTerms
     tangent_terms(const Vector                  &u,
@@ -52,8 +75,23 @@ namespace lamella
     SectionForces
     section_forces(const SectionAnswer &answer,
                    const FieldParts    &q) const override;
+    FieldSample
+    sample_at(const SectionPoint &point,
+              const AxisPoint    &on_axis,
+              const Vector       &u) const override;
 
   private:
+    /// H of @p u at @p point of the section, at @p on_axis.
+    Gradient
+    gradient(const SectionPoint &point,
+             const AxisPoint    &on_axis,
+             const Vector       &u) const;
+
+    /// How far the middle of the section turns from one end of the axis element
+    /// @p cell to the other [rad].
+    double
+    turn_along(const unsigned int cell, const Vector &u) const;
+
     /// Calls @p use with the derivative of the forces at @p u, with the stress
     /// that the @p correction predicted, block by block: one for each own
     /// element of the axis and cell of the section.

@@ -42,6 +42,8 @@ namespace lamella
     /// Whether rigid motions that nothing acts against are taken out, and those
     /// that contact may hold get springs (conditions/hold.h).
     bool is_held = false;
+    /// Whether it may turn by any angle (GreenBeam).
+    bool turns = false;
     /// Of a solid: how often its hexahedra are divided. Beams ignore it. The
     /// memory limit in it is set by make_bodies().
     SolidRefinement refinement;

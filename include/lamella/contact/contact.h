@@ -6,6 +6,7 @@
 #include <lamella/contact/contact_sides.h>
 #include <lamella/contact/gap_integrals.h>
 #include <lamella/contact/gap_rows.h>
+#include <lamella/contact/roller_lines.h>
 #include <lamella/contact/search_check.h>
 
 #include <array>
@@ -57,8 +58,8 @@ namespace lamella
    *
    * The interface belongs to a list of the scene that everybody reads; it is
    * the one that is written here. Its numbers of rows change in pair() only; so
-   * views of rows outlive move(). Its points stay in the undeformed scene (they
-   * say which places face each other), their normals are those of the state.
+   * views of rows outlive move(). Its points are places of the undeformed scene
+   * that face each other in the state, their normals are those of the state.
    *
    * Refers to the bodies and the interface, which have to live longer.
    * Collective in nothing: every process does the same.
@@ -145,6 +146,15 @@ namespace lamella
     /// is one point, its node.
     void
     find_points();
+    /// Of a contact along the line of a roller, whose rows @p interface are
+    /// those of nodes: keeps one a line. Nothing of all others.
+    void
+    keep_lines();
+    /// Says of each row where its point is and what that faces, undeformed: the
+    /// place opposite of the point that weighs most in it. Against an obstacle
+    /// only the former.
+    void
+    name_places();
     /// Integrates over @p on, points of this contact or copies of them.
     std::vector<GapIntegrals>
     integrate(const ContactSides    &sides,
@@ -183,9 +193,13 @@ namespace lamella
 
     ContactSides      undeformed;
     ContactInterface &interface;
-    const double      reach;
-    SearchCheck       search;
+    /// Of bodies that turn the given one counts when they are paired at first:
+    /// what has moved is sought as far as any body is long.
+    double      reach;
+    SearchCheck search;
 
+    /// Of a line to a roller.
+    std::unique_ptr<RollerLines> lines;
     /// Where the gaps are measured. Empty until somebody moves.
     std::vector<GapPoint> points;
     /// Of the state that the rows are of. Empty until somebody moves, or asks

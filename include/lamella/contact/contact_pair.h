@@ -19,11 +19,13 @@ namespace lamella
   enum class Discretisation
   {
     undefined,
-    automatic,         ///< node to node where all nodes match, else surface to
-                       ///< surface: make_interface() decides
-    node_to_node,      ///< nodes that face each other
-    node_to_surface,   ///< nodes of one side against the other side's surface
-    surface_to_surface ///< gaps averaged with hat functions of one side
+    automatic,          ///< node to node where all nodes match, else surface to
+                        ///< surface: make_interface() decides
+    node_to_node,       ///< nodes that face each other
+    node_to_surface,    ///< nodes of one side against the other side's surface
+    surface_to_surface, ///< gaps averaged with hat functions of one side
+    line_to_roller ///< of beams that turn the line that is nearest to the axis
+                   ///< of a cylinder, a row a station along that
   };
 
   template <>
@@ -33,7 +35,8 @@ namespace lamella
       {Discretisation::automatic, "auto"},
       {Discretisation::node_to_node, "node to node"},
       {Discretisation::node_to_surface, "node to surface"},
-      {Discretisation::surface_to_surface, "surface to surface"}};
+      {Discretisation::surface_to_surface, "surface to surface"},
+      {Discretisation::line_to_roller, "line to roller"}};
   };
 
   /// What becomes of bodies that overlap from the start. An overlap is g_init <

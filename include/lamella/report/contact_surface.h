@@ -65,6 +65,10 @@ namespace lamella
               const std::vector<ContactRow> &rows) const;
 
   private:
+    /// Of each point its place on the body that carries it.
+    std::vector<Location>
+    places_of_points() const;
+
     const ContactInterface &contact;
     const Structure        &structure;
     /// quadrilaterals() and lone_points().

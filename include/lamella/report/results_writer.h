@@ -97,6 +97,9 @@ namespace lamella
     /// writes them anew.
     void
     write_tables(const Results &results);
+    /// Of all contacts, as they are paired.
+    void
+    make_surfaces();
     /// The bodies, the contacts' surfaces, and the collections with them.
     void
     write_vtu_files(const StepResults &step);

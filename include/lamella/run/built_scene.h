@@ -92,6 +92,20 @@ namespace lamella
       return gap_rows;
     }
 
+    /// Takes the view anew: where contacts were paired anew, which gives them
+    /// other rows.
+    void
+    number_rows()
+    {
+      gap_rows = GapRows(contacts);
+    }
+
+    /// Says in @p found, which has them already, what contacts are paired like
+    /// now: numbers of rows and of points without a partner, and what carries
+    /// them. Gaps of the start stay.
+    void
+    tell_pairs(std::vector<ContactFacts> &found) const;
+
     /// The lives of the contacts, each of which writes its interface.
     const Contacts &
     contact_lives() const

@@ -105,7 +105,8 @@ namespace lamella
       return *built;
     }
 
-    /// What solves it, which is there once solve() was called.
+    /// What solves it, which is there once solve() was called: of linear
+    /// kinematics.
     ContactSolver &
     contact_solver() const
     {
@@ -140,6 +141,12 @@ namespace lamella
     /// does load steps.
     void
     prepare();
+    /// What does the steps of linear kinematics, with the solver that it makes,
+    /// and that of large rotations, which makes solvers as it goes.
+    std::unique_ptr<Step>
+    make_linear_step(const MemoryBudget &budget);
+    std::unique_ptr<Step>
+    make_large_step(const MemoryBudget &budget);
     void
     make_solver(const MemoryBudget &budget);
     /// The stiffness with what solves with each body; tells how large a factor
@@ -149,7 +156,7 @@ namespace lamella
     /// The state at load factor zero of heated bodies: what stays of the
     /// stresses when loads grow. Null where nobody asks.
     std::shared_ptr<const BlockVector>
-    cured_state(const Step &step);
+    cured_state(Step &step);
     /// Gives the last of the steps that an earlier run has solved, of which
     /// there are the state and what was said of it, its checks and rows again:
     /// there is something to be done with it though no step is left.
@@ -173,7 +180,7 @@ namespace lamella
     dealii::Timer       wall;
 
     /// Each refers to those above it; those below `built` are null before
-    /// prepare().
+    /// prepare(), and `solver` where bodies turn by any angle.
     std::unique_ptr<BuiltScene>    built;
     std::unique_ptr<ContactSolver> solver;
     std::unique_ptr<StepRecorder>  recorder;

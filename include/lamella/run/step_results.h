@@ -43,6 +43,11 @@ namespace lamella
     trial(const SolvedStep &solved, std::vector<PlyReserve> &plies) const;
 
   private:
+    /// Whether @p row of @p contact was pressed in the @p previous state.
+    bool
+    has_touched(const State       &previous,
+                const unsigned int contact,
+                const unsigned int row) const;
     /// The pairs of all contacts, into @p results.
     void
     take_contacts(const SolvedStep &solved,
@@ -56,6 +61,9 @@ namespace lamella
     /// (small sliding, collinear normals).
     std::vector<std::string>
     warnings(const SolvedStep &solved) const;
+    /// Of bodies that turn, where rollers touch them at few points.
+    std::vector<std::string>
+    warnings_of_rollers(const SolvedStep &solved) const;
     /// What the holds of bodies bear where contact forces do not balance in
     /// motions that they take out.
     std::vector<std::string>

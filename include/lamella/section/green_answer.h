@@ -3,6 +3,7 @@
 #ifndef lamella_section_green_answer_h
 #define lamella_section_green_answer_h
 
+#include <lamella/section/finite_strain.h>
 #include <lamella/section/section_answer.h>
 
 #include <functional>
@@ -10,16 +11,6 @@
 
 namespace lamella
 {
-  /// The gradient of a displacement in the body's axes, a row a direction:
-  /// H[i][c] = d u_c / d x_i.
-  using Gradient = dealii::Tensor<2, 3>;
-
-  /// Green's strain of the gradient @p H,
-  ///   E_ij = (H_ij + H_ji + sum_c H_ic H_jc) / 2,
-  /// in the order of Voigt, shears twice.
-  Voigt
-  green_strain(const Gradient &H);
-
   /**
    * What a section answers to its fields where they turn by any angle: Total
    * Lagrange, by the points of the section. With the gradient of the
@@ -45,6 +36,11 @@ namespace lamella
     /// Of all fields of the section, at the stations of @p q.
     SectionForces
     forces(const FieldParts &q) const;
+
+    /// The largest at the points and of the means over the section, at the
+    /// stations of @p q.
+    Stretch
+    largest(const FieldParts &q) const;
 
     /// Of each cell of the section its fields, in the order of for_each_cell().
     std::vector<const std::vector<unsigned int> *>

@@ -153,6 +153,12 @@ namespace lamella
       return fields[alpha];
     }
 
+    /// The coefficients of v x u, @p v in the body's axes, where those of u are
+    /// @p q, one for each field: what a turn about v does to a section that has
+    /// moved. Of theories with all linear fields.
+    std::vector<double>
+    turned(const dealii::Tensor<1, 3> &v, const std::vector<double> &q) const;
+
     /// The degree of the functions of the field @p alpha
     /// (CrossSectionElement::function_degree()). Where they are hierarchical by
     /// degree it ascends with alpha.

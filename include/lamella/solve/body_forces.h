@@ -39,7 +39,8 @@ namespace lamella
   class BodyForces
   {
   public:
-    explicit BodyForces(const Body &of);
+    /// On @p of where @p u has moved it (Body::rigid_motions_at()).
+    BodyForces(const Body &of, const Vector &u);
 
     /// Force and moment about the body's centre of what does the work
     /// work(m) on a motion m of its degrees of freedom.

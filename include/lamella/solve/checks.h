@@ -56,6 +56,12 @@ namespace lamella
     /// The largest rotation, in rad, over all bodies. The linear strain (Eq. 5)
     /// misses about half its square.
     double max_rotation = 0.;
+    /// Whether bodies turn by any angle. Then reactions, moments and balances
+    /// are those at the places where the bodies are now, the work and the
+    /// balance of energy are not looked at, and there are the numbers of
+    /// Deformation.
+    bool   is_large   = false;
+    double max_strain = 0., max_mean_strain = 0., max_element_turn = 0.;
     /// What large deflections would change; not looked at by check_state(),
     /// which solves nothing.
     BeyondLinear beyond;

@@ -25,7 +25,8 @@ namespace lamella
     BlockVector u;
     /// Of each body: the largest displacement of the linear solution without
     /// contact, at the same load factor; empty where stabilising springs hold a
-    /// body, which moves far without contact.
+    /// body, which moves far without contact. Of bodies that turn a hundred
+    /// times the largest on the way to it.
     std::vector<double> free_sizes;
     /// Of each gap row: the contact force lambda, positive in compression; zero
     /// in rows that are not active. It loads the bodies with B^T lambda.

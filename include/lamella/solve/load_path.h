@@ -10,6 +10,7 @@
 
 #include <deal.II/base/timer.h>
 
+#include <memory>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -28,6 +29,8 @@ namespace lamella
     /// the last doubling changed it (change_of()).
     unsigned int          substeps = 1;
     std::optional<double> change   = {};
+    /// How often it was halved on the way.
+    unsigned int cuts = 0;
   };
 
   /**
@@ -45,46 +48,65 @@ namespace lamella
             const State      &before,
             const double      before_force = 0.);
 
+  /// A load step of a scene: from a state to the state at a load factor, and
+  /// the checks of that. Which kinematics it has nobody need know. Collective.
+  class Step
+  {
+  public:
+    virtual ~Step() = default;
+
+    /// From @p before, empty where there is none, which is that of the factors
+    /// @p from, to @p to. Throws NumericsError for what cannot be solved or is
+    /// not to be trusted. One that is not the @p last of its load step is not
+    /// held against large deflections.
+    virtual SolvedStep
+    operator()(const State      &before,
+               const LoadFactor &from,
+               const LoadFactor &to,
+               const bool        last = true) = 0;
+
+    /// The checks of @p state, which is one at @p factor. Throws as above.
+    virtual Checks
+    check(const State      &state,
+          const LoadFactor &factor,
+          const bool        last = true) = 0;
+  };
+
   /**
-   * A load step of a scene: from a state to the state at a load factor.
+   * The step of linear kinematics:
    *   1. The linear solution without contact (ContactSolver::solve_free()),
    *   2. contact on top of it, from the active rows of the state before, and
    *      the release of stabilising springs,
    *   3. checks, which throw if the state is not to be trusted, or if a
    *      contact's search distance was too short.
-   * Kinematics is linear, so without friction the state before decides on
-   * rounds and not on the result; nobody but this need know.
+   * Without friction the state before decides on rounds and not on the result.
    *
    * Refers to all that it is made of, `timer` too, which counts the seconds of
-   * each Phase. Collective.
+   * each Phase.
    */
-  class Step
+  class LinearStep : public Step
   {
   public:
     /// With all @p contacts of the scene and the lives of each: paired once,
     /// since kinematics is linear, they tell whether the search distance was
     /// enough. @p n_supports are those of the scene.
-    Step(ContactSolver                       &solver,
-         const std::vector<ContactInterface> &contacts,
-         const Contacts                      &lives,
-         const unsigned int                   n_supports,
-         const SolveParameters               &parameters,
-         dealii::TimerOutput                 &timer);
+    LinearStep(ContactSolver                       &solver,
+               const std::vector<ContactInterface> &contacts,
+               const Contacts                      &lives,
+               const unsigned int                   n_supports,
+               const SolveParameters               &parameters,
+               dealii::TimerOutput                 &timer);
 
-    /// From @p before, empty where there is none, to @p factor. Throws
-    /// NumericsError for what cannot be solved or is not to be trusted. One
-    /// that is not the @p last of its load step is not held against large
-    /// deflections.
     SolvedStep
     operator()(const State      &before,
-               const LoadFactor &factor,
-               const bool        last = true) const;
+               const LoadFactor &from,
+               const LoadFactor &to,
+               const bool        last = true) override;
 
-    /// The checks of @p state, which is one at @p factor. Throws as above.
     Checks
     check(const State      &state,
           const LoadFactor &factor,
-          const bool        last = true) const;
+          const bool        last = true) override;
 
   private:
     ContactSolver                       &solver;
@@ -108,15 +130,16 @@ namespace lamella
   public:
     /// From no state at all through @p factors, the way to each in
     /// @p substeps. @p branches says whether states are to be stored for some.
-    LoadPath(const Step                    &step,
+    LoadPath(std::shared_ptr<Step>          step,
              const std::vector<LoadFactor> &factors,
              const Substeps                &substeps = {},
              const bool                     branches = false);
 
     /// Goes on after the first @p n_done steps, of which the last, at least
-    /// one, came to @p last, of which @p checks were made.
+    /// one, came to @p last. What another run checked is not kept with its
+    /// state: checks are made again.
     void
-    resume(const unsigned int n_done, State last, const Checks &checks);
+    resume(const unsigned int n_done, State last);
 
     /// The steps that are done.
     unsigned int
@@ -152,11 +175,11 @@ namespace lamella
     SolvedStep
     branch(const double factor);
 
-    /// What does the steps.
-    const Step &
-    stepping() const
+    /// The checks of the last step that is done, once more.
+    Checks
+    check_again() const
     {
-      return step;
+      return step->check(last, factors[done - 1]);
     }
 
   private:
@@ -171,7 +194,7 @@ namespace lamella
     void
     store(const double factor, const State &state);
 
-    const Step                    step;
+    const std::shared_ptr<Step>   step;
     const std::vector<LoadFactor> factors;
     const Substeps                substeps;
     const bool                    branches;

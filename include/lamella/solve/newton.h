@@ -4,9 +4,12 @@
 #define lamella_solve_newton_h
 
 #include <lamella/base/arithmetic.h>
+#include <lamella/solve/contact_solver.h>
 #include <lamella/solve/linearisation.h>
+#include <lamella/solve/moving_contacts.h>
 
-#include <optional>
+#include <functional>
+#include <string>
 
 namespace lamella
 {
@@ -16,82 +19,153 @@ namespace lamella
     unsigned int max_iterations = 30;
     /// Unbalanced forces over the larger one of internal forces and loads, in
     /// the Euclidean norm, that are equilibrium.
-    double balanced = arithmetic::negligible;
+    double balanced = arithmetic::rounding_of_solutions;
     /// Forces of slender bodies end at their rounding, some (L / h)^3 1e-16:
     /// below `floor` they do once an iteration leaves more than `stalls` of
     /// them; and below `near` where the correction is this share of the size
     /// of the scene.
-    double floor = arithmetic::alike, stalls = 0.3, near = 1e-2,
+    double floor = arithmetic::alike, stalls = 0.3, near = 1e-3,
            still = arithmetic::same_place;
     /// Forces that are left beyond this, over those that the step began with,
     /// are a failure; below `nothing` of these they are rounding.
     double diverged = 1e12, nothing = arithmetic::rounding_of_sums;
+    /// What gaps may miss the law by, of the largest displacement, or of the
+    /// size of the scene if that is more.
+    double law = arithmetic::negligible, touching = arithmetic::rounding;
+    /// How often contacts pair anew in a step.
+    unsigned int max_pairings = 3;
     /// How often a step is halved.
     unsigned int max_cuts = 6;
   };
 
-  /// A state that bodies which turn are in equilibrium in, without contact.
+  /// A state that bodies which turn are in equilibrium in, with what presses
+  /// them.
   struct Equilibrium
   {
-    BlockVector u;
-    LoadFactor  factor;
-    /// On the way to it, those of attempts that failed among them; and how
-    /// often a step was halved.
-    unsigned int iterations = 0, cuts = 0;
-    /// Unbalanced forces over internal forces or loads.
-    double residual = 0.;
+    /// Its iterations are those on the way to it, those of attempts that failed
+    /// among them.
+    State      state;
+    LoadFactor factor;
+    /// How often a step was halved on the way.
+    unsigned int cuts = 0;
+    /// Unbalanced forces over internal forces or loads; the length by which
+    /// gaps miss the contact law.
+    double residual = 0., law_error = 0.;
   };
 
   /**
    * Newton's method for structures whose internal forces are not linear, cold
    * and without stabilising springs,
-   *   f_int(u) = f(t),   u = G v + u_p(t),
-   * from one load factor to the next: K du = f(t) - f_int(u) at each iterate,
-   * where the first one takes up what supports move by, as forces K du_p: a
-   * prescribed motion alone would tear the elements at the support.
+   *   f_int(u) = f(t) + B(u)^T lambda,   u = G v + u_p(t),
+   * with the contact law of the gaps g(u, t) >= 0 of surfaces that have moved,
+   * B their gradient, from one load factor to the next.
+   *
+   * At each iterate the forces are linear with the tangent K, and gaps with B:
+   * the contact problem of that is solved whole, by the strategy of linear
+   * bodies on the compliance of K (ContactStrategy::settle()), and its rows'
+   * forces are totals. What B turns by as it is pressed is left out of K. The
+   * first iteration takes up what supports move by, as forces K du_p: a
+   * prescribed motion alone would tear the elements at the support; obstacles
+   * move along the normals that they have at the start.
    *
    * The stress of the geometric part of K is the one that the last correction
    * predicted (GreenAnswer): from 17 iterations down to 7 in a cantilever that
    * rolls up in one step. Where that fails the step is tried with the
    * stress as it is, and then in halves.
    *
-   * Refers to the structure. Collective.
+   * It ends where forces balance, gaps keep the law, the same rows are active
+   * as in the iteration before, and no surfaces touch that are not paired; else
+   * these are paired anew and it goes on. K is positive definite there, as its
+   * Cholesky factor exists: the equilibrium is a minimum of the energy.
+   *
+   * Refers to the structure and the contacts. Collective.
    */
   class Newton
   {
   public:
-    /// Throws InputError if @p structure is heated or has springs.
+    /// Takes a line of text.
+    using Progress = std::function<void(const std::string &)>;
+
+    /// Without contact. Throws InputError if @p structure is heated or has
+    /// springs.
     explicit Newton(const Structure        &structure,
                     const SolverKind        asked      = SolverKind::automatic,
                     const NewtonParameters &parameters = NewtonParameters());
+
+    /// With @p contacts, whose rows are left as the last state has them.
+    Newton(const Structure        &structure,
+           const MovingContacts   &contacts,
+           const SolverKind        asked,
+           const NewtonParameters &parameters);
+
+    /// Called with a line of text per iteration; does nothing by default.
+    Progress progress;
+    /// Told of each factorisation.
+    Linearisation::BodyMonitor monitor;
 
     /// The state without loads, of a path to @p factor.
     Equilibrium
     at_rest(const LoadFactor &factor = 1.) const;
 
-    /// That at load factor @p to, on from @p start. Throws NumericsError with
-    /// the last factor that was reached if it cannot be had in
-    /// 2^max_cuts parts of the way.
+    /// That at load factor @p to, on from @p start, whose rows are those that
+    /// the contacts have now. Throws NumericsError with the last factor that
+    /// was reached if it cannot be had in 2^max_cuts parts of the way.
     Equilibrium
-    advance(const Equilibrium &start, const LoadFactor &to) const;
+    advance(const Equilibrium &start, const LoadFactor &to);
+
+    /// The contacts as they are.
+    const MovingContacts &
+    moving() const
+    {
+      return contacts;
+    }
 
   private:
+    /// What a step begins with: by what supports move on the way, the
+    /// unbalanced forces with what that does to the body, and the size of
+    /// forces.
+    struct Beginning
+    {
+      BlockVector moved, r;
+      double      size = 0.;
+    };
+    Beginning
+    beginning(const LoadFactor &to, const Equilibrium &at) const;
+
     /// One step, with the stress that corrections predict or without; whether
-    /// it ended. Counts its iterations in @p state.
+    /// it ended. Counts its iterations in @p at.
     bool
-    step(const LoadFactor &to, const bool predicted, Equilibrium &state) const;
+    step(const LoadFactor &to, const bool predicted, Equilibrium &at);
 
-    /// The same both ways; where it fails @p state stays but for the count.
+    /// The same both ways; where it fails @p at stays but for the count.
     bool
-    attempt(const LoadFactor &to, Equilibrium &state) const;
+    attempt(const LoadFactor &to, Equilibrium &at);
 
-    /// The size of the unbalanced forces @p r at @p factor, condensed, over
-    /// the loads or the internal forces; 0 where they are rounding of those
-    /// that the step @p began with. Nothing where they grow beyond all bounds.
-    std::optional<double>
-    share_left(const BlockVector &r,
-               const LoadFactor  &factor,
-               const double       began) const;
+    /// One iteration: adds to @p state the correction that @p r, the unbalanced
+    /// forces, makes about it, and what supports have @p moved by with it, with
+    /// the rows that this closes; returns it. The last @p correction predicts
+    /// stresses, unless it is empty.
+    BlockVector
+    correct(const BlockVector &r,
+            const BlockVector &moved,
+            const BlockVector &correction,
+            const LoadFactor  &to,
+            State             &state) const;
+
+    /// f(t) + B^T lambda - f_int of @p state, not condensed; contacts are where
+    /// it is.
+    BlockVector
+    unbalanced(const State &state, const LoadFactor &factor) const;
+
+    /// Says in @p at, and to who listens, what is left of forces and gaps: the
+    /// unbalanced forces @p r at @p factor, condensed, over the loads or the
+    /// internal forces, and 0 where they are rounding of those that the step
+    /// @p began with. Whether that is within bounds.
+    bool
+    measure(const BlockVector &r,
+            const LoadFactor  &factor,
+            double            &began,
+            Equilibrium       &at) const;
 
     /// Whether iterations end where the share @p left is unbalanced, @p before
     /// by the iteration before, and the last correction is a @p change of that
@@ -101,7 +175,14 @@ namespace lamella
                    const double before,
                    const double change) const;
 
-    const Structure       &structure;
+    /// Whether the gaps of @p at are those of the contact law.
+    bool
+    keeps_law(const Equilibrium &at) const;
+
+    const Structure &structure;
+    MovingContacts   contacts;
+    /// What the last attempt that threw said.
+    std::string            last_failure;
     const SolverKind       asked;
     const NewtonParameters parameters;
   };

@@ -5,6 +5,7 @@
 
 #include <lamella/base/entry.h>
 #include <lamella/solve/contact_solver.h>
+#include <lamella/solve/newton.h>
 
 #include <deal.II/base/parameter_handler.h>
 
@@ -29,6 +30,21 @@ namespace lamella
                                                   "accept"}};
   };
 
+  /// How far bodies of a scene may turn (`Rotations`).
+  enum class Rotations
+  {
+    undefined,
+    linear, ///< by small angles: the linear strain of Eq. 5
+    large   ///< by any angle: Green's strain (GreenBeam), Newton
+  };
+
+  template <>
+  struct Names<Rotations>
+  {
+    static constexpr NameOf<Rotations> all[] = {{Rotations::linear, "linear"},
+                                                {Rotations::large, "large"}};
+  };
+
   /// In how many equal parts the way from one load step to the next is done.
   struct Substeps
   {
@@ -50,9 +66,11 @@ namespace lamella
     /// and prescribed displacements, those of obstacles among them.
     std::vector<LoadFactor> load_factors;
     Substeps                substeps;
-    Strategy                strategy = Strategy::undefined;
+    Rotations               rotations = Rotations::undefined;
+    Strategy                strategy  = Strategy::undefined;
     /// Of which a scene sets the iterations only.
     SolverParameters loop;
+    NewtonParameters newton;
     /// What solves with a body's stiffness, under the condensed strategy.
     SolverKind solver = SolverKind::automatic;
     /// Bytes on each machine; 0: what it has.

@@ -134,6 +134,10 @@ namespace lamella
     bool
     is_heated() const;
 
+    /// Whether any body turns by any angle (Body::turns()).
+    bool
+    turns() const;
+
     /// integral epsilon_0 . C epsilon_0 / 2 dV over all bodies: what they would
     /// store if they were heated and held everywhere.
     double

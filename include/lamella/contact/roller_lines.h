@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef lamella_contact_roller_lines_h
+#define lamella_contact_roller_lines_h
+
+#include <lamella/contact/gap_rows.h>
+#include <lamella/contact/mesh_surface.h>
+#include <lamella/contact/obstacle.h>
+
+#include <vector>
+
+namespace lamella
+{
+  /**
+   * Where a roller touches the surface of a beam that goes over it: material
+   * lines of the surface along the beam, one at each station along the roller's
+   * axis, and on each the point that is nearest to that axis, which wanders as
+   * the beam bends. There the gap
+   *   g = |r| - R,   r what x - c has across the axis through c,
+   * is stationary along the line, so that its gradient has no part of the
+   * wandering. A material point at a distance d from there would have a normal
+   * that is d / R off, and the force with it.
+   */
+  class RollerLines
+  {
+  public:
+    /// Through the points of @p interface, whose rows are those of nodes of
+    /// @p surface, undeformed, against @p roller: of the rows of each line one
+    /// is kept, the one nearest to the roller.
+    RollerLines(const MeshSurface &surface,
+                const Obstacle    &roller,
+                ContactInterface  &interface);
+
+    /// Puts the carrying places of @p points, one a line, where the lines of
+    /// the surface, as it is @p now, are nearest to the axis of @p roller, as
+    /// it stands now. A place stays on its facet until it is 5 % of its length
+    /// beyond a side where another goes on. Where a line ends before it is
+    /// nearest that is its end.
+    void
+    follow(const MeshSurface     &now,
+           const Obstacle        &roller,
+           std::vector<GapPoint> &points) const;
+
+  private:
+    /// A facet that a line goes through, along t, at this s.
+    struct Piece
+    {
+      unsigned int facet;
+      double       s;
+    };
+    using Line = std::vector<Piece>;
+
+    /// The pieces of @p surface at @p station of the axis of @p roller.
+    static Line
+    line_at(const MeshSurface &surface,
+            const Obstacle    &roller,
+            const double       station);
+
+    /// The place of @p line that is nearest to the axis of @p roller, where it
+    /// was at @p last.
+    static MeshSurface::FacetPlace
+    nearest_place(const Line                    &line,
+                  const MeshSurface             &now,
+                  const Obstacle                &roller,
+                  const MeshSurface::FacetPlace &last);
+
+    std::vector<Line> lines;
+  };
+} // namespace lamella
+
+#endif

@@ -1,0 +1,188 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Beams that turn by any angle against planar rods by shooting (doc/large-rotations.md);
+see scripts/measure."""
+
+import math
+
+import numpy as np
+
+from measure_bars import BarRun
+from measure_tools import ROOT, table
+
+ROLLER = ROOT / "tests/scenes/large_roller.prm"
+COUPON = ROOT / "prm/flexure_large.prm"
+SLIDE = ROOT / "tests/scenes/large_slide.prm"
+
+
+class Section:
+    """What a rod has of a rectangle, nu = 0: stretch, shear (no factor: LE-1 has none),
+    bending."""
+
+    def __init__(self, modulus, width, height):
+        self.stretch = modulus * width * height
+        self.shear = 0.5 * self.stretch
+        self.bending = modulus * width * height ** 3 / 12.
+        self.half = 0.5 * height
+
+
+def along(angle):
+    return np.array([math.cos(angle), math.sin(angle)])
+
+
+def across(angle):
+    return np.array([-math.sin(angle), math.cos(angle)])
+
+
+def arm(x, force):
+    return x[0] * force[1] - x[1] * force[0]
+
+
+def shoot(section, start, length, force, steps=400):
+    """From (y, z, angle, moment) at the start of a piece of Reissner's rod that carries the
+    force from the rest of the rod to the state at its end, by Runge and Kutta; a negative
+    length goes back."""
+    def rate(state):
+        t, n = along(state[2]), across(state[2])
+        tangent = (1. + force @ t / section.stretch) * t + force @ n / section.shear * n
+        return np.array([*tangent, state[3] / section.bending, -arm(tangent, force)])
+
+    state, h = np.array(start, float), length / steps
+    for _ in range(steps):
+        a = rate(state)
+        b = rate(state + 0.5 * h * a)
+        c = rate(state + 0.5 * h * b)
+        state = state + h / 6. * (a + 2. * b + 2. * c + rate(state + h * c))
+    return state
+
+
+def solve(residual, guess, rounds=40):
+    """Newton with differences."""
+    q = np.array(guess, float)
+    for _ in range(rounds):
+        r = residual(q)
+        steps = 1e-7 * np.maximum(np.abs(q), 1.)
+        jacobian = np.column_stack([(residual(q + s * e) - r) / s
+                                    for s, e in zip(steps, np.eye(len(q)))])
+        change = np.linalg.solve(jacobian, -r)
+        q = q + change
+        if np.max(np.abs(change)) < 1e-9:
+            return q
+    raise RuntimeError(f"The rod was not found: {r}")
+
+
+def on_roller(section, half_span, radius):
+    """Half a strip whose middle goes down on a roller: the angle where it touches, the
+    force, how far along the strip. Its middle section stays upright."""
+    centre = np.array([half_span, -section.half - radius])
+
+    def rod(down, guess):
+        def residual(q):
+            angle, force, at = q
+            # The face is normal to the section's director, the rod's shear is not.
+            push = force * across(angle)
+            x = centre + (radius + section.half) * across(angle)
+            end = shoot(section, [*x, angle, 0.], -at, push)
+            return np.array([end[0], end[1] + down, 100. * end[2]])
+
+        return solve(residual, guess)
+
+    return rod
+
+
+def slide(down, guess):
+    """Two cantilevers that touch where their faces are tangent: of the lower one there
+    (y, z, angle), the force, how far along the lower one and the upper one from its tip,
+    the upper one's angle."""
+    lower, upper = Section(2e3, 10., 6.), Section(2e3, 10., 5.)
+
+    def residual(q):
+        y, z, angle, force, at, from_tip, other = q
+        # A face is a material line: with the shear of a force that starts to act there,
+        # half of it on the mean.
+        face = angle - force / 2. / lower.shear
+        normal = across(face)
+        x = np.array([y, z])
+        end = shoot(lower, [*x, angle, arm(lower.half * across(angle), -force * normal)],
+                    -at, -force * normal)
+        y2 = x + lower.half * across(angle) + upper.half * across(other)
+        far = shoot(upper, [*y2, other, -arm(-upper.half * across(other), force * normal)],
+                    240. - from_tip, -force * normal)
+        return np.array([end[0], end[1], 100. * end[2], far[0] - 420., far[1] - 6.5 + down,
+                         100. * far[2], 1e3 * (face - other + force / 2. / upper.shear)])
+
+    return solve(residual, guess)
+
+
+def path(rod, ways, guess):
+    """The rod at each of the ways, from the last two."""
+    found = []
+    for way in ways:
+        start = 2. * found[-1] - found[-2] if len(found) > 1 else found[-1] if found else guess
+        found.append(rod(way, start))
+    return dict(zip(ways, found))
+
+
+def rollers():
+    rods = path(on_roller(Section(3e3, 12., 1.6), 90., 7.), np.arange(5., 75., 5.),
+                [0.08, 3. * 12288. / 90. ** 3 * 5., 90.])
+    rows = []
+    for down in (20., 40., 60.):
+        angle, force, at = rods[down]
+        run = BarRun(ROLLER, [f"Load factors={down / 140.},{down / 70.}"])
+        mine = run.summary["contacts"]["face"]["force"]
+        rows.append([f"{down:g}", f"{force * math.cos(angle):.5f}",
+                     f"{-mine[2] / (force * math.cos(angle)) - 1.:.1e}",
+                     f"{force * math.sin(angle):.5f}",
+                     f"{mine[1] / (force * math.sin(angle)) - 1.:.1e}", f"{at:.3f}"])
+    table(["middle down", "force up, rod", "Lamella", "along, rod", "Lamella", "touches at"],
+          rows)
+
+
+def slides():
+    rods = path(slide, np.arange(10., 250., 10.),
+                [240., -2., -0.02, 0.8, 240., 60., -0.02])
+    rows = []
+    for down in (60., 120., 180., 240.):
+        angle, force, at = (rods[down][k] for k in (2, 3, 4))
+        factors = ",".join(str(way / 240.) for way in np.arange(30., down + 1., 30.))
+        run = BarRun(SLIDE, [f"Load factors={factors}"])
+        mine = np.linalg.norm(run.summary["contacts"]["faces"]["force"])
+        rows.append([f"{down:g}", f"{force:.5f}", f"{mine / force - 1.:.1e}", f"{at:.3f}",
+                     f"{angle:.4f}"])
+    table(["clamp down", "force, rods", "Lamella", "touches at", "turn there"], rows)
+
+
+def coupon():
+    """prm/flexure_large.prm beside a rod of its bending stiffness and the formulas of the
+    standards for large deflections (ISO 14125, ASTM D7264), which have no roller."""
+    span, height, radius, full = 128., 2., 3., 12.8
+    run = BarRun(COUPON, [])
+    history = run.tables["history.csv"]
+    strains = [row for row in run.probes if row["probe"] == "bottom"]
+    force = [-float(row["contact:roller:fz"]) for row in history]
+    stress = [float(row["syy"]) for row in strains]
+    ways = [full * float(row["load_factor"]) for row in history]
+    # Its own stiffness, from the first step.
+    section = Section(1., 13., height)
+    section.bending = force[0] * (span / 2.) ** 3 / (3. * ways[0])
+    section.stretch = section.shear = 1e3 * section.bending
+    rods = path(on_roller(section, span / 2., radius), np.array(ways),
+                [3. * ways[0] / span, force[0], span / 2.])
+    first = rods[ways[0]]
+    rows = []
+    for k, down in enumerate(ways):
+        angle, push, _ = rods[down]
+        rod = push * math.cos(angle) / (first[1] * math.cos(first[0])) * ways[0] / down
+        by_force = stress[k] / force[k] / (stress[0] / force[0])
+        share = down / span
+        rows.append([f"{share:.4f}", f"{force[k] / force[0] * ways[0] / down:.4f}", f"{rod:.4f}",
+                     f"{by_force:.4f}", f"{1. + 6. * share ** 2 - 3. * share * height / span:.4f}"])
+    table(["deflection / span", "force over linear", "rod", "stress over 3 P s / (2 b h^2)",
+           "standards"], rows)
+
+
+def turning():
+    """Rods by shooting beside tests/scenes/large_roller.prm and large_slide.prm."""
+    rollers()
+    slides()
+    coupon()

@@ -1,0 +1,221 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <lamella/base/arithmetic.h>
+#include <lamella/contact/roller_lines.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <optional>
+
+namespace lamella
+{
+  using namespace dealii;
+
+  namespace
+  {
+    // Of a facet's length: how far a foot goes beyond a side with a neighbour.
+    constexpr double past_the_side = 0.05;
+
+
+
+    double
+    station_of(const Obstacle &roller, const Point<3> &x)
+    {
+      return (x - roller.point) * roller.direction;
+    }
+
+
+
+    /// What @p v has across the axis of @p roller.
+    Tensor<1, 3>
+    across(const Obstacle &roller, const Tensor<1, 3> &v)
+    {
+      return v - (v * roller.direction) * roller.direction;
+    }
+
+
+
+    double
+    distance(const Obstacle &roller, const FacetMap &map, const Point<2> &st)
+    {
+      return across(roller, map(st).position - roller.point).norm();
+    }
+
+
+
+    /// Where on the line at s = @p start[0] of @p map the distance from the
+    /// axis of @p roller is stationary, from t = @p start[1] on: r . X_,t = 0,
+    /// by Newton's method with X_,tt from differences. Nothing if it runs away
+    /// or ends where the distance is largest.
+    std::optional<double>
+    nearest_on(const FacetMap &map, const Obstacle &roller, Point<2> start)
+    {
+      constexpr unsigned int max_iterations = 30;
+      constexpr double       step           = arithmetic::same_in_element;
+      for (unsigned int k = 0; k < max_iterations; ++k)
+        {
+          const auto         place = map(start);
+          const Tensor<1, 3> r = across(roller, place.position - roller.point),
+                             tangent = across(roller, place.d_t),
+                             bend    = (map({start[0], start[1] + step}).d_t -
+                                     map({start[0], start[1] - step}).d_t) /
+                                    (2. * step);
+          const double slope = tangent * tangent + r * bend;
+          if (slope <= 0.)
+            return {};
+          const double change = -(r * tangent) / slope;
+          start[1] += change;
+          if (!(std::abs(start[1]) < 10.))
+            return {};
+          if (std::abs(change) < arithmetic::rounding_of_sums)
+            return start[1];
+        }
+      return {};
+    }
+
+
+
+    /// The same on @p facet or past a side of it by no more than goes on there.
+    std::optional<double>
+    nearest_on(const MeshSurface::Facet &facet,
+               const Obstacle           &roller,
+               const Point<2>           &start)
+    {
+      const auto   t      = nearest_on(facet.map, roller, start);
+      const double before = facet.goes_on[2] ? past_the_side : 0.,
+                   behind = facet.goes_on[3] ? past_the_side : 0.;
+      if (t && *t >= -before && *t <= 1. + behind)
+        return t;
+      return {};
+    }
+  } // namespace
+
+
+
+  RollerLines::Line
+  RollerLines::line_at(const MeshSurface &surface,
+                       const Obstacle    &roller,
+                       const double       station)
+  {
+    // Of a facet's width.
+    constexpr double same = arithmetic::same_in_element;
+    Line             line;
+    // Where two facets side by side meet one of them is enough.
+    std::vector<Point<3>> middles;
+    for (unsigned int f = 0; f < surface.facets().size(); ++f)
+      {
+        const FacetMap &map  = surface.facets()[f].map;
+        const double    from = station_of(roller, map({0., 0.5}).position),
+                     to      = station_of(roller, map({1., 0.5}).position);
+        if (std::abs(to - from) == 0.)
+          continue;
+        const double s = (station - from) / (to - from);
+        if (s < -same || s > 1. + same)
+          continue;
+        const double   inside = std::min(1., std::max(0., s));
+        const Point<3> middle = map({inside, 0.5}).position;
+        if (std::any_of(middles.begin(), middles.end(), [&](const auto &other) {
+              return other.distance(middle) < same * std::abs(to - from);
+            }))
+          continue;
+        middles.push_back(middle);
+        line.push_back({f, inside});
+      }
+    return line;
+  }
+
+
+
+  RollerLines::RollerLines(const MeshSurface &surface,
+                           const Obstacle    &roller,
+                           ContactInterface  &interface)
+  {
+    // The nearest row of each station, stations in units far below any
+    // distance of nodes.
+    const double unit = arithmetic::as_written * surface.body().size();
+    std::map<long, unsigned int> nearest;
+    const auto                   far = [&](const unsigned int k) {
+      return across(roller, place_of(interface.points[k]) - roller.point)
+        .norm();
+    };
+    for (unsigned int k = 0; k < interface.rows.size(); ++k)
+      {
+        const long at =
+          std::lround(station_of(roller, place_of(interface.points[k])) / unit);
+        const auto [known, is_new] = nearest.emplace(at, k);
+        if (!is_new && far(k) < far(known->second))
+          known->second = k;
+      }
+    ContactInterface kept = interface;
+    kept.rows.clear();
+    kept.points.clear();
+    kept.first.weights.clear();
+    for (const auto &[at, k] : nearest)
+      {
+        kept.rows.push_back(interface.rows[k]);
+        kept.points.push_back(interface.points[k]);
+        kept.first.weights.push_back(interface.first.weights[k]);
+        lines.push_back(line_at(
+          surface, roller, station_of(roller, place_of(interface.points[k]))));
+      }
+    // A line has no area that a pressure would be on.
+    kept.surface = nullptr;
+    interface    = std::move(kept);
+  }
+
+
+
+  MeshSurface::FacetPlace
+  RollerLines::nearest_place(const Line                    &line,
+                             const MeshSurface             &now,
+                             const Obstacle                &roller,
+                             const MeshSurface::FacetPlace &last)
+  {
+    constexpr unsigned int  samples  = 8;
+    MeshSurface::FacetPlace best     = last;
+    double                  smallest = std::numeric_limits<double>::max();
+    const auto try_place = [&](const unsigned int facet, const Point<2> &st) {
+      const double here = distance(roller, now.facets()[facet].map, st);
+      if (here >= smallest)
+        return;
+      smallest = here;
+      best     = {facet, st};
+    };
+    for (const auto &[facet, s] : line)
+      for (unsigned int i = 0; i <= samples; ++i)
+        try_place(facet, {s, double(i) / samples});
+    // A sample on a side belongs to both facets there.
+    const double sampled = smallest * (1. + arithmetic::alike);
+    for (const auto &[facet, s] : line)
+      {
+        const FacetMap &map = now.facets()[facet].map;
+        const bool      was = facet == last.facet;
+        for (const double t :
+             {was ? last.st[1] : 0., best.facet == facet ? best.st[1] : 1.})
+          if (was || distance(roller, map, {s, t}) <= sampled)
+            if (const auto found =
+                  nearest_on(now.facets()[facet], roller, {s, t}))
+              {
+                // Where it was it stays, as long as it is as near.
+                if (was && distance(roller, map, {s, *found}) <= sampled)
+                  return {facet, {s, *found}};
+                try_place(facet, {s, *found});
+              }
+      }
+    return best;
+  }
+
+
+
+  void
+  RollerLines::follow(const MeshSurface     &now,
+                      const Obstacle        &roller,
+                      std::vector<GapPoint> &points) const
+  {
+    for (unsigned int k = 0; k < points.size(); ++k)
+      points[k].carrying =
+        nearest_place(lines[k], now, roller, points[k].carrying);
+  }
+} // namespace lamella

@@ -1,0 +1,268 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <lamella/base/arithmetic.h>
+#include <lamella/base/processes.h>
+#include <lamella/scene/rotation_rules.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace lamella
+{
+  namespace
+  {
+    const std::string rule           = "Rotations = large does not know it yet",
+                      linear_as_well = " Or take Rotations = linear.";
+
+
+
+    [[noreturn]] void
+    refuse(const std::string &entry,
+           const std::string &value,
+           const std::string &why,
+           const std::string &remedy)
+    {
+      throw InputError(entry, value, why, remedy + linear_as_well);
+    }
+
+
+
+    void
+    check_body(const BodyDescription &body)
+    {
+      const std::string place  = "Body " + body.name + "/";
+      const Theory     &theory = body.theory;
+      if (!body.pieces.empty())
+        refuse(place + "Kinematics/Theories",
+               "",
+               rule,
+               "Give the body one Theory.");
+      const unsigned int least_taylor = 2, cubic = 3;
+      if (!theory.is_layerwise() &&
+          !(theory.is_taylor() && theory.order >= least_taylor))
+        refuse(place + "Kinematics/Theory",
+               theory.name(),
+               "Rotations = large wants sections that can deform as a turned "
+               "one does",
+               "Take LE-N, or TE-N from TE-2 on.");
+      if (body.axis.degree != cubic)
+        refuse(place + "Kinematics/Axis element",
+               "B" + std::to_string(body.axis.degree + 1),
+               "elements of lower degree lock where they bend and stretch at "
+               "once",
+               "Take B4.");
+      if (body.stabilisation > 0.)
+        refuse(place + "Stabilisation",
+               "",
+               rule,
+               "Hold the body by a Support.");
+      if (body.is_held)
+        refuse(place + "Hold", "", rule, "Hold the body by a Support.");
+    }
+
+
+
+    void
+    check_load(const Load &load)
+    {
+      const std::string place = "Load " + load.name + "/";
+      if (!load.temperature.text().empty())
+        refuse(place + "Temperature", "", rule, "Leave it out.");
+      // Its tractions are dead, and lose their moment as a section turns.
+      if (load.couple)
+        refuse(place + "Couple",
+               "",
+               rule,
+               "Take forces, or a Support that moves.");
+    }
+
+
+
+    /// Whether the elements of @p body are so long where it meets @p roller
+    /// that points of its surface are few beside the radius: then the roller
+    /// touches between them, and the nearest line is sought.
+    bool
+    touches_on_a_line(const BodyDescription &body, const Obstacle &roller)
+    {
+      const AxisMesh &axis = body.axis;
+      if (axis.fineness > 0.)
+        return true;
+      const double at   = body.placement.to_body(roller.point)[1];
+      double       from = 0., length = 0.;
+      for (unsigned int piece = 0; piece < axis.elements.size(); ++piece)
+        {
+          const double to =
+            piece < axis.breaks.size() ? axis.breaks[piece] : axis.length;
+          if (piece == 0 || at > from)
+            length = (to - from) / axis.elements[piece];
+          from = to;
+        }
+      return length > 0.5 * roller.radius;
+    }
+
+
+
+    bool
+    is_across(const BodyDescription &body, const Obstacle &roller)
+    {
+      constexpr double askew = arithmetic::parallel;
+      return std::abs(roller.direction * body.placement.axes[1]) < askew;
+    }
+
+
+
+    /// Whether @p contact has a penalty of areas, which a line has none of.
+    bool
+    has_area_penalty(const ContactPair &contact)
+    {
+      return contact.enforcement == Enforcement::penalty &&
+             contact.penalty.kind != PenaltyKind::automatic;
+    }
+
+
+
+    /// Whether the second side of @p contact is a roller across @p body.
+    bool
+    has_roller(const ContactPair &contact, const BodyDescription &body)
+    {
+      return contact.obstacle != nullptr &&
+             contact.obstacle->shape == Obstacle::Shape::cylinder &&
+             is_across(body, *contact.obstacle);
+    }
+
+
+
+    void
+    check_line(const ContactPair &contact, const BodyDescription &body)
+    {
+      const std::string place = "Contact " + contact.name + "/";
+      if (has_area_penalty(contact))
+        refuse(place + "Penalty",
+               "",
+               "a line to a roller has no area that a penalty would be of",
+               "Take Enforcement = exact, or Penalty = auto.");
+      if (!has_roller(contact, body))
+        refuse(place + "Discretisation",
+               name_of(contact.discretisation),
+               "the roller does not lie across the axis of body '" + body.name +
+                 "'",
+               "Take auto.");
+    }
+
+
+
+    void
+    check_contact(const Scene &scene, ContactPair &contact)
+    {
+      const std::string      place = "Contact " + contact.name + "/";
+      const BodyDescription &body  = scene.bodies[contact.first.body];
+      if (contact.friction > 0.)
+        refuse(place + "Friction", "", rule, "Leave it out.");
+      if (contact.discretisation == Discretisation::node_to_node)
+        refuse(place + "Discretisation",
+               name_of(contact.discretisation),
+               "pairs of nodes stay pairs, and surfaces of bodies that turn "
+               "slide",
+               "Take surface to surface or node to surface.");
+      if (contact.discretisation == Discretisation::line_to_roller)
+        check_line(contact, body);
+      if (contact.discretisation == Discretisation::automatic)
+        contact.discretisation =
+          has_roller(contact, body) && !has_area_penalty(contact) &&
+              touches_on_a_line(body, *contact.obstacle) ?
+            Discretisation::line_to_roller :
+            Discretisation::surface_to_surface;
+    }
+
+
+
+    void
+    check_requests(const Scene &scene)
+    {
+      const auto check = [](const std::string &kind, const auto &requests) {
+        for (const auto &request : requests)
+          if (request.stress == StressValues::equilibrium)
+            refuse(kind + " " + request.name + "/Stress",
+                   name_of(request.stress),
+                   rule,
+                   "Take element or recovered.");
+      };
+      check("Probe", scene.probes);
+      check("Line", scene.lines);
+      check("Cut", scene.cuts);
+      if (!scene.strength.criteria.empty() &&
+          scene.strength.stress == StressValues::equilibrium)
+        refuse("Strength/Stress",
+               name_of(scene.strength.stress),
+               rule,
+               "Take recovered.");
+    }
+
+
+
+    void
+    check_goals(GoalParameters &goals)
+    {
+      if (!goals.tolerances.empty())
+        refuse("Goals/Tolerance",
+               "",
+               rule,
+               "Leave it out, and run the scene with more elements beside it.");
+      if (goals.bars == ErrorBars::always || goals.bars == ErrorBars::richer)
+        refuse("Goals/Error bars",
+               name_of(goals.bars),
+               rule,
+               "Leave it out, and run the scene with more elements beside it.");
+      goals.bars = ErrorBars::never;
+    }
+
+
+
+    /// Of small rotations.
+    void
+    check_no_line(const Scene &scene)
+    {
+      for (const ContactPair &contact : scene.contacts)
+        if (contact.discretisation == Discretisation::line_to_roller)
+          throw InputError("Contact " + contact.name + "/Discretisation",
+                           name_of(contact.discretisation),
+                           "places that touch stay where they are with "
+                           "Rotations = linear",
+                           "Take auto, or Rotations = large.");
+    }
+  } // namespace
+
+
+
+  void
+  take_rotations(Scene &scene, const Entries &in)
+  {
+    if (scene.solve.rotations != Rotations::large)
+      return check_no_line(scene);
+    if (n_processes() > 1)
+      in["Rotations"].refuse("it runs on one process",
+                             "Run it without mpirun, or take linear.");
+    if (scene.solve.strategy == Strategy::full)
+      in["Contact strategy"].refuse(rule, "Take condensed.");
+    if (scene.find_first_failure)
+      in["Find"].refuse(rule, "Leave it out, and give Load factors.");
+    for (BodyDescription &body : scene.bodies)
+      {
+        check_body(body);
+        body.turns = true;
+      }
+    for (const Load &load : scene.loads)
+      {
+        check_load(load);
+        if (!load.pressure.text().empty())
+          scene.warnings.push_back(
+            "load " + load.name +
+            ": its Pressure is dead: per undeformed area, along the normal of "
+            "the undeformed surface. It does not turn with the body");
+      }
+    for (ContactPair &contact : scene.contacts)
+      check_contact(scene, contact);
+    check_requests(scene);
+    check_goals(scene.goals);
+  }
+} // namespace lamella

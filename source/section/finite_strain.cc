@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <lamella/section/finite_strain.h>
+
+#include <deal.II/base/symmetric_tensor.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace lamella
+{
+  using namespace dealii;
+
+  std::array<Tensor<1, 3>, 2>
+  derivatives_of_field(const SectionPoint &point, const unsigned int a)
+  {
+    // D_s Phi and the twist hold all derivatives within the section.
+    const Voigt &e     = point.in_plane[a];
+    const double twist = point.twist[a];
+    return {{Tensor<1, 3>({e[0], e[3], 0.5 * e[4] - twist}),
+             Tensor<1, 3>({0.5 * e[4] + twist, e[5], e[2]})}};
+  }
+
+
+
+  Gradient
+  gradient_at(const SectionPoint &point,
+              const FieldParts   &q,
+              const unsigned int  k)
+  {
+    Gradient H;
+    for (unsigned int a = 0; a < point.fields->size(); ++a)
+      {
+        const auto   along = derivatives_of_field(point, a);
+        const double value = q[FieldPart::value](a, k);
+        H[0] += value * along[0];
+        H[1] += q[FieldPart::derivative](a, k) * point.value[a];
+        H[2] += value * along[1];
+      }
+    return H;
+  }
+
+
+
+  Voigt
+  green_strain(const Gradient &H)
+  {
+    const auto at = [&H](const unsigned int i, const unsigned int j) {
+      return H[i][j] + H[j][i] + H[i] * H[j];
+    };
+    Voigt e;
+    e[0] = 0.5 * at(0, 0);
+    e[1] = 0.5 * at(1, 1);
+    e[2] = 0.5 * at(2, 2);
+    e[3] = at(0, 1);
+    e[4] = at(0, 2);
+    e[5] = at(1, 2);
+    return e;
+  }
+
+
+
+  namespace
+  {
+    SymmetricTensor<2, 3>
+    tensor_of(const Voigt &s, const double of_shears)
+    {
+      SymmetricTensor<2, 3> S;
+      for (unsigned int i = 0; i < 3; ++i)
+        S[i][i] = s[i];
+      S[0][1] = of_shears * s[3];
+      S[0][2] = of_shears * s[4];
+      S[1][2] = of_shears * s[5];
+      return S;
+    }
+  } // namespace
+
+
+
+  SymmetricTensor<2, 3>
+  strain_tensor(const Voigt &strain)
+  {
+    return tensor_of(strain, 0.5);
+  }
+
+
+
+  PolarDecomposition::PolarDecomposition(const Gradient &H)
+  {
+    Tensor<2, 3> inverse;
+    for (const auto &[square, direction] : eigenvectors(
+           2. * strain_tensor(green_strain(H)) + unit_symmetric_tensor<3>()))
+      {
+        const Tensor<2, 3> projector = outer_product(direction, direction);
+        U += std::sqrt(square) * projector;
+        inverse += projector / std::sqrt(square);
+      }
+    R = transpose(Tensor<2, 3>(unit_symmetric_tensor<3>()) + H) * inverse;
+  }
+
+
+
+  Voigt
+  PolarDecomposition::turned_stress(const Voigt &second) const
+  {
+    const Tensor<2, 3> S(tensor_of(second, 1.)),
+      sigma = U * S * U / determinant(U);
+    Voigt s;
+    for (unsigned int i = 0; i < 3; ++i)
+      s[i] = sigma[i][i];
+    s[3] = sigma[0][1];
+    s[4] = sigma[0][2];
+    s[5] = sigma[1][2];
+    return s;
+  }
+
+
+
+  double
+  angle_of(const Tensor<2, 3> &R)
+  {
+    // Of small angles the cosine knows nothing, of large ones the sine.
+    const Tensor<1, 3> twice_sine(
+      {R[2][1] - R[1][2], R[0][2] - R[2][0], R[1][0] - R[0][1]});
+    return std::atan2(twice_sine.norm(), trace(R) - 1.);
+  }
+
+
+
+  Stretch
+  stretch_of(const Gradient &H)
+  {
+    Stretch result;
+    result.turn   = angle_of(PolarDecomposition(H).turn());
+    const Voigt E = green_strain(H);
+    result.along  = std::abs(E[1]);
+    for (const double principal : eigenvalues(strain_tensor(E)))
+      result.strain = std::max(result.strain, std::abs(principal));
+    return result;
+  }
+} // namespace lamella

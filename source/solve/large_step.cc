@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <lamella/solve/large_step.h>
+#include <lamella/solve/phase.h>
+#include <lamella/solve/soundness.h>
+
+#include <algorithm>
+
+namespace lamella
+{
+  using dealii::TimerOutput;
+
+  LargeStep::LargeStep(const Structure                  &structure,
+                       const MovingContacts             &contacts,
+                       const unsigned int                n_supports,
+                       const SolveParameters            &parameters,
+                       const Newton::Progress           &progress,
+                       const Linearisation::BodyMonitor &monitor,
+                       TimerOutput                      &timer)
+    : structure(structure)
+    , newton(structure, contacts, parameters.solver, parameters.newton)
+    , n_supports(n_supports)
+    , parameters(parameters)
+    , timer(timer)
+  {
+    newton.progress = progress;
+    newton.monitor  = monitor;
+  }
+
+
+
+  SolvedStep
+  LargeStep::operator()(const State      &before,
+                        const LoadFactor &from,
+                        const LoadFactor &to,
+                        const bool        last)
+  {
+    SolvedStep solved;
+    solved.load_factor = to;
+    {
+      TimerOutput::Scope scope(timer, name_of(Phase::solve));
+      Equilibrium        start = newton.at_rest(to);
+      if (before.u.n_blocks() > 0)
+        {
+          start.state = before;
+          start.state.free_sizes.clear();
+          start.factor = from;
+        }
+      Equilibrium end = newton.advance(start, to);
+      solved.state    = std::move(end.state);
+      // Newton's iterations end at rounding of the way that they have come.
+      constexpr double digits = 100.;
+      for (unsigned int b = 0; b < solved.state.u.n_blocks(); ++b)
+        {
+          const double size = digits * solved.state.u.block(b).linfty_norm();
+          solved.state.free_sizes.push_back(
+            before.free_sizes.empty() ? size :
+                                        std::max(size, before.free_sizes[b]));
+        }
+      solved.cuts = end.cuts;
+    }
+    solved.checks = check(solved.state, to, last);
+    return solved;
+  }
+
+
+
+  Checks
+  LargeStep::check(const State &state, const LoadFactor &factor, const bool)
+  {
+    TimerOutput::Scope scope(timer, name_of(Phase::solve));
+    const Checks       checks = check_state(Linearisation(structure, state.u),
+                                      newton.moving().interfaces(),
+                                      n_supports,
+                                      state,
+                                      factor);
+    require_sound(state, checks, parameters.rotation_limit);
+    return checks;
+  }
+} // namespace lamella

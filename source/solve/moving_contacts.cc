@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <lamella/base/exceptions.h>
+#include <lamella/base/text.h>
+#include <lamella/solve/contact_problem.h>
+#include <lamella/solve/moving_contacts.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace lamella
+{
+  PressedPlaces::Key
+  PressedPlaces::key(const unsigned int c, const ContactInterface::Point &point)
+  {
+    const Location::Place &place = point.node.places.front();
+    return {{double(c),
+             double(place.cell),
+             place.unit[0],
+             place.unit[1],
+             place.unit[2]}};
+  }
+
+
+
+  PressedPlaces::PressedPlaces(const std::vector<ContactInterface> &contacts,
+                               const State                         &state)
+  {
+    const GapRows rows(contacts);
+    for (const unsigned int row : state.active)
+      {
+        const auto [c, k]                     = rows.in_contact(row);
+        forces[key(c, contacts[c].points[k])] = state.force[row];
+      }
+  }
+
+
+
+  void
+  PressedPlaces::give(const std::vector<ContactInterface> &contacts,
+                      State                               &state) const
+  {
+    const GapRows rows(contacts);
+    state.force.assign(rows.size(), 0.);
+    state.active.clear();
+    for (unsigned int row = 0; row < rows.size(); ++row)
+      {
+        const auto [c, k] = rows.in_contact(row);
+        const auto known  = forces.find(key(c, contacts[c].points[k]));
+        if (known == forces.end())
+          continue;
+        state.force[row] = known->second;
+        state.active.push_back(row);
+      }
+  }
+
+
+
+  bool
+  PressedPlaces::has(const unsigned int      c,
+                     const ContactInterface &contact,
+                     const unsigned int      k) const
+  {
+    return forces.count(key(c, contact.points[k])) > 0;
+  }
+
+
+
+  MovingContacts::MovingContacts(
+    const std::vector<ContactInterface> &interfaces,
+    const Contacts                      &lives)
+    : all(interfaces)
+    , lives(lives)
+    , numbered(interfaces)
+  {}
+
+
+
+  void
+  MovingContacts::move(const State &state, const LoadFactor &factor)
+  {
+    for (const auto &contact : lives)
+      contact->move(state.u, factor);
+    for (const unsigned int row : state.active)
+      if (numbered[row].parts.empty())
+        throw NumericsError(
+          "Contact " + all[numbered.in_contact(row).first].name +
+          " is lost: what bears a force faces nothing, past an end of the other "
+          "side or through it.");
+  }
+
+
+
+  void
+  MovingContacts::add_forces(const State &state, BlockVector &f) const
+  {
+    for (const unsigned int row : state.active)
+      numbered[row].add_to(f, state.force[row]);
+  }
+
+
+
+  double
+  MovingContacts::law_error(const State &state, const LoadFactor &factor) const
+  {
+    double largest = 0.;
+    for (unsigned int row = 0; row < numbered.size(); ++row)
+      {
+        const double g = numbered[row].gap(state.u, factor);
+        largest        = std::max(largest,
+                           state.force[row] == 0. ?
+                                    -g :
+                                    std::abs(g + law_softness(numbered[row]) *
+                                            state.force[row]));
+      }
+    return largest;
+  }
+
+
+
+  bool
+  MovingContacts::see_what_touches(State &state, const LoadFactor &factor)
+  {
+    const PressedPlaces pressed(all, state);
+    bool                any = false;
+    for (unsigned int c = 0; c < all.size(); ++c)
+      {
+        if (lives[c]
+              ->stays_paired(state.u,
+                             factor,
+                             numbered.among_contact(c, state.active))
+              .unseen == 0)
+          continue;
+        any = true;
+        try
+          {
+            lives[c]->pair(state.u, factor);
+          }
+        catch (const InputError &)
+          {
+            numbered = GapRows(all);
+            throw NumericsError("Contact " + all[c].name +
+                                " is lost at load factor " +
+                                to_text(factor.of_scene()) +
+                                ": nothing faces its other side any more.");
+          }
+      }
+    if (any)
+      {
+        numbered = GapRows(all);
+        pressed.give(all, state);
+      }
+    return any;
+  }
+} // namespace lamella
