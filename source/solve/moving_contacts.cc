@@ -56,16 +56,6 @@ namespace lamella
 
 
 
-  bool
-  PressedPlaces::has(const unsigned int      c,
-                     const ContactInterface &contact,
-                     const unsigned int      k) const
-  {
-    return forces.count(key(c, contact.points[k])) > 0;
-  }
-
-
-
   MovingContacts::MovingContacts(
     const std::vector<ContactInterface> &interfaces,
     const Contacts                      &lives)

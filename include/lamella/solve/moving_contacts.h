@@ -28,12 +28,6 @@ namespace lamella
     void
     give(const std::vector<ContactInterface> &contacts, State &state) const;
 
-    /// Whether the point of row @p k of @p contact, number @p c, is pressed.
-    bool
-    has(const unsigned int      c,
-        const ContactInterface &contact,
-        const unsigned int      k) const;
-
   private:
     /// The contact, and the cell and the place in it.
     using Key = std::array<double, 5>;
