@@ -73,16 +73,14 @@ namespace lamella
 
 
 
-  Gradient
-  GreenBeam::gradient(const SectionPoint &point,
+  FieldParts
+  GreenBeam::parts_at(const SectionPoint &point,
                       const AxisPoint    &on_axis,
                       const Vector       &u) const
   {
-    return gradient_at(point,
-                       along_axis().at(ArrayView<const AxisPoint>(&on_axis, 1),
-                                       *point.fields,
-                                       u),
-                       0);
+    return along_axis().at(ArrayView<const AxisPoint>(&on_axis, 1),
+                           *point.fields,
+                           u);
   }
 
 
@@ -92,7 +90,10 @@ namespace lamella
   {
     const SectionPoint middle = section().evaluate(0, {0.5, 0.5});
     const auto         turn   = [&](const double eta) {
-      return PolarDecomposition(gradient(middle, axis().evaluate(cell, eta), u))
+      return PolarDecomposition(
+               gradient_at(middle,
+                           parts_at(middle, axis().evaluate(cell, eta), u),
+                           0))
         .turn();
     };
     return angle_of(transpose(turn(0.)) * turn(1.));
@@ -133,11 +134,8 @@ namespace lamella
                        const AxisPoint    &on_axis,
                        const Vector       &u) const
   {
-    const FieldParts q =
-      along_axis().at(ArrayView<const AxisPoint>(&on_axis, 1),
-                      *point.fields,
-                      u);
-    Tensor<1, 3> displacement;
+    const FieldParts q = parts_at(point, on_axis, u);
+    Tensor<1, 3>     displacement;
     for (unsigned int a = 0; a < point.fields->size(); ++a)
       displacement += q[FieldPart::value](a, 0) * point.value[a];
     const Gradient H      = gradient_at(point, q, 0);

@@ -256,6 +256,7 @@ namespace lamella
   {
     Equilibrium at      = start;
     at.state.iterations = at.cuts = 0;
+    last_failure.clear();
     // How far it is, and how far the next step is to go.
     double done = 0., way = 1.;
     while (done < 1.)

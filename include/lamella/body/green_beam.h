@@ -81,9 +81,10 @@ namespace lamella
               const Vector       &u) const override;
 
   private:
-    /// H of @p u at @p point of the section, at @p on_axis.
-    Gradient
-    gradient(const SectionPoint &point,
+    /// The coefficients of @p u of the fields at @p point of the section, at
+    /// the one station @p on_axis.
+    FieldParts
+    parts_at(const SectionPoint &point,
              const AxisPoint    &on_axis,
              const Vector       &u) const;
 
