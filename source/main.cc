@@ -13,6 +13,7 @@
 #include <lamella/export/calculix_deck.h>
 #include <lamella/report/page.h>
 #include <lamella/run/command_line.h>
+#include <lamella/run/linear_trial.h>
 #include <lamella/run/new_scene.h>
 #include <lamella/run/run_scene.h>
 #include <lamella/scene/scene.h>
@@ -74,6 +75,38 @@ namespace
 
 
 
+  /// What makes the error bars of @p simulation.
+  Afterthought
+  bars_afterwards(Simulation &simulation)
+  {
+    return [&simulation] {
+      ModelCache cache;
+      GoalBars   bars = bars_of(simulation, simulation.output(), cache);
+      simulation.set_goals(std::move(bars.goals), bars.why_none);
+    };
+  }
+
+
+
+  /// Runs @p scene with the rotations that its linear run asks for: that run,
+  /// if it leaves nothing out.
+  void
+  run_as_far_as_it_turns(const CommandLine &command,
+                         const SceneText   &text,
+                         const Scene       &scene,
+                         std::ostream      &out)
+  {
+    if (command.resume)
+      throw InputError("--resume goes on with load steps; with Rotations = "
+                       "auto a run begins anew. Leave --resume out.");
+    const LinearTrial trial(scene, text, out);
+    if (trial.suffices())
+      return trial.write(command.output, bars_afterwards(trial.simulation()));
+    run_scene(*make_simulation(trial.large_scene(), text, out), command.output);
+  }
+
+
+
   /// Solves @p scene or, with --validate, only builds it.
   void
   solve(const CommandLine &command, const SceneText &text, const Scene &scene)
@@ -91,6 +124,8 @@ namespace
                          command.output + " is as it was.");
     if (!scene.goals.tolerances.empty() && !command.validate)
       return run_to_tolerance(command, scene, out);
+    if (scene.solve.rotations == Rotations::automatic && !command.validate)
+      return run_as_far_as_it_turns(command, text, scene, out);
     // What a run to a tolerance would begin with, and why.
     std::vector<std::string> why;
     const auto               simulation =
@@ -103,11 +138,10 @@ namespace
       print_validation(*simulation,
                        command.output_is_given ? command.output : "");
     else
-      run_scene(*simulation, command.output, command.resume, [&] {
-        ModelCache cache;
-        GoalBars   bars = bars_of(*simulation, out, cache);
-        simulation->set_goals(std::move(bars.goals), bars.why_none);
-      });
+      run_scene(*simulation,
+                command.output,
+                command.resume,
+                bars_afterwards(*simulation));
   }
 
 

@@ -251,33 +251,70 @@ namespace lamella
 
 
 
+  void
+  Body::for_each_tangent_block(
+    const Vector &,
+    const Vector &,
+    const bool,
+    const std::function<void(const StiffnessBlock &)> &) const
+  {
+    Assert(false, dealii::ExcNotImplemented());
+  }
+
+
+
   StiffnessTerms
-  Body::tangent_terms(const Vector &,
-                      const Vector &,
+  Body::tangent_terms(const Vector                  &u,
+                      const Vector                  &correction,
                       const std::vector<SpringTerm> &springs) const
   {
-    return stiffness_terms(springs);
+    StiffnessTerms terms = stiffness_terms(springs);
+    if (turns())
+      // Copies: whoever has the terms may outlive the state.
+      terms.for_each_block =
+        [this,
+         u,
+         correction = correction.size() > 0 ? correction : Vector(u.size())](
+          const bool                                         with_values,
+          const std::function<void(const StiffnessBlock &)> &use) {
+          for_each_tangent_block(u, correction, with_values, use);
+        };
+    return terms;
   }
 
 
 
   void
-  Body::add_tangent_forces(const Vector &, const Vector &w, Vector &f) const
+  Body::add_tangent_forces(const Vector &u, const Vector &w, Vector &f) const
   {
-    add_internal_forces(w, f);
+    if (!turns())
+      return add_internal_forces(w, f);
+    Vector share(f.size());
+    for_each_tangent_block(u,
+                           Vector(u.size()),
+                           true,
+                           [&](const StiffnessBlock &block) {
+                             block.add_product(w, share);
+                           });
+    sum_over_processes(share);
+    f += share;
   }
 
 
 
   std::unique_ptr<LinearSolver>
-  Body::make_tangent_solver(const Vector &,
-                            const Vector &,
+  Body::make_tangent_solver(const Vector                  &u,
+                            const Vector                  &correction,
                             const Constraints             &constraints,
                             const std::vector<SpringTerm> &springs,
                             const SolverKind               asked,
                             const SolverMonitor           &monitor) const
   {
-    return make_solver(constraints, springs, asked, monitor);
+    return turns() ? solver_of(tangent_terms(u, correction, springs),
+                               constraints,
+                               asked,
+                               monitor) :
+                     make_solver(constraints, springs, asked, monitor);
   }
 
 

@@ -4,6 +4,7 @@
 #include <lamella/base/patterns.h>
 #include <lamella/body/beam.h>
 #include <lamella/body/green_beam.h>
+#include <lamella/body/green_solid.h>
 #include <lamella/body/parameters.h>
 #include <lamella/body/solid.h>
 #include <lamella/body/solid_parameters.h>
@@ -235,6 +236,30 @@ namespace lamella
           "there, in which degrees of LE do not share theirs",
         "Give all pieces of LE-N the same N, and Section order = auto.");
     }
+
+
+
+    std::unique_ptr<Body>
+    make_solid(const BodyDescription                    &body,
+               const std::shared_ptr<const SectionMesh> &mesh,
+               const double                              memory_limit)
+    {
+      SolidRefinement refinement = body.refinement;
+      refinement.memory_limit    = memory_limit;
+      if (body.turns)
+        return std::make_unique<GreenSolid>(body.name,
+                                            mesh,
+                                            body.axis,
+                                            body.placement,
+                                            body.theory.order,
+                                            refinement);
+      return std::make_unique<Solid>(body.name,
+                                     mesh,
+                                     body.axis,
+                                     body.placement,
+                                     body.theory.order,
+                                     refinement);
+    }
   } // namespace
 
 
@@ -253,14 +278,7 @@ namespace lamella
         check_slenderness(description, *mesh);
         if (description.theory.is_solid())
           {
-            SolidRefinement refinement = description.refinement;
-            refinement.memory_limit    = memory_limit;
-            bodies.push_back(std::make_unique<Solid>(description.name,
-                                                     mesh,
-                                                     description.axis,
-                                                     description.placement,
-                                                     description.theory.order,
-                                                     refinement));
+            bodies.push_back(make_solid(description, mesh, memory_limit));
             continue;
           }
         auto &section =

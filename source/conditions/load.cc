@@ -5,6 +5,7 @@
 #include <lamella/base/text.h>
 #include <lamella/body/facet_map.h>
 #include <lamella/conditions/adaptive_moments.h>
+#include <lamella/conditions/couple.h>
 #include <lamella/conditions/load.h>
 #include <lamella/conditions/traction.h>
 
@@ -31,31 +32,15 @@ namespace lamella
 
 
 
-    /// f . v += force . v(x) for the points of one body.
-    void
-    add_point_forces(const Body &body, const PointForces &at, Vector &f)
-    {
-      const auto rows = body.rows(at.locations, Quantity::displacement);
-      for (unsigned int i = 0; i < rows.size(); ++i)
-        for (unsigned int c = 0; c < 3; ++c)
-          rows[i][c].add_to(f, at.forces[i][c]);
-    }
-
-
-
     /// A load that is integrated.
     class LoadValues
     {
     public:
       explicit LoadValues(const Load &load)
         : path("Load " + load.name)
-        , couple(load.couple)
-      {
-        if (couple)
-          return;
-        traction.emplace(load);
-        is_constant = traction->is_constant();
-      }
+        , traction(load)
+        , is_constant(traction.is_constant())
+      {}
 
       /// The load on @p region of @p body, integrated.
       PointForces
@@ -66,7 +51,7 @@ namespace lamella
       Tensor<1, 3>
       force_at(const Point<3> &x) const
       {
-        return (*traction)(x, Tensor<1, 3>());
+        return traction(x, Tensor<1, 3>());
       }
 
       void
@@ -78,20 +63,12 @@ namespace lamella
                  const Body   &body,
                  PointForces  &result) const;
       void
-      on_surface(const Region &region,
-                 const Body   &body,
-                 PointForces  &result) const;
-      /// The couple as its linear tractions.
-      void
-      as_couple(const Region &region,
-                const Body   &body,
-                PointForces  &result) const;
-
-      const std::string           path;
-      std::optional<Tensor<1, 3>> couple;
-      /// That of forces and pressures.
-      std::optional<Traction> traction;
-      bool                    is_constant = false;
+                        on_surface(const Region &region,
+                                   const Body   &body,
+                                   PointForces  &result) const;
+      const std::string path;
+      const Traction    traction;
+      const bool        is_constant;
     };
 
 
@@ -222,7 +199,7 @@ namespace lamella
             const FacetMap::Place place = map(st);
             const Tensor<1, 3>    n     = map.outward(place);
             const double          area  = n.norm();
-            return area * (*traction)(place.position, n / area);
+            return area * traction(place.position, n / area);
           };
           if (is_constant && map.is_affine())
             {
@@ -247,64 +224,6 @@ namespace lamella
 
 
 
-    /// Points of @p surface of @p body that integrate the trace functions of
-    /// its facets times a linear function: areas are those of the points.
-    std::vector<SurfacePoint>
-    gauss_points(const Body &body, const std::string &surface)
-    {
-      std::vector<SurfacePoint> points;
-      for (const SurfaceFacet &facet : body.surface_facets(surface))
-        {
-          const QGauss<1> s(facet.trace_degree_s + 2),
-            t(facet.trace_degree_t + 2);
-          for (unsigned int j = 0; j < t.size(); ++j)
-            for (unsigned int i = 0; i < s.size(); ++i)
-              {
-                points.push_back(
-                  body.surface_point(facet,
-                                     Point<2>(s.point(i)[0], t.point(j)[0])));
-                points.back().area *= s.weight(i) * t.weight(j);
-              }
-        }
-      return points;
-    }
-
-
-
-    void
-    LoadValues::as_couple(const Region &region,
-                          const Body   &body,
-                          PointForces  &result) const
-    {
-      check_surface(body, region.surface, path + "/On");
-      const auto   points = gauss_points(body, region.surface);
-      double       area   = 0.;
-      Tensor<1, 3> centre;
-      for (const SurfacePoint &point : points)
-        {
-          area += point.area;
-          centre += point.area * point.position;
-        }
-      centre /= area;
-      Tensor<2, 3> J;
-      for (const SurfacePoint &point : points)
-        {
-          const Tensor<1, 3> r = point.position - centre;
-          for (unsigned int c = 0; c < 3; ++c)
-            J[c][c] += point.area * r.norm_square();
-          J -= point.area * outer_product(r, r);
-        }
-      const Tensor<1, 3> theta = invert(J) * *couple;
-      for (const SurfacePoint &point : points)
-        {
-          result.locations.push_back(point.location);
-          result.forces.push_back(
-            point.area * cross_product_3d(theta, point.position - centre));
-        }
-    }
-
-
-
     PointForces
     LoadValues::on(const Region &region, const Body &body) const
     {
@@ -318,19 +237,10 @@ namespace lamella
             along_line(region, body, result);
             break;
           case Region::Kind::surface:
-            if (couple)
-              as_couple(region, body, result);
-            else
-              on_surface(region, body, result);
+            on_surface(region, body, result);
             break;
           default:
             Assert(false, ExcMessage("A load has no such region."));
-        }
-      for (unsigned int k = 0; k < result.forces.size(); ++k)
-        {
-          result.force += result.forces[k];
-          result.moment +=
-            cross_product_3d(result.locations[k].position, result.forces[k]);
         }
       return result;
     }
@@ -407,7 +317,25 @@ namespace lamella
   PointForces
   point_forces(const Load &load, const Region &region, const Body &body)
   {
-    return LoadValues(load).on(region, body);
+    PointForces at = load.couple ? Couple(load, region, body).dead() :
+                                   LoadValues(load).on(region, body);
+    for (unsigned int k = 0; k < at.forces.size(); ++k)
+      {
+        at.force += at.forces[k];
+        at.moment += cross_product_3d(at.locations[k].position, at.forces[k]);
+      }
+    return at;
+  }
+
+
+
+  void
+  add_point_forces(const Body &body, const PointForces &at, Vector &f)
+  {
+    const auto rows = body.rows(at.locations, Quantity::displacement);
+    for (unsigned int i = 0; i < rows.size(); ++i)
+      for (unsigned int c = 0; c < 3; ++c)
+        rows[i][c].add_to(f, at.forces[i][c]);
   }
 
 
@@ -421,11 +349,10 @@ namespace lamella
     result.is_heat = !load.temperature.empty();
     if (result.is_heat)
       return result;
-    const LoadValues values(load);
     for (const Region &region : load.on)
       {
         const Body       &body = *bodies[region.body];
-        const PointForces at   = values.on(region, body);
+        const PointForces at   = point_forces(load, region, body);
         add_point_forces(body, at, f.block(region.body));
         result.force += at.force;
         result.moment += at.moment;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <lamella/base/patterns.h>
+#include <lamella/base/text.h>
 #include <lamella/conditions/parameters.h>
 
 #include <algorithm>
@@ -317,14 +318,17 @@ namespace lamella
         "",
         Anything(),
         "On a surface, against its outward normal, an expression "
-        "of x, y, z [force/length^2].");
+        "of x, y, z [force/length^2]. With Rotations = large `12, follows` "
+        "stays normal to the surface as that turns, per area of the deformed "
+        "one; else it is dead.");
       prm.declare_entry("Couple",
                         "",
                         patterns::numbers(),
                         "On a surface, start or end say: the three scene "
                         "components of a moment [force x length], as tractions "
                         "that are linear over the surface, without a resultant "
-                        "force.");
+                        "force. With Rotations = large they turn along, and "
+                        "the moment keeps its direction.");
     }
   } // namespace
 
@@ -380,6 +384,25 @@ namespace lamella
 
 
 
+    const std::string follows = "follows";
+
+
+
+    /// Whether @p pressure ends with `, follows`, which is taken off.
+    bool
+    take_follows(Formula &pressure)
+    {
+      const std::string text  = pressure.text();
+      const std::size_t comma = text.rfind(',');
+      if (comma == std::string::npos ||
+          trimmed(text.substr(comma + 1)) != follows)
+        return false;
+      pressure = Formula(trimmed(text.substr(0, comma)));
+      return true;
+    }
+
+
+
     /// The three components of a moment or a force, @p names.
     dealii::Tensor<1, 3>
     parse_vector(const Entry &entry, const std::string &names)
@@ -430,9 +453,13 @@ namespace lamella
                 " set");
     const Entry on = in["On"], what = in[given.front()];
     Load        load;
-    load.name        = name;
-    load.on          = parse_regions(on, in["At"], bodies);
-    load.pressure    = in["Pressure"].text();
+    load.name     = name;
+    load.on       = parse_regions(on, in["At"], bodies);
+    load.pressure = in["Pressure"].text();
+    load.follows  = take_follows(load.pressure);
+    if (load.follows && load.pressure.empty())
+      what.refuse("says nothing of how much follows",
+                  "Write a number or an expression before it, `12, follows`.");
     load.temperature = in["Temperature"].text();
     if (given.front() == "Couple")
       load.couple = parse_vector(what, "mx, my, mz");
@@ -441,6 +468,8 @@ namespace lamella
     if (given.front() == "Force")
       {
         const std::vector<std::string> components = what.items();
+        if (components.back() == follows)
+          what.refuse("is of a fixed direction", "Only a Pressure follows.");
         if (components.size() != 3)
           what.refuse("must be three expressions between commas");
         std::copy(components.begin(), components.end(), load.force.begin());

@@ -201,8 +201,11 @@ namespace lamella
               other != nullptr && weight > most[row])
             {
               most[row] = weight;
+              // Feet may be a little beyond a side.
               (on_second ? at.first : at.second) =
-                other->facets()[facet].map(st).position;
+                other->facets()[facet]
+                  .map({std::clamp(st[0], 0., 1.), std::clamp(st[1], 0., 1.)})
+                  .position;
             }
         }
   }

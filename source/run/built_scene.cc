@@ -110,7 +110,16 @@ namespace lamella
                             whole->bodies(),
                             whole->load(factor));
     for (const auto &body : whole->bodies())
-      body->solver_kind(given.solve.solver);
+      if (const SolverKind kind = body->solver_kind(given.solve.solver);
+          body->turns() && kind == SolverKind::cg)
+        throw InputError("Linear solver",
+                         name_of(given.solve.solver),
+                         "with Rotations = large each stiffness is factorised, "
+                         "which tells whether a state is stable, and body '" +
+                           body->name() + "' with " +
+                           std::to_string(body->n_dofs()) +
+                           " DoFs would be solved by cg",
+                         "Choose cholmod, or fewer hexahedra.");
   }
 
 

@@ -38,14 +38,14 @@ namespace lamella
                rule,
                "Give the body one Theory.");
       const unsigned int least_taylor = 2, cubic = 3;
-      if (!theory.is_layerwise() &&
+      if (!theory.is_layerwise() && !(theory.is_solid() && theory.order > 1) &&
           !(theory.is_taylor() && theory.order >= least_taylor))
         refuse(place + "Kinematics/Theory",
                theory.name(),
                "Rotations = large wants sections that can deform as a turned "
                "one does",
-               "Take LE-N, or TE-N from TE-2 on.");
-      if (body.axis.degree != cubic)
+               "Take LE-N, TE-N from TE-2 on, or solid-2.");
+      if (!theory.is_solid() && body.axis.degree != cubic)
         refuse(place + "Kinematics/Axis element",
                "B" + std::to_string(body.axis.degree + 1),
                "elements of lower degree lock where they bend and stretch at "
@@ -68,12 +68,6 @@ namespace lamella
       const std::string place = "Load " + load.name + "/";
       if (!load.temperature.text().empty())
         refuse(place + "Temperature", "", rule, "Leave it out.");
-      // Its tractions are dead, and lose their moment as a section turns.
-      if (load.couple)
-        refuse(place + "Couple",
-               "",
-               rule,
-               "Take forces, or a Support that moves.");
     }
 
 
@@ -121,13 +115,14 @@ namespace lamella
 
 
 
-    /// Whether the second side of @p contact is a roller across @p body.
+    /// Whether the second side of @p contact is a roller across @p body, a
+    /// beam.
     bool
     has_roller(const ContactPair &contact, const BodyDescription &body)
     {
       return contact.obstacle != nullptr &&
              contact.obstacle->shape == Obstacle::Shape::cylinder &&
-             is_across(body, *contact.obstacle);
+             !body.theory.is_solid() && is_across(body, *contact.obstacle);
     }
 
 
@@ -142,11 +137,12 @@ namespace lamella
                "a line to a roller has no area that a penalty would be of",
                "Take Enforcement = exact, or Penalty = auto.");
       if (!has_roller(contact, body))
-        refuse(place + "Discretisation",
-               name_of(contact.discretisation),
-               "the roller does not lie across the axis of body '" + body.name +
-                 "'",
-               "Take auto.");
+        refuse(
+          place + "Discretisation",
+          name_of(contact.discretisation),
+          "the roller does not lie across the axis of a beam, which body '" +
+            body.name + "' would have to be",
+          "Take auto.");
     }
 
 
@@ -220,8 +216,15 @@ namespace lamella
 
     /// Of small rotations.
     void
-    check_no_line(const Scene &scene)
+    check_linear(const Scene &scene)
     {
+      for (const Load &load : scene.loads)
+        if (load.follows && scene.solve.rotations == Rotations::linear)
+          throw InputError("Load " + load.name + "/Pressure",
+                           load.pressure.text() + ", follows",
+                           "with Rotations = linear nothing turns that a load "
+                           "could follow",
+                           "Leave out 'follows', or take Rotations = large.");
       for (const ContactPair &contact : scene.contacts)
         if (contact.discretisation == Discretisation::line_to_roller)
           throw InputError("Contact " + contact.name + "/Discretisation",
@@ -234,18 +237,22 @@ namespace lamella
 
 
 
-  void
-  take_rotations(Scene &scene, const Entries &in)
+  Scene
+  turning(Scene scene)
   {
-    if (scene.solve.rotations != Rotations::large)
-      return check_no_line(scene);
+    scene.solve.rotations = Rotations::large;
     if (n_processes() > 1)
-      in["Rotations"].refuse("it runs on one process",
-                             "Run it without mpirun, or take linear.");
+      throw InputError("Rotations",
+                       name_of(scene.solve.rotations),
+                       "it runs on one process",
+                       "Run it without mpirun, or take linear.");
     if (scene.solve.strategy == Strategy::full)
-      in["Contact strategy"].refuse(rule, "Take condensed.");
+      refuse("Contact strategy",
+             name_of(scene.solve.strategy),
+             rule,
+             "Take condensed.");
     if (scene.find_first_failure)
-      in["Find"].refuse(rule, "Leave it out, and give Load factors.");
+      refuse("Find", "", rule, "Leave it out, and give Load factors.");
     for (BodyDescription &body : scene.bodies)
       {
         check_body(body);
@@ -254,15 +261,44 @@ namespace lamella
     for (const Load &load : scene.loads)
       {
         check_load(load);
-        if (!load.pressure.text().empty())
+        if (!load.pressure.empty() && !load.follows)
           scene.warnings.push_back(
             "load " + load.name +
             ": its Pressure is dead: per undeformed area, along the normal of "
-            "the undeformed surface. It does not turn with the body");
+            "the undeformed surface. Write `" +
+            load.pressure.text() + ", follows` if it is to turn with the body");
       }
     for (ContactPair &contact : scene.contacts)
       check_contact(scene, contact);
     check_requests(scene);
     check_goals(scene.goals);
+    return scene;
+  }
+
+
+
+  void
+  take_rotations(Scene &scene)
+  {
+    if (scene.solve.rotations == Rotations::large)
+      {
+        scene = turning(std::move(scene));
+        return;
+      }
+    check_linear(scene);
+    if (scene.solve.rotations == Rotations::automatic)
+      try
+        {
+          turning(scene);
+        }
+      catch (const InputError &error)
+        {
+          scene.solve.rotations = Rotations::linear;
+          scene.warnings.push_back(
+            "Rotations = auto is linear, as large would be refused: " +
+            error.path() +
+            (error.value().empty() ? "" : " = " + error.value()) + ": " +
+            error.rule());
+        }
   }
 } // namespace lamella

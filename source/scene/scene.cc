@@ -295,7 +295,7 @@ namespace lamella
       check_equilibrium(scene, in["Gravity"]);
       check_friction(scene, in);
       check_histories(scene, in);
-      take_rotations(scene, in);
+      take_rotations(scene);
       return scene;
     }
   } // namespace

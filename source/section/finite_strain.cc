@@ -138,4 +138,80 @@ namespace lamella
       result.strain = std::max(result.strain, std::abs(principal));
     return result;
   }
+
+
+
+  Tensor<2, 3>
+  first_stress(const Gradient &H, const Voigt &second)
+  {
+    const Tensor<2, 3> S(tensor_of(second, 1.));
+    return S + S * H;
+  }
+
+
+
+  namespace
+  {
+    /// Where i and j stand in the order of Eq. 4.
+    constexpr unsigned int place[3][3] = {{0, 3, 4}, {3, 1, 5}, {4, 5, 2}};
+
+    /// E_ij of H_i . H_j / 2 alone, shears twice.
+    Voigt
+    quadratic_strain(const Gradient &H)
+    {
+      Voigt e;
+      for (unsigned int i = 0; i < 3; ++i)
+        for (unsigned int j = i; j < 3; ++j)
+          e[place[i][j]] = (i == j ? 0.5 : 1.) * (H[i] * H[j]);
+      return e;
+    }
+
+
+
+    /// dE / dH at H, with F_j = e_j + H_j: a row a strain, a column for each
+    /// component of H, row after row of it.
+    std::array<std::array<double, 9>, 6>
+    strain_derivative(const Gradient &H)
+    {
+      Tensor<2, 3> F = H;
+      for (unsigned int i = 0; i < 3; ++i)
+        F[i][i] += 1.;
+      std::array<std::array<double, 9>, 6> B{};
+      for (unsigned int i = 0; i < 3; ++i)
+        for (unsigned int j = i; j < 3; ++j)
+          for (unsigned int c = 0; c < 3; ++c)
+            {
+              B[place[i][j]][3 * i + c] += i == j ? F[i][c] : F[j][c];
+              if (i != j)
+                B[place[i][j]][3 * j + c] += F[i][c];
+            }
+      return B;
+    }
+  } // namespace
+
+
+
+  Tensor<2, 9>
+  green_tangent(const Gradient &H, const Gradient &dH, const ElasticLaw &law)
+  {
+    const auto         B = strain_derivative(H);
+    const Tensor<2, 3> S(
+      tensor_of(law.stress(green_strain(H) - quadratic_strain(dH)), 1.));
+    Tensor<2, 9> D;
+    for (unsigned int n = 0; n < 9; ++n)
+      {
+        Voigt column;
+        for (unsigned int e = 0; e < 6; ++e)
+          column[e] = B[e][n];
+        const Voigt stress = law.stress(column);
+        for (unsigned int m = 0; m < 9; ++m)
+          for (unsigned int e = 0; e < 6; ++e)
+            D[m][n] += B[e][m] * stress[e];
+      }
+    for (unsigned int i = 0; i < 3; ++i)
+      for (unsigned int j = 0; j < 3; ++j)
+        for (unsigned int c = 0; c < 3; ++c)
+          D[3 * i + c][3 * j + c] += S[i][j];
+    return D;
+  }
 } // namespace lamella

@@ -11,84 +11,6 @@ namespace lamella
 
   namespace
   {
-    /// Where i and j stand in the order of Eq. 4.
-    constexpr unsigned int place[3][3] = {{0, 3, 4}, {3, 1, 5}, {4, 5, 2}};
-
-    /// E_ij of H_i . H_j / 2 alone, shears twice.
-    Voigt
-    quadratic_strain(const Gradient &H)
-    {
-      Voigt e;
-      for (unsigned int i = 0; i < 3; ++i)
-        for (unsigned int j = i; j < 3; ++j)
-          e[place[i][j]] = (i == j ? 0.5 : 1.) * (H[i] * H[j]);
-      return e;
-    }
-
-
-
-    Tensor<2, 3>
-    unpacked(const Voigt &s)
-    {
-      Tensor<2, 3> S;
-      for (unsigned int i = 0; i < 3; ++i)
-        for (unsigned int j = 0; j < 3; ++j)
-          S[i][j] = s[place[i][j]];
-      return S;
-    }
-
-
-
-    /// dE / dH at H, with F_j = e_j + H_j: a row a strain, a column for each
-    /// component of H, row after row of it.
-    std::array<std::array<double, 9>, 6>
-    strain_derivative(const Gradient &H)
-    {
-      Tensor<2, 3> F = H;
-      for (unsigned int i = 0; i < 3; ++i)
-        F[i][i] += 1.;
-      std::array<std::array<double, 9>, 6> B{};
-      for (unsigned int i = 0; i < 3; ++i)
-        for (unsigned int j = i; j < 3; ++j)
-          for (unsigned int c = 0; c < 3; ++c)
-            {
-              B[place[i][j]][3 * i + c] += i == j ? F[i][c] : F[j][c];
-              if (i != j)
-                B[place[i][j]][3 * j + c] += F[i][c];
-            }
-      return B;
-    }
-
-
-
-    /// B^T C B + S (x) 1 at @p H, S predicted where the last correction was
-    /// @p dH.
-    Tensor<2, 9>
-    point_tangent(const Gradient &H, const Gradient &dH, const ElasticLaw &law)
-    {
-      const auto         B = strain_derivative(H);
-      const Tensor<2, 3> S =
-        unpacked(law.stress(green_strain(H) - quadratic_strain(dH)));
-      Tensor<2, 9> D;
-      for (unsigned int n = 0; n < 9; ++n)
-        {
-          Voigt column;
-          for (unsigned int e = 0; e < 6; ++e)
-            column[e] = B[e][n];
-          const Voigt stress = law.stress(column);
-          for (unsigned int m = 0; m < 9; ++m)
-            for (unsigned int e = 0; e < 6; ++e)
-              D[m][n] += B[e][m] * stress[e];
-        }
-      for (unsigned int i = 0; i < 3; ++i)
-        for (unsigned int j = 0; j < 3; ++j)
-          for (unsigned int c = 0; c < 3; ++c)
-            D[3 * i + c][3 * j + c] += S[i][j];
-      return D;
-    }
-
-
-
     /// Of points that have the same fields the matrix of H, nine rows each.
     LAPACKFullMatrix<double>
     gradients_of_fields(const std::vector<SectionPoint> &points)
@@ -205,8 +127,7 @@ namespace lamella
                           stress = cell.points[p].weight *
                                    cell.points[p].law.stress(strain);
               result.energy[k] += 0.5 * (stress * strain);
-              // First Piola-Kirchhoff, a row a direction: S (1 + H).
-              const Tensor<2, 3> S = unpacked(stress), at_point = S + S * H[p];
+              const Tensor<2, 3> at_point = first_stress(H[p], stress);
               for (unsigned int i = 0; i < 3; ++i)
                 for (unsigned int c = 0; c < 3; ++c)
                   P[9 * p + 3 * i + c] = at_point[i][c];
@@ -264,7 +185,7 @@ namespace lamella
                                     dH = gradients(cell, correction, k);
         LAPACKFullMatrix<double> DG(cell.G.m(), cell.G.n());
         for (unsigned int p = 0; p < H.size(); ++p)
-          add_product(point_tangent(H[p], dH[p], cell.points[p].law),
+          add_product(green_tangent(H[p], dH[p], cell.points[p].law),
                       cell.points[p].weight,
                       cell.G,
                       9 * p,

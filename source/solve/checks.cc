@@ -396,7 +396,7 @@ namespace lamella
       load_of_contacts(structure, contacts, state);
     BlockVector r = structure.residual(state.u, factor, state.rest);
     // What the residual was made of: f(t) less the internal forces.
-    const BlockVector load     = structure.load(factor);
+    const BlockVector load     = structure.load(factor, state.u);
     BlockVector       internal = load;
     internal -= r;
     internal += structure.heat_load();

@@ -75,7 +75,7 @@ namespace lamella
                   double            &began,
                   Equilibrium       &at) const
   {
-    const BlockVector load     = structure.load(factor);
+    const BlockVector load     = structure.load(factor, at.state.u);
     BlockVector       internal = load, left = r;
     contacts.add_forces(at.state, internal);
     internal -= r;
@@ -114,10 +114,13 @@ namespace lamella
 
 
   bool
-  Newton::keeps_law(const Equilibrium &at) const
+  Newton::keeps_law(const Equilibrium &at, const double before) const
   {
-    return at.law_error <= std::max(parameters.law * at.state.u.linfty_norm(),
-                                    parameters.touching * structure.size());
+    const double size = at.state.u.linfty_norm();
+    return at.law_error <= std::max(parameters.law * size,
+                                    parameters.touching * structure.size()) ||
+           (at.law_error < parameters.floor * size &&
+            at.law_error > parameters.stalls * before);
   }
 
 
@@ -129,8 +132,9 @@ namespace lamella
                   const LoadFactor  &to,
                   State             &state) const
   {
-    const Linearisation about(structure, state.u, asked, monitor, correction);
-    BlockVector         du = about.solve(r);
+    const Linearisation about(
+      structure, state.u, asked, monitor, correction, to);
+    BlockVector du = about.solve(r);
     du += moved;
     state.u += du;
     if (contacts.none())
@@ -174,7 +178,7 @@ namespace lamella
       result.r -= Linearisation(structure, at.state.u).apply(result.moved);
     // An obstacle that moves leaves the start in equilibrium.
     result.size = std::max({result.r.l2_norm(),
-                            structure.load(to).l2_norm(),
+                            structure.load(to, at.state.u).l2_norm(),
                             structure.internal_forces(at.state.u).l2_norm()});
     return result;
   }
@@ -187,9 +191,10 @@ namespace lamella
     State &state = at.state;
     contacts.move(state, at.factor);
     auto [moved, r, began] = beginning(to, at);
-    BlockVector  correction;
-    double       before   = std::numeric_limits<double>::max();
-    unsigned int pairings = 0;
+    BlockVector      correction;
+    constexpr double nothing_yet = std::numeric_limits<double>::max();
+    double           before = nothing_yet, missed_by = nothing_yet;
+    unsigned int     pairings = 0;
     for (unsigned int k = 0; k < parameters.max_iterations; ++k)
       {
         ++state.iterations;
@@ -203,7 +208,7 @@ namespace lamella
         if (!measure(r, to, began, at))
           return false;
         if (is_equilibrium(at.residual, before, correction.linfty_norm()) &&
-            state.active == were_active && keeps_law(at))
+            state.active == were_active && keeps_law(at, missed_by))
           {
             if (contacts.none() || !contacts.see_what_touches(state, to))
               {
@@ -214,7 +219,8 @@ namespace lamella
               return false;
             r = unbalanced(state, to);
           }
-        before = at.residual;
+        before    = at.residual;
+        missed_by = at.law_error;
       }
     return false;
   }

@@ -42,6 +42,22 @@ namespace lamella
                         "Newton iterations of a load step before it fails; a "
                         "scene that needs more wants smaller steps.");
     }
+
+
+
+    void
+    declare_rotations(ParameterHandler &prm)
+    {
+      prm.declare_entry(
+        "Rotations",
+        "linear",
+        selection<Rotations>(),
+        "linear: displacements and rotations are small, as in the paper; "
+        "large: bodies turn by any angle and slide on each other by any "
+        "distance, at small strains: for LE-N and TE-N from TE-2 on with Axis "
+        "element = B4, and for solid-2; auto: linear, or large where the "
+        "linear result leaves more than 2e-3 out.");
+    }
   } // namespace
 
 
@@ -62,13 +78,7 @@ namespace lamella
                       "is done, or auto, as many (to 64) as it takes until "
                       "twice as many change forces, displacements and "
                       "dissipated energy by less than 1 %; auto 0.1: 0.1 %.");
-    prm.declare_entry(
-      "Rotations",
-      "linear",
-      selection<Rotations>(),
-      "linear: displacements and rotations are small, as in the paper; large: "
-      "bodies turn by any angle and slide on each other by any distance, at "
-      "small strains: for LE-N and TE-N from TE-2 on, with Axis element = B4.");
+    declare_rotations(prm);
     prm.declare_entry("Contact strategy",
                       "condensed",
                       selection<Strategy>(),

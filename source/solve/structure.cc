@@ -50,6 +50,7 @@ namespace lamella
     : all_bodies(std::move(bodies))
     , rows(prescribed_rows(supports, all_bodies))
     , histories(n_histories(supports, loads), {zero(), zero()})
+    , turning(all_bodies.size())
     , initial_load(zero())
   {
     check_held(stabilisations);
@@ -72,14 +73,30 @@ namespace lamella
     for (unsigned int h = 1; h < histories.size(); ++h)
       histories[h].particular = prescribed_in(h, names);
     for (const Load &load : loads)
-      resultants.push_back(
-        add_load(load, all_bodies, histories[load.history].load));
+      take(load);
     if (gravity.norm() > 0.)
       resultants.push_back(add_weight(gravity, all_bodies, histories[0].load));
     apply_heat(loads, all_bodies);
     for (unsigned int b = 0; b < all_bodies.size(); ++b)
       initial_energies.push_back(
         all_bodies[b]->add_heat(initial_load.block(b)));
+  }
+
+
+
+  void
+  Structure::take(const Load &load)
+  {
+    const bool turns_along_bodies = turns() && turns_along(load);
+    if (turns_along_bodies)
+      for (const Region &region : load.on)
+        turning[region.body].emplace_back(
+          turning_load(load, region, *all_bodies[region.body]), load.history);
+    BlockVector nowhere = zero();
+    resultants.push_back(
+      add_load(load,
+               all_bodies,
+               turns_along_bodies ? nowhere : histories[load.history].load));
   }
 
 
@@ -178,12 +195,53 @@ namespace lamella
 
 
   BlockVector
-  Structure::load(const LoadFactor &factor) const
+  Structure::load(const LoadFactor &factor, const BlockVector &u) const
   {
     BlockVector f = zero();
     for (unsigned int h = 0; h < histories.size(); ++h)
       f.add(factor.of(h), histories[h].load);
+    for (unsigned int b = 0; b < turning.size(); ++b)
+      for (const auto &[load, history] : turning[b])
+        load->add_forces(factor.of(history), u.block(b), f.block(b));
     return f;
+  }
+
+
+
+  BlockVector
+  Structure::load(const LoadFactor &factor) const
+  {
+    return load(factor, zero());
+  }
+
+
+
+  void
+  Structure::add_derivative_of_loads(const LoadFactor  &factor,
+                                     const BlockVector &u,
+                                     const BlockVector &w,
+                                     BlockVector       &f) const
+  {
+    for (unsigned int b = 0; b < turning.size(); ++b)
+      for (const auto &[load, history] : turning[b])
+        load->add_derivative(factor.of(history),
+                             u.block(b),
+                             w.block(b),
+                             f.block(b));
+  }
+
+
+
+  void
+  Structure::for_each_block_of_loads(
+    const unsigned int                                 body,
+    const LoadFactor                                  &factor,
+    const Vector                                      &u,
+    const bool                                         with_values,
+    const std::function<void(const StiffnessBlock &)> &use) const
+  {
+    for (const auto &[load, history] : turning[body])
+      load->for_each_stiffness_block(factor.of(history), u, with_values, use);
   }
 
 
@@ -291,7 +349,7 @@ namespace lamella
                       const SpringRest  &rest) const
   {
     BlockVector r = internal_forces(u, rest);
-    r.sadd(-1., 1., load(factor));
+    r.sadd(-1., 1., load(factor, u));
     r += initial_load;
     return r;
   }

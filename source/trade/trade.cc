@@ -116,7 +116,7 @@ namespace lamella
     , base(fingerprint(overrides))
     , quantities(scene.trade.quantities)
   {
-    if (scene.solve.rotations == Rotations::large)
+    if (scene.solve.rotations != Rotations::linear)
       throw InputError(
         "Rotations",
         name_of(scene.solve.rotations),

@@ -3,7 +3,7 @@
 """Hunts for wrong numbers: random scenes, each solved by theories that have to agree.
 
 Usage: hunt.py LAMELLA WORKDIR --count N --seed S [--jobs 2] [--case I] [--bars]
-               [--theories LE-2,SV-6,solid-2]
+               [--theories LE-2,SV-6,solid-2] [--large]
 
 A scene is a body (a laminate with angle plies, perhaps with a foam, a box or a tube; turned
 anyhow), held at an end, at both, or at an end and along a line inside the span, under a
@@ -20,6 +20,14 @@ against LE-3 on twice the elements. What is due:
                 (which is coarse beside heat and supports); solid-2 has quadratic functions
                 along the axis for cubic ones, and SV-N fields of its own
     holds       an error bar that is trusted holds the finer number
+
+With --large (scenes that are not heated) Rotations = large takes the place of theories: loads
+and ways of obstacles are scaled so that the probe goes by a tenth of the length, and
+
+    small       at a thousandth of that it is within 1 % of the linear run
+    ends        at all of it, in four steps, a run ends with results or with a sentence
+    one path    in one step it comes to the same place, within 1e-4
+    finer       on twice the elements to within 5 %, where no note says that they are too long
 
 The same seed gives the same scenes. What is a finding stays in WORKDIR/cases, each scene
 with the lines that say what it is. Exit status 1 if there is one."""
@@ -135,7 +143,7 @@ class Scene:
         text, width, height, kind = section(dice)
         flat = kind in ("laminate", "sandwich")
         length = round(dice.uniform(6., 14.) * max(width, height))
-        self.elements = 10
+        self.elements, self.length = 10, length
         bodies = [frame.body("beam", "section", length, (0., 0., 0.), self.elements)]
         blocks, names = [], {key: [] for key in ("Supports", "Loads", "Obstacles", "Contacts")}
 
@@ -237,12 +245,12 @@ def run(lamella, scene, folder, name, *entries):
     if done.returncode != 0:
         return None, f"exit status {done.returncode}: {done.stderr.strip()[:400]}"
     probes = (folder / name / "probes.csv").read_text().splitlines()
-    row = dict(zip(probes[0].split(","), probes[1].split(",")))
+    row = dict(zip(probes[0].split(","), probes[-1].split(",")))
     summary = json.loads((folder / name / "summary.json").read_text())
     return {"u": [float(row[c]) for c in ("ux", "uy", "uz")],
             "forces": {name: math.hypot(*contact["force"])
                        for name, contact in summary.get("contacts", {}).items()},
-            "goals": summary.get("goals", {})}, ""
+            "goals": summary.get("goals", {}), "notes": summary["warnings"]}, ""
 
 
 def distances(one, other):
@@ -309,13 +317,53 @@ def bar_fails(lamella, scene, folder):
     return faults
 
 
+def large_faults(lamella, scene, folder):
+    """What is wrong with large rotations of a scene."""
+    def solve(name, factors, *entries):
+        return run(lamella, scene, folder, name, "Theory=LE-2", *entries,
+                   "Load factors=" + numbers(factors))
+
+    def apart(one, other, most):
+        return [f"{what}: {here} beside {there}, {100. * off:.2g} % off"
+                for what, _, there, here, off in distances(one, other) if off > most]
+
+    linear, words = solve("linear", [1.])
+    if linear is None or math.hypot(*linear["u"]) == 0.:
+        return []
+    full = 0.1 * scene.length / math.hypot(*linear["u"])
+    large, faults = "Rotations=large", []
+    small, linear = 1e-3 * full, None
+    linear, _ = solve("linear", [small])
+    turned, words = solve("small", [small], large)
+    if linear is not None and turned is None:
+        faults.append(f"a thousandth fails, {words}")
+    elif linear is not None:
+        faults += ["a thousandth of " + fault for fault in apart(linear, turned, 0.01)]
+    path, words = solve("path", [full * k for k in (0.25, 0.5, 0.75, 1.)], large)
+    if path is None:
+        return faults + ([] if "exit status 2: lamella: " in words else [f"it ends: {words}"])
+    once, words = solve("once", [full], large)
+    if once is None:
+        faults.append(f"one step fails: {words}")
+    else:
+        faults += ["one step " + fault for fault in apart(path, once, 1e-4)]
+    finer, words = solve("finer", [full * k for k in (0.25, 0.5, 0.75, 1.)], large,
+                         *scene.finer())
+    if finer is None:
+        faults.append(f"finer fails: {words}")
+    elif not any("turns by" in note for note in path["notes"]):
+        faults += ["finer " + fault for fault in apart(path, finer, 0.05)]
+    return faults
+
+
 def judge(arguments):
-    lamella, work, seed, number, bars, theories = arguments
+    lamella, work, seed, number, bars, theories, large = arguments
     scene = Scene(seed, number)
     folder = work / f"{seed}.{number}"
     shutil.rmtree(folder, ignore_errors=True)
     folder.mkdir(parents=True)
-    faults = models_disagree(lamella, scene, folder, theories)
+    faults = large_faults(lamella, scene, folder) if large else \
+        models_disagree(lamella, scene, folder, theories)
     if bars:
         faults += bar_fails(lamella, scene, folder)
     if faults:
@@ -337,11 +385,12 @@ def main():
     parser.add_argument("--case", type=int)
     parser.add_argument("--bars", action="store_true")
     parser.add_argument("--theories", default=MODELS)
+    parser.add_argument("--large", action="store_true")
     options = parser.parse_args()
     shutil.rmtree(options.work / "cases", ignore_errors=True)
     cases = range(options.count) if options.case is None else [options.case]
     jobs = [(options.lamella, options.work, options.seed, k, options.bars,
-             options.theories.split(",")) for k in cases]
+             options.theories.split(","), options.large) for k in cases]
     findings = 0
     with concurrent.futures.ProcessPoolExecutor(options.jobs) as pool:
         for number, words, faults in pool.map(judge, jobs):

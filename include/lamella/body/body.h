@@ -752,23 +752,31 @@ namespace lamella
 
     /// The tangent of the internal forces at the displacement @p u, in the
     /// three ways that are asked for: as terms of a matrix with the springs
-    /// @p springs, as f += K(u) w, and as what solves with it. Here, where
-    /// bodies are linear, it is the stiffness at all u. A @p correction is the
-    /// last one on the way to u, none where it is empty: a solver may take the
-    /// stress that it predicted for the one that turns (GreenAnswer).
-    virtual StiffnessTerms
+    /// @p springs, as f += K(u) w, and as what solves with it. Where bodies are
+    /// linear it is the stiffness at all u, else what for_each_tangent_block()
+    /// says. A @p correction is the last one on the way to u, none where it is
+    /// empty: the stress that turns is the one that it predicted (GreenAnswer).
+    StiffnessTerms
     tangent_terms(const Vector                  &u,
                   const Vector                  &correction,
                   const std::vector<SpringTerm> &springs = {}) const;
-    virtual void
+    void
     add_tangent_forces(const Vector &u, const Vector &w, Vector &f) const;
-    virtual std::unique_ptr<LinearSolver>
+    std::unique_ptr<LinearSolver>
     make_tangent_solver(const Vector                  &u,
                         const Vector                  &correction,
                         const Constraints             &constraints,
                         const std::vector<SpringTerm> &springs = {},
                         const SolverKind     asked   = SolverKind::automatic,
                         const SolverMonitor &monitor = {}) const;
+
+    /// What solves with the matrix of @p terms, condensed by @p constraints:
+    /// assembled, factorised and dropped as make_solver() says.
+    std::unique_ptr<LinearSolver>
+    solver_of(const StiffnessTerms &terms,
+              const Constraints    &constraints,
+              const SolverKind      asked,
+              const SolverMonitor  &monitor) const;
 
   protected:
     /**
@@ -783,13 +791,14 @@ namespace lamella
       const bool                                         with_values,
       const std::function<void(const StiffnessBlock &)> &use) const = 0;
 
-    /// What solves with the matrix of @p terms, condensed by @p constraints:
-    /// assembled, factorised and dropped as make_solver() says.
-    std::unique_ptr<LinearSolver>
-    solver_of(const StiffnessTerms &terms,
-              const Constraints    &constraints,
-              const SolverKind      asked,
-              const SolverMonitor  &monitor) const;
+    /// The same of the tangent at @p u, after the @p correction, which has its
+    /// size. Only of bodies that turn (an assertion fails otherwise).
+    virtual void
+    for_each_tangent_block(
+      const Vector                                      &u,
+      const Vector                                      &correction,
+      const bool                                         with_values,
+      const std::function<void(const StiffnessBlock &)> &use) const;
 
     /// T at @p x (scene axes) [K]; zero where nobody heats the body.
     double

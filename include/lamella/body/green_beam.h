@@ -54,22 +54,6 @@ namespace lamella
                          const Vector          &u,
                          const UseOfOutputCell &use) const override;
 
-    StiffnessTerms
-    tangent_terms(const Vector                  &u,
-                  const Vector                  &correction,
-                  const std::vector<SpringTerm> &springs = {}) const override;
-    void
-    add_tangent_forces(const Vector &u,
-                       const Vector &w,
-                       Vector       &f) const override;
-    std::unique_ptr<LinearSolver>
-    make_tangent_solver(const Vector                  &u,
-                        const Vector                  &correction,
-                        const Constraints             &constraints,
-                        const std::vector<SpringTerm> &springs = {},
-                        const SolverKind     asked   = SolverKind::automatic,
-                        const SolverMonitor &monitor = {}) const override;
-
   protected:
     /// Those of Green's strain.
     SectionForces
@@ -79,6 +63,14 @@ namespace lamella
     sample_at(const SectionPoint &point,
               const AxisPoint    &on_axis,
               const Vector       &u) const override;
+
+    /// A block for each own element of the axis and cell of the section.
+    void
+    for_each_tangent_block(
+      const Vector                                      &u,
+      const Vector                                      &correction,
+      const bool                                         with_values,
+      const std::function<void(const StiffnessBlock &)> &use) const override;
 
   private:
     /// The coefficients of @p u of the fields at @p point of the section, at
@@ -92,16 +84,6 @@ namespace lamella
     /// @p cell to the other [rad].
     double
     turn_along(const unsigned int cell, const Vector &u) const;
-
-    /// Calls @p use with the derivative of the forces at @p u, with the stress
-    /// that the @p correction predicted, block by block: one for each own
-    /// element of the axis and cell of the section.
-    void
-    for_each_tangent_block(
-      const Vector                                      &u,
-      const Vector                                      &correction,
-      const bool                                         with_values,
-      const std::function<void(const StiffnessBlock &)> &use) const;
 
     /// The block of the axis element @p cell and the section's cell whose
     /// fields are @p on_section, without values.

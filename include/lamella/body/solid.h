@@ -156,6 +156,39 @@ namespace lamella
       const bool                                         with_values,
       const std::function<void(const StiffnessBlock &)> &use) const override;
 
+    /// The fields at one place, in scene and ply axes.
+    virtual FieldSample
+    sample_place(const Location::Place &place, const Vector &u) const;
+
+    /// What is known of any of the hexahedra.
+    const Hexahedron &
+    hexahedron() const
+    {
+      return element;
+    }
+    Hexahedron::Nodes
+    nodes_of(const unsigned int cell) const;
+    /// The DoFs of @p cell in the order of Hexahedron.
+    std::vector<DofIndex>
+    dofs_of(const unsigned int cell) const;
+    /// The law of @p cell at the point @p x of it, and the axes of its ply
+    /// there, both in the body's axes.
+    ElasticLaw
+    law(const unsigned int cell, const dealii::Point<3> &x) const
+    {
+      return laws.at(mesh.cells()[cell].ply, {x[0], x[2]});
+    }
+    Triad
+    ply_axes(const unsigned int cell, const dealii::Point<3> &x) const
+    {
+      return mesh.section().plies[mesh.cells()[cell].ply].axes({x[0], x[2]});
+    }
+
+    /// The displacements of @p cell less those of its first node, so that a
+    /// rigid translation has no strain, to the last bit.
+    std::vector<double>
+    relative_displacements(const unsigned int cell, const Vector &u) const;
+
   private:
     friend class SolidSecondOrder;
 
@@ -175,23 +208,6 @@ namespace lamella
     void
     make_boxes();
 
-    Hexahedron::Nodes
-    nodes_of(const unsigned int cell) const;
-    /// The DoFs of @p cell in the order of Hexahedron.
-    std::vector<DofIndex>
-    dofs_of(const unsigned int cell) const;
-    /// The law of @p cell at the point @p x of it, and the axes of its ply
-    /// there, both in the body's axes.
-    ElasticLaw
-    law(const unsigned int cell, const dealii::Point<3> &x) const
-    {
-      return laws.at(mesh.cells()[cell].ply, {x[0], x[2]});
-    }
-    Triad
-    ply_axes(const unsigned int cell, const dealii::Point<3> &x) const
-    {
-      return mesh.section().plies[mesh.cells()[cell].ply].axes({x[0], x[2]});
-    }
     /// law() as a function of the point, for @p cell's matrices.
     StiffnessAt
     stiffness_of(const unsigned int cell) const;
@@ -203,15 +219,6 @@ namespace lamella
     law_at(const unsigned int      cell,
            const dealii::Point<3> &unit,
            const dealii::Point<3> &x) const;
-
-    /// The displacements of @p cell less those of its first node, so that a
-    /// rigid translation has no strain, to the last bit.
-    std::vector<double>
-    relative_displacements(const unsigned int cell, const Vector &u) const;
-
-    /// The fields at one place, in scene and ply axes.
-    FieldSample
-    sample_place(const Location::Place &place, const Vector &u) const;
 
     /// Adds @p share of what @p place has of the rows of a point.
     void

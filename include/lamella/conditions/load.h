@@ -36,14 +36,13 @@ namespace lamella
     /// On a surface, force per area against its outward normal. So a positive
     /// one pushes into the body. Empty if the load is a force.
     Formula pressure;
+    /// Whether the pressure stays normal to the surface as that turns, and is
+    /// per area of the deformed one: of bodies that turn by any angle.
+    bool follows = false;
     /**
      * On a surface, a moment [force x length], scene components, as tractions
-     * that are linear over it,
-     *   t(X) = theta x (X - c),   J theta = M,
-     *   J = integral of (r^2 1 - r r) dA,   r = X - c,
-     * c the surface's own centre of area: those of least square that have the
-     * moment M, and no force. On an end a bending moment gives the axial
-     * traction of Navier, a torque that of a round shaft.
+     * that are linear over it (Couple). On an end a bending moment gives the
+     * axial traction of Navier, a torque that of a round shaft.
      */
     std::optional<dealii::Tensor<1, 3>> couple = {};
     /// On surfaces or lines, what all regions together carry [force], scene
@@ -99,6 +98,10 @@ namespace lamella
   /// expressions there; pressure needs a surface.
   PointForces
   point_forces(const Load &load, const Region &region, const Body &body);
+
+  /// f += what @p at does on @p body: f . v = sum of force . v(x).
+  void
+  add_point_forces(const Body &body, const PointForces &at, Vector &f);
 
   /// What a load is in all. For the summary: the sums that reactions must
   /// balance.

@@ -30,6 +30,15 @@ namespace lamella
     /// Row by row; empty where only the pattern is asked for. Value (i, j) at
     /// [i * columns.size() + j]; force/length.
     std::vector<double> values;
+
+    /// f += the block times @p w.
+    void
+    add_product(const Vector &w, Vector &f) const
+    {
+      for (unsigned int i = 0; i < rows.size(); ++i)
+        for (unsigned int j = 0; j < columns.size(); ++j)
+          f[rows[i]] += values[i * columns.size() + j] * w[columns[j]];
+    }
   };
 
   /// A term k r^T r of the stiffness: a spring k to the ground in what the row

@@ -89,6 +89,13 @@ namespace lamella
     void
     set_goals(std::vector<GoalResult> goals, const std::string &why_none = "");
 
+    /// Adds a note on the scene as a whole, a sentence without a full stop.
+    void
+    add_endnote(const std::string &note)
+    {
+      found.endnotes.push_back(note);
+    }
+
     /// Gives back the memory of what solves: results() is all that is left to
     /// ask for.
     void

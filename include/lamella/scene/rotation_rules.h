@@ -3,15 +3,14 @@
 #ifndef lamella_scene_rotation_rules_h
 #define lamella_scene_rotation_rules_h
 
-#include <lamella/base/entry.h>
 #include <lamella/scene/scene.h>
 
 namespace lamella
 {
   /**
-   * Makes of @p scene, whose top level is @p in, one of bodies that turn by any
-   * angle, where it says `Rotations = large`: these (BodyDescription::turns),
-   * contacts whose rows may slide, and no error bars unless they are asked for.
+   * @p scene as one of bodies that turn by any angle: these
+   * (BodyDescription::turns), contacts whose rows may slide, and no error bars
+   * unless they are asked for.
    *
    * Throws InputError for what large rotations are not made for, entry by
    * entry: theories that cannot deform as a turned one does, axes that lock,
@@ -19,8 +18,15 @@ namespace lamella
    * friction, pairs of nodes, the full strategy, Find, error bars and
    * tolerances, stresses by equilibrium, several processes.
    */
+  Scene
+  turning(Scene scene);
+
+  /// Makes @p scene what its `Rotations` say: turning() where they are large.
+  /// Where they are automatic nothing is decided, but linear where turning()
+  /// throws, which a warning of the scene says. Throws InputError as it does,
+  /// and for what is of large rotations alone.
   void
-  take_rotations(Scene &scene, const Entries &in);
+  take_rotations(Scene &scene);
 } // namespace lamella
 
 #endif

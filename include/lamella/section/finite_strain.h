@@ -33,6 +33,25 @@ namespace lamella
   Voigt
   green_strain(const Gradient &H);
 
+  /// The first Piola-Kirchhoff stress S (1 + H), a row a direction, where
+  /// @p second is the second one, S, in the order of Voigt.
+  dealii::Tensor<2, 3>
+  first_stress(const Gradient &H, const Voigt &second);
+
+  /**
+   * The derivative of first_stress() by H where S = C E is that of @p law: row
+   * and column 3 i + c of H[i][c],
+   *   (dE/dH)^T C dE/dH + S_ij delta_cd,
+   * symmetric. The S of the second part is the one that was predicted where H
+   * was reached by the last correction @p dH,
+   *   C (E - sum_c dH_ic dH_jc / 2),
+   * E of before and its linear change (Magisano, Leonetti and Garcea, Int. J.
+   * Numer. Meth. Engng 110, 2017: the tangent of mixed integration points);
+   * that of H itself for a correction of zero.
+   */
+  dealii::Tensor<2, 9>
+  green_tangent(const Gradient &H, const Gradient &dH, const ElasticLaw &law);
+
   /// The numbers of green_strain() as a tensor, E_ij.
   dealii::SymmetricTensor<2, 3>
   strain_tensor(const Voigt &strain);

@@ -54,13 +54,8 @@ namespace lamella
       dealii::LAPACKFullMatrix<double> matrix;
     };
 
-    /// Calls @p use with the tangent of each cell at station @p k of @p q. The
-    /// stress that turns with the material is the one that was predicted where
-    /// @p q was reached by the last @p correction,
-    ///   C (E - sum_c dH_ic dH_jc / 2),
-    /// E of before and its linear change (Magisano, Leonetti and Garcea,
-    /// Int. J. Numer. Meth. Engng 110, 2017: the tangent of mixed integration
-    /// points); that of @p q itself for a correction of zero.
+    /// Calls @p use with the tangent of each cell at station @p k of @p q,
+    /// which was reached by the last @p correction (green_tangent()).
     void
     for_each_cell(const FieldParts                               &q,
                   const FieldParts                               &correction,

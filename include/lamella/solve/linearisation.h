@@ -40,18 +40,22 @@ namespace lamella
     };
 
     /// About @p u, without solvers: what the `full` strategy assembles.
-    Linearisation(const Structure &structure, const BlockVector &u);
+    Linearisation(const Structure   &structure,
+                  const BlockVector &u,
+                  const LoadFactor  &factor = LoadFactor());
 
     /// About @p u, with what solves with the condensed stiffness of each body,
     /// as @p asked; after the @p correction that led to u, if there is one
-    /// (Body::make_tangent_solver()). Throws LostDigits where one is not
-    /// positive definite in doubles, InputError as Body::solver_kind() does,
-    /// and what @p monitor throws.
+    /// (Body::make_tangent_solver()). Loads that turn along add theirs at load
+    /// factor @p factor, and to the solvers only. Throws LostDigits where one
+    /// is not positive definite in doubles, InputError as Body::solver_kind()
+    /// does, and what @p monitor throws.
     Linearisation(const Structure   &structure,
                   const BlockVector &u,
                   const SolverKind   asked,
                   const BodyMonitor &monitor    = {},
-                  const BlockVector &correction = BlockVector());
+                  const BlockVector &correction = BlockVector(),
+                  const LoadFactor  &factor     = LoadFactor());
 
     const Structure &
     of() const
@@ -74,7 +78,10 @@ namespace lamella
     solver(const unsigned int body) const;
 
     /// K(u)^-1 @p r, which need not be condensed; zero in what supports
-    /// prescribe. With solvers.
+    /// prescribe. With solvers. Loads that turn along have a part of the
+    /// tangent that is not symmetric, A, in no factor: with it x is that of
+    ///   (1 + K^-1 A) x = K^-1 r,
+    /// by GMRES, or K^-1 r if that does not come to an end.
     BlockVector
     solve(BlockVector r) const;
 
@@ -90,8 +97,23 @@ namespace lamella
     condition_estimate() const;
 
   private:
+    /// What solves with the stiffness of @p body.
+    std::unique_ptr<LinearSolver>
+    make_solver(const unsigned int   body,
+                const SolverKind     asked,
+                const Vector        &correction,
+                const SolverMonitor &monitor) const;
+
+    /// K^-1 @p r.
+    BlockVector
+    solve_symmetric(BlockVector r) const;
+    /// A @p w.
+    BlockVector
+    skew_part(const BlockVector &w) const;
+
     const Structure                           &structure;
     const BlockVector                          state;
+    const LoadFactor                           factor;
     std::vector<std::unique_ptr<LinearSolver>> solvers;
     /// largest_stiffness() where no solver knows it, once asked for.
     mutable std::vector<double> stiffest;

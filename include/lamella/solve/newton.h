@@ -30,7 +30,9 @@ namespace lamella
     /// are a failure; below `nothing` of these they are rounding.
     double diverged = 1e12, nothing = arithmetic::rounding_of_sums;
     /// What gaps may miss the law by, of the largest displacement, or of the
-    /// size of the scene if that is more.
+    /// size of the scene if that is more. Where there are more rows than the
+    /// surfaces can follow it is less than their forces are known to: below
+    /// `floor` of the displacement they end as forces do.
     double law = arithmetic::negligible, touching = arithmetic::rounding;
     /// How often contacts pair anew in a step.
     unsigned int max_pairings = 3;
@@ -175,9 +177,10 @@ namespace lamella
                    const double before,
                    const double change) const;
 
-    /// Whether the gaps of @p at are those of the contact law.
+    /// Whether the gaps of @p at are those of the contact law, which they
+    /// missed by the length @p before in the iteration before.
     bool
-    keeps_law(const Equilibrium &at) const;
+    keeps_law(const Equilibrium &at, const double before) const;
 
     const Structure &structure;
     MovingContacts   contacts;

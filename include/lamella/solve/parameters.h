@@ -34,15 +34,17 @@ namespace lamella
   enum class Rotations
   {
     undefined,
-    linear, ///< by small angles: the linear strain of Eq. 5
-    large   ///< by any angle: Green's strain (GreenBeam), Newton
+    linear,   ///< by small angles: the linear strain of Eq. 5
+    large,    ///< by any angle: Green's strain (GreenBeam), Newton
+    automatic ///< linear where that leaves nothing out, else large
   };
 
   template <>
   struct Names<Rotations>
   {
     static constexpr NameOf<Rotations> all[] = {{Rotations::linear, "linear"},
-                                                {Rotations::large, "large"}};
+                                                {Rotations::large, "large"},
+                                                {Rotations::automatic, "auto"}};
   };
 
   /// In how many equal parts the way from one load step to the next is done.

@@ -13,6 +13,7 @@
 #include <lamella/conditions/row_reduction.h>
 #include <lamella/conditions/stabilisation.h>
 #include <lamella/conditions/support.h>
+#include <lamella/conditions/turning_load.h>
 
 #include <memory>
 #include <numeric>
@@ -116,11 +117,40 @@ namespace lamella
     SpringRest
     spring_lengths(const BlockVector &u) const;
 
-    /// The load vector f(t) at load factor t = @p factor, not condensed: all
+    /// The load vector f(t, u) at load factor t = @p factor, not condensed: all
     /// loads together, f . v is their work on the virtual displacement v
-    /// (Eq. 10).
+    /// (Eq. 10). Those that turn along with bodies (TurningLoad) are of the
+    /// displacements @p u; all others do not ask.
+    BlockVector
+    load(const LoadFactor &factor, const BlockVector &u) const;
+
+    /// That of the undeformed bodies.
     BlockVector
     load(const LoadFactor &factor) const;
+
+    /// Whether a load turns along with @p body.
+    bool
+    has_turning_loads(const unsigned int body) const
+    {
+      return !turning[body].empty();
+    }
+
+    /// f += df(t, u)/du @p w of these.
+    void
+    add_derivative_of_loads(const LoadFactor  &factor,
+                            const BlockVector &u,
+                            const BlockVector &w,
+                            BlockVector       &f) const;
+
+    /// What these add to its tangent stiffness at load factor @p factor and
+    /// the displacement @p u of the body (TurningLoad).
+    void
+    for_each_block_of_loads(
+      const unsigned int                                 body,
+      const LoadFactor                                  &factor,
+      const Vector                                      &u,
+      const bool                                         with_values,
+      const std::function<void(const StiffnessBlock &)> &use) const;
 
     /// The load vector f_0 of heat (Body::add_heat()), which no load factor
     /// multiplies; zero where nothing is heated.
@@ -226,6 +256,11 @@ namespace lamella
     prescribed_in(const unsigned int              history,
                   const std::vector<std::string> &names) const;
 
+    /// Adds @p load to what its history multiplies or, where it turns along,
+    /// to what turns; and what it is in all.
+    void
+    take(const Load &load);
+
     /// Throws InputError for the first body with a rigid motion that supports
     /// leave free and no stabilisation holds.
     void
@@ -242,7 +277,11 @@ namespace lamella
     {
       BlockVector load, particular;
     };
-    std::vector<OfHistory>     histories;
+    std::vector<OfHistory> histories;
+    /// Of each body the loads that turn along, with their histories.
+    std::vector<
+      std::vector<std::pair<std::unique_ptr<TurningLoad>, unsigned int>>>
+                               turning;
     BlockVector                initial_load;
     std::vector<double>        initial_energies;
     std::vector<LoadResultant> resultants;

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef lamella_conditions_following_pressure_h
+#define lamella_conditions_following_pressure_h
+
+#include <lamella/body/facet_map.h>
+#include <lamella/conditions/traction.h>
+#include <lamella/conditions/turning_load.h>
+
+#include <deal.II/lac/full_matrix.h>
+
+namespace lamella
+{
+  /**
+   * A pressure p(X) per area of the deformed surface, against its normal there:
+   *   f . v = -integral p v . (x_,s x x_,t) ds dt
+   * by Gauss points of each facet, s and t its material coordinates.
+   */
+  class FollowingPressure : public TurningLoad
+  {
+  public:
+    FollowingPressure(const Load &load, const Region &region, const Body &body);
+    void
+    add_forces(const double factor, const Vector &u, Vector &f) const override;
+    void
+    add_derivative(const double  factor,
+                   const Vector &u,
+                   const Vector &w,
+                   Vector       &f) const override;
+    void
+    for_each_stiffness_block(
+      const double                                       factor,
+      const Vector                                      &u,
+      const bool                                         with_values,
+      const std::function<void(const StiffnessBlock &)> &use) const override;
+
+  private:
+    /// A point of a facet, with p dS_0 / |dX_s x dX_t| there, and the trace
+    /// functions with their derivatives by s and t.
+    struct GaussPoint
+    {
+      dealii::Point<2>    st;
+      double              pressure;
+      std::vector<double> value, by_s, by_t;
+    };
+    /// A facet with the displacement rows of its trace nodes.
+    struct Facet
+    {
+      FacetMap                      map;
+      unsigned int                  degree_s, degree_t;
+      std::vector<std::vector<Row>> rows;
+      std::vector<GaussPoint>       points;
+
+      FacetMap
+      moved(const Vector &u) const;
+      /// -df/du of the nodes' displacements, @p at the moved facet.
+      dealii::FullMatrix<double>
+      stiffness(const FacetMap &at, const double factor) const;
+    };
+    /// The functions of @p facet at @p point.
+    static void
+    evaluate(const SurfaceFacet &facet, GaussPoint &point);
+    /// The displacement rows of the trace nodes of @p facet.
+    static std::vector<std::vector<Row>>
+    rows_of_nodes(const Body &body, const SurfaceFacet &facet);
+    static Facet
+    facet_of(const Body         &body,
+             const SurfaceFacet &facet,
+             const Traction     &traction);
+
+    std::vector<Facet> facets;
+  };
+} // namespace lamella
+
+#endif

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef lamella_conditions_rows_to_dofs_h
+#define lamella_conditions_rows_to_dofs_h
+
+#include <lamella/body/body.h>
+
+#include <deal.II/lac/full_matrix.h>
+
+#include <map>
+#include <vector>
+
+namespace lamella
+{
+  /// Rows of displacements, and the matrix of a quadratic form of their
+  /// values: @p of_rows, 3 x 3 for each pair of places, row by row, becomes
+  /// one of the DoFs of the block.
+  class RowsToDofs
+  {
+  public:
+    explicit RowsToDofs(const std::vector<std::vector<Row>> &rows)
+      : rows(rows)
+    {
+      for (const auto &of_place : rows)
+        for (const Row &row : of_place)
+          for (const auto &[dof, weight] : row.entries())
+            places.emplace(dof, 0);
+      for (auto &[dof, place] : places)
+        {
+          place = block.rows.size();
+          block.rows.push_back(dof);
+        }
+      block.columns        = block.rows;
+      block.columns_ascend = true;
+    }
+
+    const StiffnessBlock &
+    pattern() const
+    {
+      return block;
+    }
+
+    StiffnessBlock
+    operator()(const dealii::FullMatrix<double> &of_rows) const
+    {
+      const unsigned int         n = block.rows.size(), m = of_rows.m();
+      dealii::FullMatrix<double> to_rows(m, n), half(m, n), values(n, n);
+      for (unsigned int i = 0; i < m; ++i)
+        for (const auto &[dof, weight] : rows[i / 3][i % 3].entries())
+          to_rows(i, places.at(dof)) += weight;
+      of_rows.mmult(half, to_rows);
+      to_rows.Tmmult(values, half);
+      StiffnessBlock result = block;
+      for (unsigned int i = 0; i < n; ++i)
+        result.values.insert(result.values.end(),
+                             values.begin(i),
+                             values.end(i));
+      return result;
+    }
+
+    /// Of the block's DoFs, the linear form of the displacements of the
+    /// places that multiplies each by one of @p weights.
+    std::vector<double>
+    form(const std::vector<dealii::Tensor<1, 3>> &weights) const
+    {
+      std::vector<double> result(block.rows.size(), 0.);
+      for (unsigned int p = 0; p < rows.size(); ++p)
+        for (unsigned int c = 0; c < 3; ++c)
+          for (const auto &[dof, weight] : rows[p][c].entries())
+            result[places.at(dof)] += weights[p][c] * weight;
+      return result;
+    }
+
+  private:
+    const std::vector<std::vector<Row>> &rows;
+    std::map<DofIndex, unsigned int>     places;
+    StiffnessBlock                       block;
+  };
+} // namespace lamella
+
+#endif

@@ -1,0 +1,227 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <lamella/base/exceptions.h>
+#include <lamella/base/processes.h>
+#include <lamella/body/fields.h>
+#include <lamella/body/green_solid.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace lamella
+{
+  using namespace dealii;
+
+  GreenSolid::GreenSolid(const std::string                 &name,
+                         std::shared_ptr<const SectionMesh> section,
+                         const AxisMesh                    &axis,
+                         const Placement                   &placement,
+                         const unsigned int                 degree,
+                         const SolidRefinement             &refinement)
+    : Solid(name, section, axis, placement, degree, refinement)
+  {
+    if (degree < 2)
+      throw InputError("Large rotations of a solid want solid-2: the "
+                       "incompatible modes of solid-1 are of small strains.");
+  }
+
+
+
+  // ---- where it is, and what it shows
+
+  std::vector<Vector>
+  GreenSolid::rigid_motions_at(const Vector &u) const
+  {
+    std::vector<Vector> motions = rigid_motions();
+    for (unsigned int m = 3; m < 6; ++m)
+      {
+        Tensor<1, 3> axis;
+        axis[m - 3]           = 1.;
+        const Tensor<1, 3> in = placement.vector_to_body(axis);
+        for (DofIndex first = 0; first < n_dofs(); first += 3)
+          {
+            const Tensor<1, 3> more =
+              cross_product_3d(in,
+                               Point<3>(u[first], u[first + 1], u[first + 2]));
+            for (unsigned int c = 0; c < 3; ++c)
+              motions[m][first + c] += more[c];
+          }
+      }
+    return motions;
+  }
+
+
+
+  Gradient
+  GreenSolid::gradient_at(const unsigned int     cell,
+                          const HexahedronPoint &point,
+                          const Vector          &u) const
+  {
+    const std::vector<double> v = relative_displacements(cell, u);
+    Gradient                  H;
+    for (unsigned int i = 0; i < point.gradients.size(); ++i)
+      H += outer_product(point.gradients[i],
+                         Tensor<1, 3>({v[3 * i], v[3 * i + 1], v[3 * i + 2]}));
+    return H;
+  }
+
+
+
+  double
+  GreenSolid::turn_along(const unsigned int cell, const Vector &u) const
+  {
+    const auto turn = [&](const double along) {
+      const HexahedronPoint point =
+        hexahedron().evaluate(nodes_of(cell), {0.5, along, 0.5});
+      return PolarDecomposition(gradient_at(cell, point, u)).turn();
+    };
+    return angle_of(transpose(turn(0.)) * turn(1.));
+  }
+
+
+
+  Deformation
+  GreenSolid::deformation(const Vector &u) const
+  {
+    Deformation result;
+    const auto [begin, end] = hexahedra().owned_cells();
+    for (unsigned int cell = begin; cell < end; ++cell)
+      {
+        double volume = 0., squares = 0.;
+        for (const HexahedronPoint &point :
+             hexahedron().quadrature_points(nodes_of(cell)))
+          {
+            const Gradient H    = gradient_at(cell, point, u);
+            const Stretch  here = stretch_of(H);
+            result.energy +=
+              point.JxW *
+              law(cell, point.position).energy_density(green_strain(H));
+            result.max_rotation = std::max(result.max_rotation, here.turn);
+            result.max_strain   = std::max(result.max_strain, here.strain);
+            volume += point.JxW;
+            squares += point.JxW * here.along * here.along;
+          }
+        result.max_mean_strain =
+          std::max(result.max_mean_strain, std::sqrt(squares / volume));
+        result.max_element_turn =
+          std::max(result.max_element_turn, turn_along(cell, u));
+      }
+    result.energy = Utilities::MPI::sum(result.energy, communicator());
+    for (double *largest : {&result.max_rotation,
+                            &result.max_strain,
+                            &result.max_mean_strain,
+                            &result.max_element_turn})
+      *largest = Utilities::MPI::max(*largest, communicator());
+    return result;
+  }
+
+
+
+  FieldSample
+  GreenSolid::sample_place(const Location::Place &place, const Vector &u) const
+  {
+    const HexahedronPoint point =
+      hexahedron().evaluate(nodes_of(place.cell), place.unit);
+    const auto  &nodes = hexahedra().cells()[place.cell].nodes;
+    Tensor<1, 3> displacement;
+    for (unsigned int i = 0; i < nodes.size(); ++i)
+      for (unsigned int c = 0; c < 3; ++c)
+        displacement[c] += point.N[i] * u[3 * DofIndex(nodes[i]) + c];
+    const Gradient H      = gradient_at(place.cell, point, u);
+    const Voigt    strain = green_strain(H);
+    return SampleTurns(placement, ply_axes(place.cell, point.position))
+      .sample(displacement,
+              strain,
+              PolarDecomposition(H).turned_stress(
+                law(place.cell, point.position).stress(strain)));
+  }
+
+
+
+  // ---- forces and the tangent
+
+  void
+  GreenSolid::add_internal_forces(const Vector &u, Vector &f) const
+  {
+    Vector share(n_dofs());
+    const auto [begin, end] = hexahedra().owned_cells();
+    for (unsigned int cell = begin; cell < end; ++cell)
+      {
+        const std::vector<DofIndex> dofs = dofs_of(cell);
+        for (const HexahedronPoint &point :
+             hexahedron().quadrature_points(nodes_of(cell)))
+          {
+            const Gradient     H = gradient_at(cell, point, u);
+            const Tensor<2, 3> P =
+              point.JxW *
+              first_stress(H,
+                           law(cell, point.position).stress(green_strain(H)));
+            for (unsigned int d = 0; d < dofs.size(); ++d)
+              for (unsigned int i = 0; i < 3; ++i)
+                share[dofs[d]] += point.gradients[d / 3][i] * P[i][d % 3];
+          }
+      }
+    sum_over_processes(share);
+    f += share;
+  }
+
+
+
+  std::vector<double>
+  GreenSolid::tangent_of(const unsigned int                  cell,
+                         const std::vector<HexahedronPoint> &points,
+                         const Vector                       &u,
+                         const Vector                       &correction) const
+  {
+    const unsigned int  n = hexahedra().cells()[cell].nodes.size();
+    std::vector<double> values(9 * n * n, 0.);
+    for (const HexahedronPoint &point : points)
+      {
+        const Tensor<2, 9> D =
+          green_tangent(gradient_at(cell, point, u),
+                        gradient_at(cell, point, correction),
+                        law(cell, point.position));
+        for (unsigned int i = 0; i < n; ++i)
+          {
+            // grad N_i . D: a row a component, a column for each entry of H.
+            std::array<std::array<double, 9>, 3> left{};
+            for (unsigned int a = 0; a < 3; ++a)
+              for (unsigned int c = 0; c < 3; ++c)
+                for (unsigned int m = 0; m < 9; ++m)
+                  left[c][m] +=
+                    point.JxW * point.gradients[i][a] * D[3 * a + c][m];
+            for (unsigned int k = 0; k < n; ++k)
+              for (unsigned int c = 0; c < 3; ++c)
+                for (unsigned int d = 0; d < 3; ++d)
+                  for (unsigned int b = 0; b < 3; ++b)
+                    values[(3 * i + c) * 3 * n + 3 * k + d] +=
+                      left[c][3 * b + d] * point.gradients[k][b];
+          }
+      }
+    return values;
+  }
+
+
+
+  void
+  GreenSolid::for_each_tangent_block(
+    const Vector                                      &u,
+    const Vector                                      &correction,
+    const bool                                         with_values,
+    const std::function<void(const StiffnessBlock &)> &use) const
+  {
+    const auto [begin, end] = hexahedra().owned_cells();
+    for (unsigned int cell = begin; cell < end; ++cell)
+      {
+        StiffnessBlock block;
+        block.rows = block.columns = dofs_of(cell);
+        if (with_values)
+          block.values =
+            tangent_of(cell,
+                       hexahedron().quadrature_points(nodes_of(cell)),
+                       u,
+                       correction);
+        use(block);
+      }
+  }
+} // namespace lamella

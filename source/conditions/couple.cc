@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <lamella/conditions/couple.h>
+
+#include <deal.II/base/quadrature_lib.h>
+
+namespace lamella
+{
+  using namespace dealii;
+
+  Couple::Couple(const Load &load, const Region &region, const Body &body)
+    : moment(*load.couple)
+  {
+    check_surface(body, region.surface, "Load " + load.name + "/On");
+    for (const SurfaceFacet &facet : body.surface_facets(region.surface))
+      {
+        const QGauss<1> s(facet.trace_degree_s + 2),
+          t(facet.trace_degree_t + 2);
+        for (unsigned int j = 0; j < t.size(); ++j)
+          for (unsigned int i = 0; i < s.size(); ++i)
+            {
+              all.push_back(
+                body.surface_point(facet,
+                                   Point<2>(s.point(i)[0], t.point(j)[0])));
+              all.back().area *= s.weight(i) * t.weight(j);
+            }
+      }
+  }
+
+
+
+  Couple::Place
+  Couple::place(const std::vector<Point<3>> &x) const
+  {
+    double       area = 0.;
+    Tensor<1, 3> centre;
+    for (unsigned int k = 0; k < all.size(); ++k)
+      {
+        area += all[k].area;
+        centre += all[k].area * x[k];
+      }
+    centre /= area;
+    Tensor<2, 3> J;
+    for (unsigned int k = 0; k < all.size(); ++k)
+      {
+        const Tensor<1, 3> r = x[k] - centre;
+        for (unsigned int c = 0; c < 3; ++c)
+          J[c][c] += all[k].area * r.norm_square();
+        J -= all[k].area * outer_product(r, r);
+      }
+    const Tensor<2, 3> inverse = invert(J);
+    return {centre, inverse, inverse * moment};
+  }
+
+
+
+  std::vector<Tensor<1, 3>>
+  Couple::forces(const std::vector<Point<3>> &x) const
+  {
+    const Place               at = place(x);
+    std::vector<Tensor<1, 3>> result;
+    for (unsigned int k = 0; k < all.size(); ++k)
+      result.push_back(all[k].area *
+                       cross_product_3d(at.theta, x[k] - at.centre));
+    return result;
+  }
+
+
+
+  std::vector<Tensor<1, 3>>
+  Couple::change(const std::vector<Point<3>>     &x,
+                 const std::vector<Tensor<1, 3>> &u) const
+  {
+    const Place   at   = place(x);
+    const Turning by   = turning(x);
+    double        area = 0.;
+    Tensor<1, 3>  centre, of_theta;
+    for (unsigned int p = 0; p < all.size(); ++p)
+      {
+        area += all[p].area;
+        centre += all[p].area * u[p];
+        for (unsigned int k = 0; k < 3; ++k)
+          of_theta[k] -= by.stretch[k][p] * u[p];
+      }
+    centre /= area;
+    of_theta = at.inverse * of_theta;
+    std::vector<Tensor<1, 3>> result;
+    for (unsigned int p = 0; p < all.size(); ++p)
+      result.push_back(all[p].area *
+                       (cross_product_3d(at.theta, u[p] - centre) +
+                        cross_product_3d(of_theta, x[p] - at.centre)));
+    return result;
+  }
+
+
+
+  Couple::Turning
+  Couple::turning(const std::vector<Point<3>> &x) const
+  {
+    const Place         at    = place(x);
+    const Tensor<1, 3> &theta = at.theta;
+    Turning             result;
+    for (unsigned int p = 0; p < all.size(); ++p)
+      {
+        const Tensor<1, 3> r = x[p] - at.centre;
+        for (unsigned int k = 0; k < 3; ++k)
+          {
+            Tensor<1, 3> along;
+            along[k] = 1.;
+            // The row k of J^-1 [r]x is that vector times [r]x.
+            result.spin[k].push_back(all[p].area *
+                                     cross_product_3d(at.inverse[k], r));
+            result.stretch[k].push_back(
+              all[p].area *
+              (2. * theta[k] * r - (r * theta) * along - r[k] * theta));
+          }
+      }
+    return result;
+  }
+
+
+
+  PointForces
+  Couple::dead() const
+  {
+    PointForces           result;
+    std::vector<Point<3>> x;
+    for (const SurfacePoint &point : all)
+      {
+        result.locations.push_back(point.location);
+        x.push_back(point.position);
+      }
+    result.forces = forces(x);
+    return result;
+  }
+} // namespace lamella

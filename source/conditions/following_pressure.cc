@@ -1,0 +1,221 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <lamella/base/gauss_lobatto_basis.h>
+#include <lamella/conditions/following_pressure.h>
+#include <lamella/conditions/rows_to_dofs.h>
+
+#include <deal.II/base/quadrature_lib.h>
+
+namespace lamella
+{
+  using namespace dealii;
+
+  namespace
+  {
+    /// a x, so that (a x) b is the cross product of both.
+    Tensor<2, 3>
+    cross_matrix(const Tensor<1, 3> &a)
+    {
+      Tensor<2, 3> m;
+      m[0][1] = -a[2];
+      m[0][2] = a[1];
+      m[1][0] = a[2];
+      m[1][2] = -a[0];
+      m[2][0] = -a[1];
+      m[2][1] = a[0];
+      return m;
+    }
+  } // namespace
+
+
+
+  FollowingPressure::FollowingPressure(const Load   &load,
+                                       const Region &region,
+                                       const Body   &body)
+  {
+    check_surface(body, region.surface, "Load " + load.name + "/On");
+    const Traction traction(load);
+    for (const SurfaceFacet &facet : body.surface_facets(region.surface))
+      facets.push_back(facet_of(body, facet, traction));
+  }
+
+
+
+  void
+  FollowingPressure::evaluate(const SurfaceFacet &facet, GaussPoint &point)
+  {
+    const unsigned int n_s = facet.trace_degree_s + 1,
+                       n_t = facet.trace_degree_t + 1;
+    std::vector<double> s(n_s), ds(n_s), t(n_t), dt(n_t);
+    GaussLobattoBasis::of_degree(facet.trace_degree_s)
+      .evaluate(point.st[0], s.data(), ds.data());
+    GaussLobattoBasis::of_degree(facet.trace_degree_t)
+      .evaluate(point.st[1], t.data(), dt.data());
+    for (unsigned int b = 0; b < n_t; ++b)
+      for (unsigned int a = 0; a < n_s; ++a)
+        {
+          point.value.push_back(s[a] * t[b]);
+          point.by_s.push_back(ds[a] * t[b]);
+          point.by_t.push_back(s[a] * dt[b]);
+        }
+  }
+
+
+
+  std::vector<std::vector<Row>>
+  FollowingPressure::rows_of_nodes(const Body &body, const SurfaceFacet &facet)
+  {
+    const QGaussLobatto<1> s(facet.trace_degree_s + 1),
+      t(facet.trace_degree_t + 1);
+    std::vector<Location> nodes;
+    for (unsigned int b = 0; b < t.size(); ++b)
+      for (unsigned int a = 0; a < s.size(); ++a)
+        nodes.push_back(
+          body.surface_point(facet, {s.point(a)[0], t.point(b)[0]}).location);
+    return body.rows(nodes, Quantity::displacement);
+  }
+
+
+
+  FollowingPressure::Facet
+  FollowingPressure::facet_of(const Body         &body,
+                              const SurfaceFacet &facet,
+                              const Traction     &traction)
+  {
+    Facet result{FacetMap(body, facet),
+                 facet.trace_degree_s,
+                 facet.trace_degree_t,
+                 {},
+                 {}};
+    // Functions times the normal, of degrees 3 n - 1, and of a pressure that
+    // varies two more.
+    const auto n_points = [](const unsigned int degree) {
+      return (3 * degree + 3) / 2;
+    };
+    const QGauss<1> s(n_points(facet.trace_degree_s)),
+      t(n_points(facet.trace_degree_t));
+    for (unsigned int j = 0; j < t.size(); ++j)
+      for (unsigned int i = 0; i < s.size(); ++i)
+        {
+          GaussPoint point;
+          point.st           = Point<2>(s.point(i)[0], t.point(j)[0]);
+          const auto   place = result.map(point.st);
+          Tensor<1, 3> n     = result.map.outward(place);
+          n /= n.norm();
+          point.pressure =
+            -(s.weight(i) * t.weight(j) * (traction(place.position, n) * n));
+          evaluate(facet, point);
+          result.points.push_back(point);
+        }
+    result.rows = rows_of_nodes(body, facet);
+    return result;
+  }
+
+
+
+  FacetMap
+  FollowingPressure::Facet::moved(const Vector &u) const
+  {
+    std::vector<Tensor<1, 3>> by(rows.size());
+    for (unsigned int k = 0; k < rows.size(); ++k)
+      for (unsigned int c = 0; c < 3; ++c)
+        by[k][c] = rows[k][c](u);
+    return map.moved(degree_s, degree_t, by);
+  }
+
+
+
+  void
+  FollowingPressure::add_forces(const double  factor,
+                                const Vector &u,
+                                Vector       &f) const
+  {
+    for (const Facet &facet : facets)
+      {
+        const FacetMap            now = facet.moved(u);
+        std::vector<Tensor<1, 3>> forces(facet.rows.size());
+        for (const GaussPoint &point : facet.points)
+          {
+            const Tensor<1, 3> force =
+              -factor * point.pressure * now.outward(now(point.st));
+            for (unsigned int k = 0; k < forces.size(); ++k)
+              forces[k] += point.value[k] * force;
+          }
+        for (unsigned int k = 0; k < forces.size(); ++k)
+          for (unsigned int c = 0; c < 3; ++c)
+            facet.rows[k][c].add_to(f, forces[k][c]);
+      }
+  }
+
+
+
+  FullMatrix<double>
+  FollowingPressure::Facet::stiffness(const FacetMap &at,
+                                      const double    factor) const
+  {
+    const unsigned int n = rows.size();
+    FullMatrix<double> K(3 * n, 3 * n);
+    for (const GaussPoint &point : points)
+      {
+        const auto place = at(point.st);
+        // d (x_s x x_t) = [x_s] du_t - [x_t] du_s, outwards.
+        const double side =
+          at.outward(place) * cross_product_3d(place.d_s, place.d_t) > 0. ? 1. :
+                                                                            -1.;
+        const Tensor<2, 3> on_t = cross_matrix(place.d_s),
+                           on_s = cross_matrix(place.d_t);
+        const double scale      = side * factor * point.pressure;
+        for (unsigned int k = 0; k < n; ++k)
+          for (unsigned int l = 0; l < n; ++l)
+            for (unsigned int c = 0; c < 3; ++c)
+              for (unsigned int d = 0; d < 3; ++d)
+                K(3 * k + c, 3 * l + d) +=
+                  scale * point.value[k] *
+                  (point.by_t[l] * on_t[c][d] - point.by_s[l] * on_s[c][d]);
+      }
+    return K;
+  }
+
+
+
+  void
+  FollowingPressure::add_derivative(const double  factor,
+                                    const Vector &u,
+                                    const Vector &w,
+                                    Vector       &f) const
+  {
+    for (const Facet &facet : facets)
+      {
+        const FullMatrix<double> K = facet.stiffness(facet.moved(u), factor);
+        Vector                   of_nodes(K.n()), forces(K.m());
+        for (unsigned int i = 0; i < K.n(); ++i)
+          of_nodes[i] = facet.rows[i / 3][i % 3](w);
+        K.vmult(forces, of_nodes);
+        for (unsigned int i = 0; i < K.m(); ++i)
+          facet.rows[i / 3][i % 3].add_to(f, -forces[i]);
+      }
+  }
+
+
+
+  void
+  FollowingPressure::for_each_stiffness_block(
+    const double                                       factor,
+    const Vector                                      &u,
+    const bool                                         with_values,
+    const std::function<void(const StiffnessBlock &)> &use) const
+  {
+    for (const Facet &facet : facets)
+      {
+        const RowsToDofs to_dofs(facet.rows);
+        if (!with_values)
+          {
+            use(to_dofs.pattern());
+            continue;
+          }
+        FullMatrix<double> K = facet.stiffness(facet.moved(u), factor);
+        K.symmetrize();
+        use(to_dofs(K));
+      }
+  }
+} // namespace lamella
