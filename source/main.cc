@@ -101,8 +101,9 @@ namespace
                        "auto a run begins anew. Leave --resume out.");
     const LinearTrial trial(scene, text, out);
     if (trial.suffices())
-      return trial.write(command.output, bars_afterwards(trial.simulation()));
-    run_scene(*make_simulation(trial.large_scene(), text, out), command.output);
+      trial.write(command.output, bars_afterwards(trial.chosen()));
+    else
+      run_scene(trial.chosen(), command.output);
   }
 
 
@@ -135,8 +136,12 @@ namespace
     for (const std::string &one : why)
       out << one << ".\n";
     if (command.validate)
-      print_validation(*simulation,
-                       command.output_is_given ? command.output : "");
+      {
+        print_validation(*simulation,
+                         command.output_is_given ? command.output : "");
+        if (scene.solve.rotations == Rotations::automatic)
+          out << "Rotations = auto: a linear run decides." << std::endl;
+      }
     else
       run_scene(*simulation,
                 command.output,

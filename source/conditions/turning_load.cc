@@ -145,7 +145,7 @@ namespace lamella
       start -= dead;
       if (start.l2_norm() > arithmetic::alike * dead.l2_norm())
         throw InputError("Load " + load.name + "/Pressure",
-                         load.pressure.text(),
+                         load.pressure.text() + ", follows",
                          "a pressure that follows must be smooth within "
                          "elements",
                          "Put shorter elements where it varies (Axis breaks), "

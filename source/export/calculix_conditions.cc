@@ -76,6 +76,29 @@ namespace lamella
                          "weight is not exported",
                          "Set it to 0, 0, 0.");
     }
+
+
+
+    /// Nodal forces of a deck keep their direction.
+    void
+    check_loads_are_dead(const Scene &scene)
+    {
+      if (scene.solve.rotations == Rotations::automatic)
+        throw InputError("Rotations",
+                         name_of(scene.solve.rotations),
+                         "a run decides, and a deck is of one of both",
+                         "Take linear or large.");
+      if (scene.solve.rotations == Rotations::linear)
+        return;
+      for (const Load &load : scene.loads)
+        if (load.couple || load.follows)
+          throw InputError("Load " + load.name + "/" +
+                             (load.couple ? "Couple" : "Pressure"),
+                           load.couple ? to_text(*load.couple) :
+                                         load.pressure.text() + ", follows",
+                           "loads that turn along with bodies are not exported",
+                           "Take a Force, or leave out 'follows'.");
+    }
   } // namespace
 
 
@@ -91,6 +114,7 @@ namespace lamella
     check_bodies_are_held(scene, mesh);
 
     std::vector<Load> loads = scene.loads;
+    check_loads_are_dead(scene);
     spread_totals(loads, mesh.bodies());
     for (const Load &load : loads)
       for (const Region &region : load.on)

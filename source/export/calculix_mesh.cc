@@ -43,6 +43,8 @@ namespace lamella
           if (!body.theory.is_solid())
             body.refinement = {};
           body.theory = Theory::solid(degree);
+          // Who computes with them is CalculiX.
+          body.turns = false;
         }
       return solid;
     }

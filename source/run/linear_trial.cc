@@ -3,6 +3,7 @@
 #include <lamella/base/exceptions.h>
 #include <lamella/base/sentence.h>
 #include <lamella/base/text.h>
+#include <lamella/conditions/turning_load.h>
 #include <lamella/run/linear_trial.h>
 #include <lamella/scene/rotation_rules.h>
 
@@ -35,31 +36,52 @@ namespace lamella
   LinearTrial::LinearTrial(const Scene     &scene,
                            const SceneText &text,
                            std::ostream    &out)
-    : scene(scene)
-    , linear(make_simulation(linear_one(scene), text, out))
   {
+    build_large(scene, text, out);
+    linear = make_simulation(linear_one(scene), text, out);
     out << "Rotations = auto: the linear model first" << std::endl;
     try
       {
         linear->solve();
-        judge();
+        judge(scene);
       }
     catch (const NumericsError &error)
       {
+        if (large == nullptr)
+          throw;
         why =
           "the linear model has no result: " + without_full_stop(error.what());
       }
     why = std::string("rotations: ") + (is_enough ? "linear" : "large") +
           ", taken by Rotations = auto: " + why;
     out << why << std::endl;
-    if (!is_enough)
-      linear.reset();
+    (is_enough ? large : linear).reset();
+    chosen().add_endnote(why);
   }
 
 
 
   void
-  LinearTrial::judge()
+  LinearTrial::build_large(const Scene     &scene,
+                           const SceneText &text,
+                           std::ostream    &out)
+  {
+    try
+      {
+        large = make_simulation(turning(scene), text, out);
+      }
+    catch (const InputError &error)
+      {
+        if (asks_to_turn(scene))
+          throw;
+        why = "large is refused: " + without_full_stop(error.what()) + "; ";
+      }
+  }
+
+
+
+  void
+  LinearTrial::judge(const Scene &scene)
   {
     double rotation = 0., stiffening = 0., amplification = 0.;
     bool   is_buckled = false;
@@ -71,18 +93,21 @@ namespace lamella
         amplification = std::max(amplification, beyond.amplification);
         is_buckled |= beyond.buckling_factor && *beyond.buckling_factor < 1.;
       }
-    const double turned   = rotation * rotation,
+    const bool along =
+      std::any_of(scene.loads.begin(), scene.loads.end(), turns_along);
+    const double turned   = along ? rotation : rotation * rotation,
                  left_out = std::max({stiffening, turned, amplification});
-    is_enough             = !is_buckled && left_out <= worth_turning;
-    const auto per_cent   = [](const double share) {
+    is_enough = large == nullptr || (!is_buckled && left_out <= worth_turning);
+    const auto per_cent = [](const double share) {
       return to_text(100. * share, 2) + " %";
     };
-    why = "what the linear model leaves out is " + per_cent(stiffening) +
-          " by stretching, " + per_cent(turned) +
-          " by turning (the square of " + to_text(rotation, 2) + " rad), " +
-          (is_buckled ? "and it buckles below these loads" :
-                        per_cent(amplification) + " by compression") +
-          "; from " + per_cent(worth_turning) + " on bodies turn";
+    why += "what the linear model leaves out is " + per_cent(stiffening) +
+           " by stretching, " + per_cent(turned) + " by turning (" +
+           (along ? "loads turn by " : "the square of ") +
+           to_text(rotation, 2) + " rad), " +
+           (is_buckled ? "and it buckles below these loads" :
+                         per_cent(amplification) + " by compression") +
+           "; from " + per_cent(worth_turning) + " on bodies turn";
   }
 
 
@@ -91,19 +116,8 @@ namespace lamella
   LinearTrial::write(const std::string  &directory,
                      const Afterthought &bars) const
   {
-    linear->add_endnote(why);
     bars();
     write_run(*linear, directory);
     print_results(*linear, directory, linear->output());
-  }
-
-
-
-  Scene
-  LinearTrial::large_scene() const
-  {
-    Scene large = turning(scene);
-    large.warnings.push_back(why);
-    return large;
   }
 } // namespace lamella

@@ -230,8 +230,9 @@ namespace lamella
           throw InputError("Contact " + contact.name + "/Discretisation",
                            name_of(contact.discretisation),
                            "places that touch stay where they are with "
-                           "Rotations = linear",
-                           "Take auto, or Rotations = large.");
+                           "Rotations = linear, which auto tries, too",
+                           "Take Discretisation = auto, or Rotations = "
+                           "large.");
     }
   } // namespace
 
@@ -277,6 +278,16 @@ namespace lamella
 
 
 
+  bool
+  asks_to_turn(const Scene &scene)
+  {
+    return std::any_of(scene.loads.begin(),
+                       scene.loads.end(),
+                       [](const Load &load) { return load.follows; });
+  }
+
+
+
   void
   take_rotations(Scene &scene)
   {
@@ -293,6 +304,8 @@ namespace lamella
         }
       catch (const InputError &error)
         {
+          if (asks_to_turn(scene))
+            throw;
           scene.solve.rotations = Rotations::linear;
           scene.warnings.push_back(
             "Rotations = auto is linear, as large would be refused: " +

@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace lamella
 {
@@ -100,27 +99,43 @@ namespace lamella
 
 
 
-  bool
-  Newton::is_equilibrium(const double left,
-                         const double before,
-                         const double change) const
+  void
+  Newton::Decay::add(const double left)
   {
-    return left <= parameters.balanced ||
-           (left < parameters.floor && left > parameters.stalls * before) ||
-           (left < parameters.near &&
+    earlier = before;
+    before  = now;
+    now     = left;
+  }
+
+
+
+  bool
+  Newton::Decay::stands(const double share) const
+  {
+    return now > share * before && before > share * earlier;
+  }
+
+
+
+  bool
+  Newton::is_equilibrium(const Decay &unbalanced, const double change) const
+  {
+    return unbalanced.now <= parameters.balanced ||
+           (unbalanced.now < parameters.floor &&
+            unbalanced.stands(parameters.stalls)) ||
+           (unbalanced.now < parameters.near &&
             change < parameters.still * structure.size());
   }
 
 
 
   bool
-  Newton::keeps_law(const Equilibrium &at, const double before) const
+  Newton::keeps_law(const Decay &missed, const double size) const
   {
-    const double size = at.state.u.linfty_norm();
-    return at.law_error <= std::max(parameters.law * size,
-                                    parameters.touching * structure.size()) ||
-           (at.law_error < parameters.floor * size &&
-            at.law_error > parameters.stalls * before);
+    return missed.now <= std::max(parameters.law * size,
+                                  parameters.touching * structure.size()) ||
+           (missed.now < parameters.floor * size &&
+            missed.stands(parameters.stalls));
   }
 
 
@@ -191,10 +206,9 @@ namespace lamella
     State &state = at.state;
     contacts.move(state, at.factor);
     auto [moved, r, began] = beginning(to, at);
-    BlockVector      correction;
-    constexpr double nothing_yet = std::numeric_limits<double>::max();
-    double           before = nothing_yet, missed_by = nothing_yet;
-    unsigned int     pairings = 0;
+    BlockVector  correction;
+    Decay        forces, gaps;
+    unsigned int pairings = 0;
     for (unsigned int k = 0; k < parameters.max_iterations; ++k)
       {
         ++state.iterations;
@@ -207,8 +221,11 @@ namespace lamella
         r = unbalanced(state, to);
         if (!measure(r, to, began, at))
           return false;
-        if (is_equilibrium(at.residual, before, correction.linfty_norm()) &&
-            state.active == were_active && keeps_law(at, missed_by))
+        forces.add(at.residual);
+        gaps.add(at.law_error);
+        if (is_equilibrium(forces, correction.linfty_norm()) &&
+            state.active == were_active &&
+            keeps_law(gaps, state.u.linfty_norm()))
           {
             if (contacts.none() || !contacts.see_what_touches(state, to))
               {
@@ -219,8 +236,6 @@ namespace lamella
               return false;
             r = unbalanced(state, to);
           }
-        before    = at.residual;
-        missed_by = at.law_error;
       }
     return false;
   }

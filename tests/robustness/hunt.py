@@ -327,12 +327,11 @@ def large_faults(lamella, scene, folder):
         return [f"{what}: {here} beside {there}, {100. * off:.2g} % off"
                 for what, _, there, here, off in distances(one, other) if off > most]
 
-    linear, words = solve("linear", [1.])
-    if linear is None or math.hypot(*linear["u"]) == 0.:
+    linear, _ = solve("linear", [1.])
+    if "heat" in scene.words or linear is None or math.hypot(*linear["u"]) == 0.:
         return []
     full = 0.1 * scene.length / math.hypot(*linear["u"])
-    large, faults = "Rotations=large", []
-    small, linear = 1e-3 * full, None
+    large, faults, small = "Rotations=large", [], 1e-3 * full
     linear, _ = solve("linear", [small])
     turned, words = solve("small", [small], large)
     if linear is not None and turned is None:

@@ -43,13 +43,14 @@ namespace lamella
     change(const std::vector<dealii::Point<3>>     &x,
            const std::vector<dealii::Tensor<1, 3>> &u) const;
 
-    /// The symmetric part of the derivative of these forces, as three pairs of
-    /// linear forms of the displacements u of the points,
-    ///   d f . v = -1/2 sum_k (spin_k(u) stretch_k(v) + stretch_k(u)
-    ///   spin_k(v)): spin = J^-1 integral of r x u dA, by how much the surface
-    ///   turns, stretch = dJ(u) theta = integral of 2 (r . u) theta - (r .
-    ///   theta) u
+    /// Two vectors that are linear in the displacements u of the points,
+    ///   spin    = J^-1 integral of r x u dA,
+    /// by how much the surface turns, and
+    ///   stretch = dJ theta
+    ///           = integral of 2 (r . u) theta - (r . theta) u
     ///             - (u . theta) r dA.
+    /// With them the symmetric part of the derivative of the forces is
+    ///   df . v = -(spin(u) . stretch(v) + stretch(u) . spin(v)) / 2.
     /// Entry [k][point] is what the displacement of the point is multiplied by.
     /// (The other part is that of a moment whose direction is fixed, which has
     /// no potential but in its plane.)

@@ -56,8 +56,7 @@ namespace lamella
    * - a pressure p(X) that follows, per area of the deformed surface, whose
    *   material coordinates are s, t:
    *     f . v = -integral p v . (x_,s x x_,t) ds dt,
-   *   by Gauss points of each facet; the tangent is its derivative, the part
-   *   of the surface's rim symmetrised;
+   *   by Gauss points of each facet;
    * - a couple, as the tractions of Load::couple at the places where the
    *   surface is now,
    *     t = theta x (x - c),   J theta = M,

@@ -15,49 +15,49 @@ namespace lamella
    * comes of it, and what that leaves out is the largest of
    *   r        what stretching stiffens forces by (BeyondLinear::stiffening),
    *   theta^2  the square of the largest rotation [rad], which deflections are
-   *            off by, to the order,
+   *            off by, to the order; theta itself where loads turn along,
    *   a        by how much compression makes displacements grow
    *            (BeyondLinear::amplification),
    * over all load steps. Above `worth_turning` = 2e-3, where loads are above
    * those that buckle, or where there is no linear result, large rotations are
-   * to be taken.
+   * taken; linear ones wherever large ones are refused as the scene is built.
    */
   class LinearTrial
   {
   public:
-    /// Solves @p scene, which is out of @p text and one that may turn. Throws
-    /// InputError as the Simulation does.
+    /// Builds @p scene, which is out of @p text, with large rotations, too, and
+    /// solves it with linear ones. Throws InputError as the Simulation does.
     LinearTrial(const Scene &scene, const SceneText &text, std::ostream &out);
 
+    /// Whether the linear run is the result.
     bool
     suffices() const
     {
       return is_enough;
     }
 
-    /// The linear run, if it suffices: else its memory is given back.
+    /// The linear run, solved, if it suffices, else that of large rotations,
+    /// not solved. The other one's memory is given back.
     Simulation &
-    simulation() const
+    chosen() const
     {
-      return *linear;
+      return is_enough ? *linear : *large;
     }
 
-    /// Calls @p bars and writes the linear run into @p directory, with why it
-    /// is linear.
+    /// Calls @p bars and writes the linear run, which suffices, into
+    /// @p directory.
     void
     write(const std::string &directory, const Afterthought &bars) const;
 
-    /// The scene of large rotations, with why.
-    Scene
-    large_scene() const;
-
   private:
+    /// Makes the simulation of large rotations, or says why not.
+    void
+    build_large(const Scene &scene, const SceneText &text, std::ostream &out);
     /// Looks at what the linear run came to.
     void
-    judge();
+    judge(const Scene &scene);
 
-    const Scene                &scene;
-    std::unique_ptr<Simulation> linear;
+    std::unique_ptr<Simulation> linear, large;
     bool                        is_enough = false;
     std::string                 why;
   };

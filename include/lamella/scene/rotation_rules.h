@@ -21,10 +21,14 @@ namespace lamella
   Scene
   turning(Scene scene);
 
+  /// Whether @p scene has what is of large rotations alone: loads that follow.
+  bool
+  asks_to_turn(const Scene &scene);
+
   /// Makes @p scene what its `Rotations` say: turning() where they are large.
   /// Where they are automatic nothing is decided, but linear where turning()
-  /// throws, which a warning of the scene says. Throws InputError as it does,
-  /// and for what is of large rotations alone.
+  /// throws and nothing asks for it, which a warning of the scene says. Throws
+  /// InputError as it does, and for what is of large rotations alone.
   void
   take_rotations(Scene &scene);
 } // namespace lamella

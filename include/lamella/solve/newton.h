@@ -9,6 +9,7 @@
 #include <lamella/solve/moving_contacts.h>
 
 #include <functional>
+#include <limits>
 #include <string>
 
 namespace lamella
@@ -21,9 +22,9 @@ namespace lamella
     /// the Euclidean norm, that are equilibrium.
     double balanced = arithmetic::rounding_of_solutions;
     /// Forces of slender bodies end at their rounding, some (L / h)^3 1e-16:
-    /// below `floor` they do once an iteration leaves more than `stalls` of
-    /// them; and below `near` where the correction is this share of the size
-    /// of the scene.
+    /// below `floor` they do once two iterations on end leave more than
+    /// `stalls` of them; and below `near` where the correction is this share of
+    /// the size of the scene.
     double floor = arithmetic::alike, stalls = 0.3, near = 1e-3,
            still = arithmetic::same_place;
     /// Forces that are left beyond this, over those that the step began with,
@@ -78,7 +79,9 @@ namespace lamella
    * It ends where forces balance, gaps keep the law, the same rows are active
    * as in the iteration before, and no surfaces touch that are not paired; else
    * these are paired anew and it goes on. K is positive definite there, as its
-   * Cholesky factor exists: the equilibrium is a minimum of the energy.
+   * Cholesky factor exists: the equilibrium is a minimum of the energy. (With
+   * couples there is none, but in their plane; that the symmetric part of K is
+   * positive definite is enough for stability, and more than it takes.)
    *
    * Refers to the structure and the contacts. Collective.
    */
@@ -169,18 +172,28 @@ namespace lamella
             double            &began,
             Equilibrium       &at) const;
 
-    /// Whether iterations end where the share @p left is unbalanced, @p before
-    /// by the iteration before, and the last correction is a @p change of that
-    /// length.
-    bool
-    is_equilibrium(const double left,
-                   const double before,
-                   const double change) const;
+    /// What the last three iterations left.
+    struct Decay
+    {
+      double now     = std::numeric_limits<double>::max(),
+             before  = std::numeric_limits<double>::max(),
+             earlier = std::numeric_limits<double>::max();
+      void
+      add(const double left);
+      /// Whether two of them on end left more than @p share.
+      bool
+      stands(const double share) const;
+    };
 
-    /// Whether the gaps of @p at are those of the contact law, which they
-    /// missed by the length @p before in the iteration before.
+    /// Whether iterations end where this share is @p unbalanced, and the last
+    /// correction is a @p change of that length.
     bool
-    keeps_law(const Equilibrium &at, const double before) const;
+    is_equilibrium(const Decay &unbalanced, const double change) const;
+
+    /// Whether gaps that miss the contact law by these lengths, at
+    /// displacements of that @p size, are those of the law.
+    bool
+    keeps_law(const Decay &missed, const double size) const;
 
     const Structure &structure;
     MovingContacts   contacts;
