@@ -48,6 +48,28 @@ namespace lamella
 
 
 
+    /// What bodies that turn by any angle have beside, of each step.
+    std::string
+    turning_header(const Results &results)
+    {
+      return !results.steps.empty() && results.last().checks.is_large ?
+               ",iterations,halvings,max_strain,max_rotation,max_element_turn" :
+               "";
+    }
+
+    std::string
+    turning(const StepResults &step)
+    {
+      if (!step.checks.is_large)
+        return "";
+      return "," + std::to_string(step.state.iterations) + "," +
+             std::to_string(step.halvings) + "," + csv(step.checks.max_strain) +
+             "," + csv(step.checks.max_rotation) + "," +
+             csv(step.checks.max_element_turn);
+    }
+
+
+
     /// Forces, displacements and moments of @p state, a StepResults or a
     /// FailureTrial, as history_header() names them.
     template <typename StateOfLoad>
@@ -110,7 +132,7 @@ namespace lamella
     headers["history.csv"] = "step,load_factor" + history_header(results);
     for (const std::string &name : results.measures)
       headers["history.csv"] += ",measure:" + name;
-    headers["history.csv"] += "\n";
+    headers["history.csv"] += turning_header(results) + "\n";
     for (const std::string &line : results.lines)
       headers["lines/" + line + ".csv"] =
         "s,step,line," + fields_header() + "\n";
@@ -168,7 +190,7 @@ namespace lamella
                           forces_and_displacements(step);
     for (const double measure : step.measures)
       rows["history.csv"] += "," + csv(measure);
-    rows["history.csv"] += "\n";
+    rows["history.csv"] += turning(step) + "\n";
     return rows;
   }
 

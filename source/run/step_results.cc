@@ -34,6 +34,7 @@ namespace lamella
     results.checks      = solved.checks;
     results.substeps    = solved.substeps;
     results.change      = solved.change;
+    results.halvings    = solved.cuts;
     results.warnings    = warnings(solved);
     const FaceTractions tractions =
       built.tractions_at(solved.state, solved.load_factor);

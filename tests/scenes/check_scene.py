@@ -36,6 +36,7 @@ is `0.1%` (relative), `abs 1e-9`, `exact`, `below` (|result| <= VALUE), `limit`
     difference:ux,uy,uz               `run` against `again`: the largest
                                       difference in all probes and lines over
                                       the largest magnitude of these columns
+    history:COLUMN                    of history.csv at the last step
     goal:NAME                         a goal's value, as in goal:tip: uz; with the
                                       tolerance `bar` it is within the run's own
                                       bar, which is trusted, and with `no bar` it
@@ -302,6 +303,8 @@ def evaluate(key, run, again):
         return contact_value(run, *parts)
     if kind == "kuhn_tucker" and rest:
         return kuhn_tucker(run, rest)
+    if kind == "history" and rest:
+        return number(run.table("history.csv")[-1], rest)
     if kind == "goal" and rest:
         return goal(run, rest)["value"]
     if kind == "difference" and rest:

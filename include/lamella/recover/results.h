@@ -73,6 +73,8 @@ namespace lamella
     /// SolvedStep::substeps and change.
     unsigned int          substeps = 1;
     std::optional<double> change   = {};
+    /// How often Newton's method halved the step (SolvedStep::cuts).
+    unsigned int halvings = 0;
     /// What the strategy had learnt when the step ended.
     StrategyMemory memory;
 
