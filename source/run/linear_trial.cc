@@ -20,13 +20,17 @@ namespace lamella
 
 
 
-    /// @p scene with linear kinematics that nothing keeps within their range.
+    /// @p scene with linear kinematics; nothing keeps these within their range
+    /// if there @p are_others to take then.
     Scene
-    linear_one(Scene scene)
+    linear_one(Scene scene, const bool are_others)
     {
-      scene.solve.rotations      = Rotations::linear;
-      scene.solve.rotation_limit = std::numeric_limits<double>::max();
-      scene.solve.beyond_linear  = OutOfRange::accept;
+      scene.solve.rotations = Rotations::linear;
+      if (are_others)
+        {
+          scene.solve.rotation_limit = std::numeric_limits<double>::max();
+          scene.solve.beyond_linear  = OutOfRange::accept;
+        }
       return scene;
     }
   } // namespace
@@ -38,7 +42,7 @@ namespace lamella
                            std::ostream    &out)
   {
     build_large(scene, text, out);
-    linear = make_simulation(linear_one(scene), text, out);
+    linear = make_simulation(linear_one(scene, large != nullptr), text, out);
     out << "Rotations = auto: the linear model first" << std::endl;
     try
       {
@@ -97,7 +101,8 @@ namespace lamella
       std::any_of(scene.loads.begin(), scene.loads.end(), turns_along);
     const double turned   = along ? rotation : rotation * rotation,
                  left_out = std::max({stiffening, turned, amplification});
-    is_enough = large == nullptr || (!is_buckled && left_out <= worth_turning);
+    is_enough = large == nullptr || (!is_buckled && left_out <= worth_turning &&
+                                     rotation <= scene.solve.rotation_limit);
     const auto per_cent = [](const double share) {
       return to_text(100. * share, 2) + " %";
     };

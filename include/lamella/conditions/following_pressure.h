@@ -35,8 +35,8 @@ namespace lamella
       const std::function<void(const StiffnessBlock &)> &use) const override;
 
   private:
-    /// A point of a facet, with p dS_0 / |dX_s x dX_t| there, and the trace
-    /// functions with their derivatives by s and t.
+    /// A point of a facet with its weight times p, and the trace functions
+    /// there with their derivatives by s and t.
     struct GaussPoint
     {
       dealii::Point<2>    st;

@@ -12,9 +12,8 @@
 
 namespace lamella
 {
-  /// Rows of displacements, and the matrix of a quadratic form of their
-  /// values: @p of_rows, 3 x 3 for each pair of places, row by row, becomes
-  /// one of the DoFs of the block.
+  /// From forms of the displacements of some places, whose three rows each it
+  /// is made of and refers to, to forms of the DoFs that these depend on.
   class RowsToDofs
   {
   public:
@@ -40,6 +39,8 @@ namespace lamella
       return block;
     }
 
+    /// The block of the quadratic form @p of_rows of the displacements: row
+    /// and column 3 k + c are of the component c at place k.
     StiffnessBlock
     operator()(const dealii::FullMatrix<double> &of_rows) const
     {

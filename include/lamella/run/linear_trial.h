@@ -19,8 +19,9 @@ namespace lamella
    *   a        by how much compression makes displacements grow
    *            (BeyondLinear::amplification),
    * over all load steps. Above `worth_turning` = 2e-3, where loads are above
-   * those that buckle, or where there is no linear result, large rotations are
-   * taken; linear ones wherever large ones are refused as the scene is built.
+   * those that buckle, rotations are above their limit, or there is no linear
+   * result, large rotations are taken; linear ones wherever large ones are
+   * refused as the scene is built.
    */
   class LinearTrial
   {

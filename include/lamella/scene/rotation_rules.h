@@ -14,7 +14,7 @@ namespace lamella
    *
    * Throws InputError for what large rotations are not made for, entry by
    * entry: theories that cannot deform as a turned one does, axes that lock,
-   * solids, node-dependent theories, Stabilisation and Hold, Temperature,
+   * solid-1, node-dependent theories, Stabilisation and Hold, Temperature,
    * friction, pairs of nodes, the full strategy, Find, error bars and
    * tolerances, stresses by equilibrium, several processes.
    */
