@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <lamella/base/processes.h>
 #include <lamella/body/fields.h>
 
 namespace lamella
@@ -57,6 +58,36 @@ namespace lamella
   {
     return SampleTurns(placement, ply)
       .sample(displacement, strain, law.stress(strain));
+  }
+
+
+
+  FieldSample
+  turned_sample_of(const Tensor<1, 3> &displacement,
+                   const Gradient     &H,
+                   const Placement    &placement,
+                   const Triad        &ply,
+                   const ElasticLaw   &law)
+  {
+    const Voigt strain = green_strain(H);
+    return SampleTurns(placement, ply)
+      .sample(displacement,
+              strain,
+              PolarDecomposition(H).turned_stress(law.stress(strain)));
+  }
+
+
+
+  Deformation
+  over_processes(Deformation share)
+  {
+    share.energy = Utilities::MPI::sum(share.energy, communicator());
+    for (double *largest : {&share.max_rotation,
+                            &share.max_strain,
+                            &share.max_mean_strain,
+                            &share.max_element_turn})
+      *largest = Utilities::MPI::max(*largest, communicator());
+    return share;
   }
 
 

@@ -118,13 +118,7 @@ namespace lamella
         result.max_element_turn =
           std::max(result.max_element_turn, turn_along(cell, u));
       }
-    result.energy = Utilities::MPI::sum(result.energy, communicator());
-    for (double *largest : {&result.max_rotation,
-                            &result.max_strain,
-                            &result.max_mean_strain,
-                            &result.max_element_turn})
-      *largest = Utilities::MPI::max(*largest, communicator());
-    return result;
+    return over_processes(result);
   }
 
 
@@ -138,14 +132,11 @@ namespace lamella
     Tensor<1, 3>     displacement;
     for (unsigned int a = 0; a < point.fields->size(); ++a)
       displacement += q[FieldPart::value](a, 0) * point.value[a];
-    const Gradient H      = gradient_at(point, q, 0);
-    const Voigt    strain = green_strain(H);
-    return SampleTurns(placement,
-                       section().ply_axes(point.cell, point.position))
-      .sample(displacement,
-              strain,
-              PolarDecomposition(H).turned_stress(
-                section().law(point.cell, point.position).stress(strain)));
+    return turned_sample_of(displacement,
+                            gradient_at(point, q, 0),
+                            placement,
+                            section().ply_axes(point.cell, point.position),
+                            section().law(point.cell, point.position));
   }
 
 

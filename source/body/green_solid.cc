@@ -106,13 +106,7 @@ namespace lamella
         result.max_element_turn =
           std::max(result.max_element_turn, turn_along(cell, u));
       }
-    result.energy = Utilities::MPI::sum(result.energy, communicator());
-    for (double *largest : {&result.max_rotation,
-                            &result.max_strain,
-                            &result.max_mean_strain,
-                            &result.max_element_turn})
-      *largest = Utilities::MPI::max(*largest, communicator());
-    return result;
+    return over_processes(result);
   }
 
 
@@ -127,13 +121,11 @@ namespace lamella
     for (unsigned int i = 0; i < nodes.size(); ++i)
       for (unsigned int c = 0; c < 3; ++c)
         displacement[c] += point.N[i] * u[3 * DofIndex(nodes[i]) + c];
-    const Gradient H      = gradient_at(place.cell, point, u);
-    const Voigt    strain = green_strain(H);
-    return SampleTurns(placement, ply_axes(place.cell, point.position))
-      .sample(displacement,
-              strain,
-              PolarDecomposition(H).turned_stress(
-                law(place.cell, point.position).stress(strain)));
+    return turned_sample_of(displacement,
+                            gradient_at(place.cell, point, u),
+                            placement,
+                            ply_axes(place.cell, point.position),
+                            law(place.cell, point.position));
   }
 
 

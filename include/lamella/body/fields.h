@@ -6,6 +6,7 @@
 #include <lamella/body/body.h>
 #include <lamella/body/placement.h>
 #include <lamella/material/material.h>
+#include <lamella/section/finite_strain.h>
 
 #include <vector>
 
@@ -73,6 +74,20 @@ namespace lamella
             const Placement            &placement,
             const Triad                &ply,
             const ElasticLaw           &law);
+
+  /// The same of a body that turns by any angle, where the gradient of the
+  /// displacement is @p H: Green's strain, and the stress R^T sigma R.
+  FieldSample
+  turned_sample_of(const dealii::Tensor<1, 3> &displacement,
+                   const Gradient             &H,
+                   const Placement            &placement,
+                   const Triad                &ply,
+                   const ElasticLaw           &law);
+
+  /// What all processes make of their shares of a body: the sum of the energies
+  /// and the largest of all else. Collective.
+  Deformation
+  over_processes(Deformation share);
 
   /**
    * The mean of the @p samples at the places of a location, with their jump,
