@@ -128,14 +128,16 @@ def rollers():
     rows = []
     for down in (20., 40., 60.):
         angle, force, at = rods[down]
-        run = BarRun(ROLLER, [f"Load factors={down / 140.},{down / 70.}"])
-        mine = run.summary["contacts"]["face"]["force"]
-        rows.append([f"{down:g}", f"{force * math.cos(angle):.5f}",
-                     f"{-mine[2] / (force * math.cos(angle)) - 1.:.1e}",
-                     f"{force * math.sin(angle):.5f}",
-                     f"{mine[1] / (force * math.sin(angle)) - 1.:.1e}", f"{at:.3f}"])
-    table(["middle down", "force up, rod", "Lamella", "along, rod", "Lamella", "touches at"],
-          rows)
+        up, along_it = force * math.cos(angle), force * math.sin(angle)
+        row = [f"{down:g}", f"{up:.5f}", f"{along_it:.5f}", f"{at:.3f}"]
+        for theory in ("LE-1", "TBT", "SV"):
+            run = BarRun(ROLLER, [f"Theory={theory}",
+                                  f"Load factors={down / 140.},{down / 70.}"])
+            mine = run.summary["contacts"]["face"]["force"]
+            row += [f"{-mine[2] / up - 1.:.1e}", f"{mine[1] / along_it - 1.:.1e}"]
+        rows.append(row)
+    table(["middle down", "force up, rod", "along, rod", "touches at", "LE-1: up", "along",
+           "TBT: up", "along", "SV: up", "along"], rows)
 
 
 def slides():
@@ -145,11 +147,17 @@ def slides():
     for down in (60., 120., 180., 240.):
         angle, force, at = (rods[down][k] for k in (2, 3, 4))
         factors = ",".join(str(way / 240.) for way in np.arange(30., down + 1., 30.))
-        run = BarRun(SLIDE, [f"Load factors={factors}"])
-        mine = np.linalg.norm(run.summary["contacts"]["faces"]["force"])
-        rows.append([f"{down:g}", f"{force:.5f}", f"{mine / force - 1.:.1e}", f"{at:.3f}",
-                     f"{angle:.4f}"])
-    table(["clamp down", "force, rods", "Lamella", "touches at", "turn there"], rows)
+        row = [f"{down:g}", f"{force:.5f}", f"{at:.3f}", f"{angle:.4f}"]
+        for theory, elements in (("LE-1", 12), ("TBT", 12), ("TBT", 24)):
+            run = BarRun(SLIDE, [f"Load factors={factors}", f"Theory={theory}"] +
+                         [f"Body {body}/Kinematics/Axis elements={elements}"
+                          for body in ("lower", "upper")])
+            mine = np.linalg.norm(run.summary["contacts"]["faces"]["force"])
+            row += [f"{mine / force - 1.:.1e}",
+                    f"{np.mean(run.summary['iterations']):.1f}"]
+        rows.append(row)
+    table(["clamp down", "force, rods", "touches at", "turn there", "LE-1, 12", "iterations",
+           "TBT, 12", "iterations", "TBT, 24", "iterations"], rows)
 
 
 def coupon():

@@ -5,8 +5,11 @@
 #include <lamella/adapt/theory_pieces.h>
 #include <lamella/adapt/touch_notes.h>
 #include <lamella/base/arithmetic.h>
+#include <lamella/base/exceptions.h>
 #include <lamella/base/independent_rows.h>
 #include <lamella/base/text.h>
+#include <lamella/body/green_beam.h>
+#include <lamella/body/reissner_beam.h>
 #include <lamella/recover/box_points.h>
 
 #include <algorithm>
@@ -331,12 +334,33 @@ namespace lamella
                const BodyDescription                        &description,
                const std::vector<std::vector<unsigned int>> &lists)
     {
-      return std::make_unique<Beam>(beam.name(),
-                                    space,
-                                    beam.shared_axis(),
-                                    beam.place(),
-                                    lists,
-                                    label_of(description, lists));
+      const std::string label = label_of(description, lists);
+      if (description.turns)
+        return std::make_unique<ReissnerBeam>(
+          beam.name(), space, beam.shared_axis(), beam.place(), lists, label);
+      return std::make_unique<Beam>(
+        beam.name(), space, beam.shared_axis(), beam.place(), lists, label);
+    }
+
+
+
+    /// @p beam, where it turns with all fields of its section, that follow.
+    /// Throws InputError if its axis is not for that.
+    std::unique_ptr<Beam>
+    turning_with_all(const Beam &beam, const BodyDescription &description)
+    {
+      if (beam.axis().degree() < 3)
+        throw InputError(
+          "Body " + beam.name() + "/Kinematics/Axis element",
+          "B" + std::to_string(beam.axis().degree() + 1),
+          "with " + description.theory.name() +
+            " the nodes of this body carry all fields of its section, and "
+            "elements of lower degree lock where these turn far",
+          "Take B4, or more elements.");
+      return std::make_unique<GreenBeam>(beam.name(),
+                                         beam.fields().shared_section(),
+                                         beam.shared_axis(),
+                                         beam.place());
     }
 
 
@@ -379,6 +403,8 @@ namespace lamella
       for (const TouchedBody &body : touched)
         if (const unsigned int b = body.number; !body.lists.empty())
           bodies[b] = with_lists(*beams[b], space, descriptions[b], body.lists);
+        else if (descriptions[b].turns)
+          bodies[b] = turning_with_all(*beams[b], descriptions[b]);
     }
 
 

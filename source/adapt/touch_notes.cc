@@ -3,6 +3,8 @@
 #include <lamella/adapt/end_fields.h>
 #include <lamella/adapt/touch_notes.h>
 
+#include <algorithm>
+
 namespace lamella
 {
   void
@@ -10,18 +12,19 @@ namespace lamella
                       const std::vector<Touch> &touches,
                       std::vector<std::string> &notes)
   {
+    const auto add = [&notes](const std::string &note) {
+      if (std::find(notes.begin(), notes.end(), note) == notes.end())
+        notes.push_back(note);
+    };
     for (const Touch &touch : touches)
       if (touch.presses)
-        notes.push_back("body " + beam.name() + ": SV has no fields that " +
-                        touch.name +
-                        " can dent: forces are those of a beam, pressures "
-                        "and stresses there are not to be used. Use SV-N, "
-                        "SV-6 say");
+        add("body " + beam.name() + ": SV has no fields that " + touch.name +
+            " can dent: forces are those of a beam, pressures and stresses "
+            "there are not to be used. Use SV-N, SV-6 say");
       else if (touch.heats)
-        notes.push_back("body " + beam.name() +
-                        ": SV has no fields for heat that varies along the "
-                        "axis: stresses are not to be used where it does. "
-                        "Use SV-N, SV-6 say");
+        add("body " + beam.name() +
+            ": SV has no fields for heat that varies along the axis: stresses "
+            "are not to be used where it does. Use SV-N, SV-6 say");
   }
 
 

@@ -116,19 +116,76 @@ namespace lamella
 
 
 
+  Vector
+  Body::updated(const Vector &u, const Vector &change) const
+  {
+    Vector result = u;
+    result += change;
+    return result;
+  }
+
+
+
+  std::vector<Tensor<1, 3>>
+  Body::displacements(const std::vector<Location> &locations,
+                      const Vector                &u) const
+  {
+    std::vector<Tensor<1, 3>> result;
+    for (const std::vector<Row> &of : rows(locations, Quantity::displacement))
+      set_values(of, u, result.emplace_back());
+    return result;
+  }
+
+
+
+  std::vector<std::vector<Row>>
+  Body::rows_at(const std::vector<Location> &locations, const Vector &) const
+  {
+    return rows(locations, Quantity::displacement);
+  }
+
+
+
+  void
+  Body::for_each_block_of_forces(
+    const std::vector<Location> &,
+    const std::vector<Tensor<1, 3>> &,
+    const Vector &,
+    const std::function<void(const StiffnessBlock &)> &) const
+  {}
+
+
+
+  void
+  Body::for_each_cell_by_weight(const Tensor<1, 3> &acceleration,
+                                const UseOfForces  &use) const
+  {
+    const std::vector<double> rho = densities();
+    for_each_cell_by_points([&](const std::vector<Location> &locations,
+                                const std::vector<double>   &weights) {
+      std::vector<Tensor<1, 3>> forces;
+      for (unsigned int q = 0; q < locations.size(); ++q)
+        forces.push_back(weights[q] * rho[locations[q].ply] * acceleration);
+      use(locations, forces);
+    });
+  }
+
+
+
   void
   Body::add_weight(const Tensor<1, 3> &acceleration, Vector &f) const
   {
-    const std::vector<double> rho = densities();
-    Vector                    share(n_dofs());
-    for_each_cell_by_points([&](const std::vector<Location> &locations,
-                                const std::vector<double>   &weights) {
-      const auto u = rows(locations, Quantity::displacement);
-      for (unsigned int q = 0; q < locations.size(); ++q)
-        for (unsigned int c = 0; c < 3; ++c)
-          u[q][c].add_to(share,
-                         weights[q] * rho[locations[q].ply] * acceleration[c]);
-    });
+    Vector share(n_dofs());
+    for_each_cell_by_weight(acceleration,
+                            [&](const std::vector<Location>     &locations,
+                                const std::vector<Tensor<1, 3>> &forces) {
+                              const auto u =
+                                rows(locations, Quantity::displacement);
+                              for (unsigned int q = 0; q < locations.size();
+                                   ++q)
+                                for (unsigned int c = 0; c < 3; ++c)
+                                  u[q][c].add_to(share, forces[q][c]);
+                            });
     sum_over_processes(share);
     f += share;
   }

@@ -85,6 +85,7 @@ namespace lamella
     for (double *largest : {&share.max_rotation,
                             &share.max_strain,
                             &share.max_mean_strain,
+                            &share.shape_change,
                             &share.max_element_turn})
       *largest = Utilities::MPI::max(*largest, communicator());
     return share;

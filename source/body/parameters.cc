@@ -6,6 +6,7 @@
 #include <lamella/body/green_beam.h>
 #include <lamella/body/green_solid.h>
 #include <lamella/body/parameters.h>
+#include <lamella/body/reissner_beam.h>
 #include <lamella/body/solid.h>
 #include <lamella/body/solid_parameters.h>
 #include <lamella/section/lagrange_element.h>
@@ -260,6 +261,30 @@ namespace lamella
                                      body.theory.order,
                                      refinement);
     }
+
+
+
+    /// The beam with all fields of @p section. One that is going to have fields
+    /// of its section's own turns when it has them.
+    std::unique_ptr<Body>
+    make_beam(const BodyDescription         &body,
+              std::shared_ptr<const Section> section,
+              std::shared_ptr<const Axis>    axis)
+    {
+      const std::string &name      = body.name;
+      const bool         has_modes = body.theory.is_of_solutions();
+      if (body.turns && body.theory.has_turning_sections() && !has_modes)
+        return std::make_unique<ReissnerBeam>(
+          name,
+          section,
+          axis,
+          body.placement,
+          body.theory.name(),
+          body.theory.keeps_sections_normal());
+      if (body.turns && !has_modes)
+        return std::make_unique<GreenBeam>(name, section, axis, body.placement);
+      return std::make_unique<Beam>(name, section, axis, body.placement);
+    }
   } // namespace
 
 
@@ -281,20 +306,17 @@ namespace lamella
             bodies.push_back(make_solid(description, mesh, memory_limit));
             continue;
           }
-        auto &section =
-          sections[{description.section, description.theory.of_section()}];
+        const Theory theory = description.turns ?
+                                description.theory.of_turning() :
+                                description.theory;
+        auto &section = sections[{description.section, theory.of_section()}];
         if (section == nullptr)
           {
             check_degrees(description, mesh);
-            section = make_section(mesh, description.theory);
+            section = make_section(mesh, theory);
           }
         const auto axis = std::make_shared<Axis>(description.axis);
-        if (description.turns)
-          bodies.push_back(std::make_unique<GreenBeam>(
-            description.name, section, axis, description.placement));
-        else
-          bodies.push_back(std::make_unique<Beam>(
-            description.name, section, axis, description.placement));
+        bodies.push_back(make_beam(description, section, axis));
       }
     return bodies;
   }

@@ -62,8 +62,8 @@ namespace lamella
 
 
 
-  std::vector<std::vector<Row>>
-  FollowingPressure::rows_of_nodes(const Body &body, const SurfaceFacet &facet)
+  std::vector<Location>
+  FollowingPressure::nodes_of(const Body &body, const SurfaceFacet &facet)
   {
     const QGaussLobatto<1> s(facet.trace_degree_s + 1),
       t(facet.trace_degree_t + 1);
@@ -72,7 +72,7 @@ namespace lamella
       for (unsigned int a = 0; a < s.size(); ++a)
         nodes.push_back(
           body.surface_point(facet, {s.point(a)[0], t.point(b)[0]}).location);
-    return body.rows(nodes, Quantity::displacement);
+    return nodes;
   }
 
 
@@ -85,7 +85,7 @@ namespace lamella
     Facet result{FacetMap(body, facet),
                  facet.trace_degree_s,
                  facet.trace_degree_t,
-                 {},
+                 MovedPoints(body, nodes_of(body, facet)),
                  {}};
     // Functions times the normal, of degrees 3 n - 1, and of a pressure that
     // varies two more.
@@ -107,7 +107,6 @@ namespace lamella
           evaluate(facet, point);
           result.points.push_back(point);
         }
-    result.rows = rows_of_nodes(body, facet);
     return result;
   }
 
@@ -116,11 +115,26 @@ namespace lamella
   FacetMap
   FollowingPressure::Facet::moved(const Vector &u) const
   {
-    std::vector<Tensor<1, 3>> by(rows.size());
-    for (unsigned int k = 0; k < rows.size(); ++k)
-      for (unsigned int c = 0; c < 3; ++c)
-        by[k][c] = rows[k][c](u);
-    return map.moved(degree_s, degree_t, by);
+    return map.moved(degree_s, degree_t, nodes.displacements(u));
+  }
+
+
+
+  std::vector<Tensor<1, 3>>
+  FollowingPressure::forces_on(const Facet    &facet,
+                               const FacetMap &now,
+                               const double    factor)
+  {
+    std::vector<Tensor<1, 3>> forces((facet.degree_s + 1) *
+                                     (facet.degree_t + 1));
+    for (const GaussPoint &point : facet.points)
+      {
+        const Tensor<1, 3> force =
+          -factor * point.pressure * now.outward(now(point.st));
+        for (unsigned int k = 0; k < forces.size(); ++k)
+          forces[k] += point.value[k] * force;
+      }
+    return forces;
   }
 
 
@@ -131,20 +145,7 @@ namespace lamella
                                 Vector       &f) const
   {
     for (const Facet &facet : facets)
-      {
-        const FacetMap            now = facet.moved(u);
-        std::vector<Tensor<1, 3>> forces(facet.rows.size());
-        for (const GaussPoint &point : facet.points)
-          {
-            const Tensor<1, 3> force =
-              -factor * point.pressure * now.outward(now(point.st));
-            for (unsigned int k = 0; k < forces.size(); ++k)
-              forces[k] += point.value[k] * force;
-          }
-        for (unsigned int k = 0; k < forces.size(); ++k)
-          for (unsigned int c = 0; c < 3; ++c)
-            facet.rows[k][c].add_to(f, forces[k][c]);
-      }
+      facet.nodes.add_forces(forces_on(facet, facet.moved(u), factor), u, f);
   }
 
 
@@ -153,7 +154,7 @@ namespace lamella
   FollowingPressure::Facet::stiffness(const FacetMap &at,
                                       const double    factor) const
   {
-    const unsigned int n = rows.size();
+    const unsigned int n = (degree_s + 1) * (degree_t + 1);
     FullMatrix<double> K(3 * n, 3 * n);
     for (const GaussPoint &point : points)
       {
@@ -186,13 +187,15 @@ namespace lamella
   {
     for (const Facet &facet : facets)
       {
-        const FullMatrix<double> K = facet.stiffness(facet.moved(u), factor);
-        Vector                   of_nodes(K.n()), forces(K.m());
-        for (unsigned int i = 0; i < K.n(); ++i)
-          of_nodes[i] = facet.rows[i / 3][i % 3](w);
-        K.vmult(forces, of_nodes);
+        const FacetMap            now = facet.moved(u);
+        const FullMatrix<double>  K   = facet.stiffness(now, factor);
+        const auto                by  = facet.nodes.changes(u, w);
+        std::vector<Tensor<1, 3>> forces(by.size());
         for (unsigned int i = 0; i < K.m(); ++i)
-          facet.rows[i / 3][i % 3].add_to(f, -forces[i]);
+          for (unsigned int j = 0; j < K.n(); ++j)
+            forces[i / 3][i % 3] -= K(i, j) * by[j / 3][j % 3];
+        facet.nodes.add_forces(forces, u, f);
+        facet.nodes.add_turned(forces_on(facet, now, factor), 1., u, w, f);
       }
   }
 
@@ -207,15 +210,20 @@ namespace lamella
   {
     for (const Facet &facet : facets)
       {
-        const RowsToDofs to_dofs(facet.rows);
+        const RowsToDofs to_dofs(facet.nodes.rows(u));
         if (!with_values)
           {
             use(to_dofs.pattern());
             continue;
           }
-        FullMatrix<double> K = facet.stiffness(facet.moved(u), factor);
+        const FacetMap     now = facet.moved(u);
+        FullMatrix<double> K   = facet.stiffness(now, factor);
         K.symmetrize();
         use(to_dofs(K));
+        facet.nodes.for_each_turned_block(forces_on(facet, now, factor),
+                                          -1.,
+                                          u,
+                                          use);
       }
   }
 } // namespace lamella

@@ -24,6 +24,33 @@ namespace lamella
 
   namespace
   {
+    /// @p place on @p region, if a row there turns with the body.
+    std::optional<Location>
+    turning_place(const Region &region, const Location &place)
+    {
+      const bool is_section = region.surface == "start" ||
+                              region.surface == "end" ||
+                              region.surface == "ends";
+      return is_section ? std::nullopt : std::make_optional(place);
+    }
+
+
+
+    /// The row of the component along @p n of what has the three rows @p u.
+    Row
+    along(const std::vector<Row> &u, const Tensor<1, 3> &n)
+    {
+      Row row;
+      for (unsigned int c = 0; c < 3; ++c)
+        if (n[c] != 0.)
+          row.add(u[c], n[c]);
+      row.compress();
+      row.drop_below(arithmetic::rounding_of_sums);
+      return row;
+    }
+
+
+
     /// The rows of n . u = value on the surface @p region of @p body.
     void
     add_normal_rows(const Body                 &body,
@@ -51,18 +78,14 @@ namespace lamella
         }
       const auto all = body.rows(places, Quantity::displacement);
       for (unsigned int i = 0; i < places.size(); ++i)
-        {
-          Row along;
-          for (unsigned int c = 0; c < 3; ++c)
-            along.add(all[i][c], normals[i][c]);
-          along.compress();
-          along.drop_below(arithmetic::rounding_of_sums);
-          rows.push_back({{region.body, along},
-                          value,
-                          support,
-                          normals[i],
-                          places[i].position});
-        }
+        rows.push_back({{region.body, along(all[i], normals[i])},
+                        value,
+                        support,
+                        normals[i],
+                        places[i].position,
+                        {},
+                        0,
+                        turning_place(region, places[i])});
     }
 
 
@@ -95,9 +118,24 @@ namespace lamella
                             *support.u[c],
                             number,
                             scene_axis(c),
-                            places[i].position});
+                            places[i].position,
+                            {},
+                            0,
+                            turning_place(region, places[i])});
     }
   } // namespace
+
+
+
+  std::pair<Row, double>
+  row_at(const PrescribedRow &prescribed, const Body &body, const Vector &u)
+  {
+    if (!prescribed.location)
+      return {prescribed.row.row, prescribed.row.row(u)};
+    const std::vector<Location> at{*prescribed.location};
+    return {along(body.rows_at(at, u)[0], prescribed.direction),
+            prescribed.direction * body.displacements(at, u)[0]};
+  }
 
 
 

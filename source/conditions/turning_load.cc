@@ -4,6 +4,7 @@
 #include <lamella/base/exceptions.h>
 #include <lamella/conditions/couple.h>
 #include <lamella/conditions/following_pressure.h>
+#include <lamella/conditions/moved_points.h>
 #include <lamella/conditions/rows_to_dofs.h>
 
 namespace lamella
@@ -12,10 +13,78 @@ namespace lamella
 
   namespace
   {
+    /// Forces that keep their direction on a body whose rows turn.
+    class DeadForces : public TurningLoad
+    {
+    public:
+      DeadForces(const Body               &body,
+                 std::vector<Location>     locations,
+                 std::vector<Tensor<1, 3>> forces)
+        : points(body, std::move(locations))
+        , forces(std::move(forces))
+      {}
+
+      bool
+      is_skew() const override
+      {
+        return false;
+      }
+
+      void
+      add_forces(const double factor, const Vector &u, Vector &f) const override
+      {
+        std::vector<Tensor<1, 3>> scaled = forces;
+        for (Tensor<1, 3> &force : scaled)
+          force *= factor;
+        points.add_forces(scaled, u, f);
+      }
+
+      void
+      add_derivative(const double  factor,
+                     const Vector &u,
+                     const Vector &w,
+                     Vector       &f) const override
+      {
+        points.add_turned(forces, factor, u, w, f);
+      }
+
+      void
+      for_each_stiffness_block(
+        const double                                       factor,
+        const Vector                                      &u,
+        const bool                                         with_values,
+        const std::function<void(const StiffnessBlock &)> &use) const override
+      {
+        // Within elements, whose tangent has the pattern.
+        if (with_values)
+          points.for_each_turned_block(forces, -factor, u, use);
+      }
+
+    private:
+      const MovedPoints               points;
+      const std::vector<Tensor<1, 3>> forces;
+    };
+
+
+
+    std::vector<Location>
+    locations_of(const std::vector<SurfacePoint> &points)
+    {
+      std::vector<Location> locations;
+      for (const SurfacePoint &point : points)
+        locations.push_back(point.location);
+      return locations;
+    }
+
+
+
     class TurningCouple : public TurningLoad
     {
     public:
-      TurningCouple(const Load &load, const Region &region, const Body &body);
+      TurningCouple(const Load &load, const Region &region, const Body &body)
+        : couple(load, region, body)
+        , points(body, locations_of(couple.points()))
+      {}
       void
       add_forces(const double  factor,
                  const Vector &u,
@@ -37,35 +106,19 @@ namespace lamella
       std::vector<Point<3>>
       moved(const Vector &u) const;
 
-      const Couple                  couple;
-      std::vector<std::vector<Row>> rows;
+      const Couple      couple;
+      const MovedPoints points;
     };
-
-
-
-    TurningCouple::TurningCouple(const Load   &load,
-                                 const Region &region,
-                                 const Body   &body)
-      : couple(load, region, body)
-    {
-      std::vector<Location> locations;
-      for (const SurfacePoint &point : couple.points())
-        locations.push_back(point.location);
-      rows = body.rows(locations, Quantity::displacement);
-    }
 
 
 
     std::vector<Point<3>>
     TurningCouple::moved(const Vector &u) const
     {
-      std::vector<Point<3>> x;
-      for (unsigned int k = 0; k < rows.size(); ++k)
-        {
-          x.push_back(couple.points()[k].position);
-          for (unsigned int c = 0; c < 3; ++c)
-            x.back()[c] += rows[k][c](u);
-        }
+      const std::vector<Tensor<1, 3>> by = points.displacements(u);
+      std::vector<Point<3>>           x;
+      for (unsigned int k = 0; k < by.size(); ++k)
+        x.push_back(couple.points()[k].position + by[k]);
       return x;
     }
 
@@ -76,10 +129,10 @@ namespace lamella
                               const Vector &u,
                               Vector       &f) const
     {
-      const std::vector<Tensor<1, 3>> forces = couple.forces(moved(u));
-      for (unsigned int k = 0; k < rows.size(); ++k)
-        for (unsigned int c = 0; c < 3; ++c)
-          rows[k][c].add_to(f, factor * forces[k][c]);
+      std::vector<Tensor<1, 3>> forces = couple.forces(moved(u));
+      for (Tensor<1, 3> &force : forces)
+        force *= factor;
+      points.add_forces(forces, u, f);
     }
 
 
@@ -90,14 +143,12 @@ namespace lamella
                                   const Vector &w,
                                   Vector       &f) const
     {
-      std::vector<Tensor<1, 3>> by(rows.size());
-      for (unsigned int k = 0; k < rows.size(); ++k)
-        for (unsigned int c = 0; c < 3; ++c)
-          by[k][c] = rows[k][c](w);
-      const std::vector<Tensor<1, 3>> forces = couple.change(moved(u), by);
-      for (unsigned int k = 0; k < rows.size(); ++k)
-        for (unsigned int c = 0; c < 3; ++c)
-          rows[k][c].add_to(f, factor * forces[k][c]);
+      const std::vector<Point<3>> x    = moved(u);
+      std::vector<Tensor<1, 3>> forces = couple.change(x, points.changes(u, w));
+      for (Tensor<1, 3> &force : forces)
+        force *= factor;
+      points.add_forces(forces, u, f);
+      points.add_turned(couple.forces(x), factor, u, w, f);
     }
 
 
@@ -109,12 +160,13 @@ namespace lamella
       const bool                                         with_values,
       const std::function<void(const StiffnessBlock &)> &use) const
     {
-      const RowsToDofs to_dofs(rows);
+      const RowsToDofs to_dofs(points.rows(u));
       if (!with_values)
         return use(to_dofs.pattern());
-      const Couple::Turning turning = couple.turning(moved(u));
-      StiffnessBlock        block   = to_dofs.pattern();
-      const unsigned int    n       = block.rows.size();
+      const std::vector<Point<3>> x       = moved(u);
+      const Couple::Turning       turning = couple.turning(x);
+      StiffnessBlock              block   = to_dofs.pattern();
+      const unsigned int          n       = block.rows.size();
       block.values.assign(n * n, 0.);
       for (unsigned int k = 0; k < 3; ++k)
         {
@@ -126,6 +178,7 @@ namespace lamella
                 0.5 * factor * (spin[i] * stretch[j] + stretch[i] * spin[j]);
         }
       use(block);
+      points.for_each_turned_block(couple.forces(x), -factor, u, use);
     }
 
 
@@ -163,13 +216,43 @@ namespace lamella
 
 
 
+  bool
+  depends_on_state(const Load &load, const Body &body)
+  {
+    return body.rows_turn() || (body.turns() && turns_along(load));
+  }
+
+
+
   std::unique_ptr<TurningLoad>
   turning_load(const Load &load, const Region &region, const Body &body)
   {
     if (load.couple)
       return std::make_unique<TurningCouple>(load, region, body);
+    if (!load.follows)
+      {
+        const PointForces at = point_forces(load, region, body);
+        return std::make_unique<DeadForces>(body, at.locations, at.forces);
+      }
     auto pressure = std::make_unique<FollowingPressure>(load, region, body);
     check_start(*pressure, load, region, body);
     return pressure;
+  }
+
+
+
+  std::unique_ptr<TurningLoad>
+  turning_weight(const Tensor<1, 3> &acceleration, const Body &body)
+  {
+    std::vector<Location>     locations;
+    std::vector<Tensor<1, 3>> forces;
+    body.for_each_cell_by_weight(
+      acceleration,
+      [&](const std::vector<Location>     &of_cell,
+          const std::vector<Tensor<1, 3>> &of_forces) {
+        locations.insert(locations.end(), of_cell.begin(), of_cell.end());
+        forces.insert(forces.end(), of_forces.begin(), of_forces.end());
+      });
+    return std::make_unique<DeadForces>(body, locations, forces);
   }
 } // namespace lamella

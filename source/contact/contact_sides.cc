@@ -43,15 +43,8 @@ namespace lamella
                                             region(second).surface);
     else if (made == nullptr)
       {
-        std::vector<Tensor<1, 3>> displacements;
-        for (const auto &row : trace_rows(second))
-          {
-            const Vector &of_body = u->block(region(second).body);
-            displacements.emplace_back(Tensor<1, 3>(
-              {row[0](of_body), row[1](of_body), row[2](of_body)}));
-          }
         made = std::make_unique<const MeshSurface>(*undeformed->surface(second),
-                                                   displacements);
+                                                   trace_displacements(second));
       }
     return made.get();
   }
@@ -92,14 +85,35 @@ namespace lamella
 
 
 
+  std::vector<Tensor<1, 3>>
+  ContactSides::trace_displacements(const bool second) const
+  {
+    const unsigned int number  = region(second).body;
+    const Body        &body    = *all_bodies[number];
+    const Vector      &of_body = u->block(number);
+    if (body.rows_turn())
+      return body.displacements(trace_places(second), of_body);
+    std::vector<Tensor<1, 3>> result;
+    for (const auto &row : trace_rows(second))
+      result.emplace_back(
+        Tensor<1, 3>({row[0](of_body), row[1](of_body), row[2](of_body)}));
+    return result;
+  }
+
+
+
   const std::vector<std::vector<Row>> &
   ContactSides::trace_rows(const bool second) const
   {
-    if (undeformed != nullptr)
+    const unsigned int number = region(second).body;
+    const Body        &body   = *all_bodies[number];
+    const bool         turned = undeformed != nullptr && body.rows_turn();
+    if (undeformed != nullptr && !turned)
       return undeformed->trace_rows(second);
     if (rows[second].empty())
-      rows[second] = surface(second)->body().rows(trace_places(second),
-                                                  Quantity::displacement);
+      rows[second] = turned ?
+                       body.rows_at(trace_places(second), u->block(number)) :
+                       body.rows(trace_places(second), Quantity::displacement);
     return rows[second];
   }
 } // namespace lamella

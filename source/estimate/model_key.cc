@@ -37,10 +37,12 @@ namespace lamella
                    section_order,
                    hierarchical,
                    poisson_correction,
-                   shear_factor] = theory;
+                   shear_factor,
+                   twists] = theory;
       return words_of(static_cast<unsigned int>(kind)) + words_of(order) +
              words_of(section_order) + (hierarchical ? "h" : "") +
-             (poisson_correction ? "p" : "") + words_of(shear_factor);
+             (poisson_correction ? "p" : "") + words_of(shear_factor) +
+             (twists ? "t" : "");
     }
 
 

@@ -286,11 +286,13 @@ namespace lamella
       if (checks.is_large)
         {
           out << "\n  large rotations: strains to "
-              << to_text(100. * checks.max_strain, 3)
-              << " %, elements turn by up to "
-              << to_text(checks.max_element_turn * 180. / dealii::numbers::PI,
-                         3)
-              << " degrees; places, moments and balances are those of the "
+              << to_text(100. * checks.max_strain, 3) << " %";
+          if (checks.max_element_turn > 0.)
+            out << ", elements turn by up to "
+                << to_text(checks.max_element_turn * 180. / dealii::numbers::PI,
+                           3)
+                << " degrees";
+          out << "; places, moments and balances are those of the "
                  "deformed bodies\n";
           return;
         }

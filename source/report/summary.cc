@@ -301,6 +301,7 @@ namespace lamella
           json["max_strain"]       = checks.max_strain;
           json["max_mean_strain"]  = checks.max_mean_strain;
           json["max_element_turn"] = checks.max_element_turn;
+          json["shape_change"]     = checks.shape_change;
           return;
         }
       json["beyond_linear"]  = beyond_json(results);

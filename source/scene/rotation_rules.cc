@@ -38,14 +38,19 @@ namespace lamella
                rule,
                "Give the body one Theory.");
       const unsigned int least_taylor = 2, cubic = 3;
-      if (!theory.is_layerwise() && !(theory.is_solid() && theory.order > 1) &&
-          !(theory.is_taylor() && theory.order >= least_taylor))
-        refuse(place + "Kinematics/Theory",
-               theory.name(),
-               "Rotations = large wants sections that can deform as a turned "
-               "one does",
-               "Take LE-N, TE-N from TE-2 on, or solid-2.");
-      if (!theory.is_solid() && body.axis.degree != cubic)
+      // Sections that turn, and those that deform as a turned one does.
+      const bool turns   = theory.has_turning_sections(),
+                 deforms = theory.is_layerwise() ||
+                           (theory.is_solid() && theory.order > 1) ||
+                           (theory.is_taylor() && theory.order >= least_taylor);
+      if (!turns && !deforms)
+        refuse(
+          place + "Kinematics/Theory",
+          theory.name(),
+          "Rotations = large wants sections that turn or that can deform "
+          "as a turned one does",
+          "Take EBBT, TBT, SV or SV-N, or LE-N, TE-N from TE-2 on, or solid-2.");
+      if (!turns && !theory.is_solid() && body.axis.degree != cubic)
         refuse(place + "Kinematics/Axis element",
                "B" + std::to_string(body.axis.degree + 1),
                "elements of lower degree lock where they bend and stretch at "

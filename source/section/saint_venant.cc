@@ -110,13 +110,20 @@ namespace lamella
 
 
   Vector
+  SaintVenant::held_response(Vector load) const
+  {
+    for (const unsigned int field : held)
+      load[field] = 0.;
+    solver->solve(load);
+    return load;
+  }
+
+
+
+  Vector
   SaintVenant::solve(const Vector &v, const Vector &w) const
   {
-    Vector a = right_hand_side(v, w);
-    for (const unsigned int field : held)
-      a[field] = 0.;
-    solver->solve(a);
-    return a;
+    return held_response(right_hand_side(v, w));
   }
 
 
@@ -143,10 +150,7 @@ namespace lamella
     Vector v = load;
     for (unsigned int j = 0; j < balancing.size(); ++j)
       v.add(-share[j], tractions[j]);
-    for (const unsigned int field : held)
-      v[field] = 0.;
-    solver->solve(v);
-    return v;
+    return held_response(std::move(v));
   }
 
 

@@ -82,9 +82,10 @@ namespace lamella
               linear({{0, 2, 1.}}),
               linear({{1, 1, 1.}}),
               linear({{2, 1, 1.}})};
+    if (section_theory.can_twist())
+      fields.push_back(linear({{2, 0, 1.}, {1, 2, -1.}}));
     if (!section_theory.is_classical())
       {
-        fields.push_back(linear({{2, 0, 1.}, {1, 2, -1.}}));
         fields.push_back(linear({{1, 0, 1.}}));
         fields.push_back(linear({{2, 2, 1.}}));
         fields.push_back(linear({{2, 0, 1.}, {1, 2, 1.}}));

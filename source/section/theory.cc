@@ -349,7 +349,8 @@ namespace lamella
                              t.section_order,
                              t.hierarchical,
                              t.poisson_correction,
-                             t.shear_factor);
+                             t.shear_factor,
+                             t.twists);
     };
     return key(a) < key(b);
   }

@@ -93,7 +93,7 @@ namespace lamella
     /// @p places, and gives their work; adds to the forces @p on_body the
     /// moments that the body's theory feels.
     double
-    add_reactions(const Structure             &structure,
+    add_reactions(const Linearisation         &tangent,
                   const std::vector<Point<3>> &places,
                   const unsigned int           b,
                   const Vector                &unbalanced,
@@ -107,9 +107,9 @@ namespace lamella
       std::vector<Wrench> of_support(reactions.size()), felt(reactions.size());
       double              work = 0.;
       for (const auto &[row, force] :
-           structure.reduction(b).multipliers(unbalanced))
+           tangent.reduction(b).multipliers(unbalanced))
         {
-          const PrescribedRow &p     = structure.prescribed()[row];
+          const PrescribedRow &p     = tangent.prescribed()[row];
           const Wrench         whole = wrench_of(p, places[row], force, centre);
           of_support[p.support].force += whole.force;
           of_support[p.support].moment += whole.moment;
@@ -253,6 +253,8 @@ namespace lamella
         std::max(checks.max_mean_strain, deformation.max_mean_strain);
       checks.max_element_turn =
         std::max(checks.max_element_turn, deformation.max_element_turn);
+      checks.shape_change =
+        std::max(checks.shape_change, deformation.shape_change);
     }
 
 
@@ -341,7 +343,7 @@ namespace lamella
     /// unbalanced are the forces on degrees of freedom that loads, contacts and
     /// strains leave to the supports.
     void
-    add_forces_from_outside(const Structure                     &structure,
+    add_forces_from_outside(const Linearisation                 &tangent,
                             const std::vector<Point<3>>         &places,
                             const std::vector<ContactInterface> &contacts,
                             const BlockVector                   &unbalanced,
@@ -361,14 +363,14 @@ namespace lamella
       BlockVector reaction = unbalanced;
       reaction *= -1.;
       for (unsigned int b = 0; b < on_body.size(); ++b)
-        checks.external_work += add_reactions(structure,
+        checks.external_work += add_reactions(tangent,
                                               places,
                                               b,
                                               reaction.block(b),
                                               factor,
                                               checks.reactions,
                                               on_body[b]);
-      find_centres(checks.reactions, structure.size());
+      find_centres(checks.reactions, tangent.of().size());
     }
   } // namespace
 
@@ -402,14 +404,14 @@ namespace lamella
     internal += structure.heat_load();
     r += contact_load;
     add_forces_from_outside(
-      structure, places, contacts, r, state, factor, on_body, checks);
+      tangent, places, contacts, r, state, factor, on_body, checks);
     checks.external_work += 0.5 * (load * state.u);
 
     double rounding = 0.;
     for (unsigned int b = 0; b < on_body.size(); ++b)
       rounding +=
         check_body(tangent, b, state, load.block(b), on_body[b], checks);
-    structure.condense(r);
+    tangent.condense(r);
     if (checks.energy > rounding && r.l2_norm() != 0.)
       checks.residual = r.linfty_norm() / internal.linfty_norm();
     const double of_heat = structure.heat_load() * state.u;

@@ -9,6 +9,7 @@
 #include <deal.II/lac/solver_gmres.h>
 
 #include <algorithm>
+#include <tuple>
 
 namespace lamella
 {
@@ -18,7 +19,75 @@ namespace lamella
     : structure(structure)
     , state(u)
     , factor(factor)
-  {}
+  {
+    const Bodies &bodies = structure.bodies();
+    if (std::any_of(bodies.begin(), bodies.end(), [](const auto &body) {
+          return body->rows_turn();
+        }))
+      move_supports();
+  }
+
+
+
+  void
+  Linearisation::move_supports()
+  {
+    const Bodies &bodies = structure.bodies();
+    moved_rows           = structure.prescribed();
+    measured.assign(moved_rows.size(), 0.);
+    const std::vector<std::string> names(moved_rows.size());
+    for (unsigned int b = 0; b < bodies.size(); ++b)
+      {
+        moved_reductions.push_back(nullptr);
+        if (!bodies[b]->rows_turn())
+          continue;
+        // Rows that depend on others at rest hold no more where these have
+        // turned: what little is left of them then would hold warpings.
+        std::vector<PrescribedRow> held = moved_rows;
+        for (PrescribedRow &row : held)
+          row.row.body = dealii::numbers::invalid_unsigned_int;
+        for (const auto &[k, force] :
+             structure.reduction(b).multipliers(Vector(bodies[b]->n_dofs())))
+          {
+            std::tie(moved_rows[k].row.row, measured[k]) =
+              row_at(moved_rows[k], *bodies[b], state.block(b));
+            held[k] = moved_rows[k];
+            // What they are to measure, way_to_supports() says.
+            held[k].value = 0.;
+          }
+        moved_reductions.back() =
+          std::make_unique<RowReduction>(*bodies[b], b, held, names);
+      }
+  }
+
+
+
+  void
+  Linearisation::condense(BlockVector &r) const
+  {
+    for (unsigned int b = 0; b < structure.bodies().size(); ++b)
+      {
+        reduction(b).constraints().condense(r.block(b));
+        reduction(b).constraints().set_zero(r.block(b));
+      }
+  }
+
+
+
+  BlockVector
+  Linearisation::way_to_supports(const LoadFactor &from,
+                                 const LoadFactor &to) const
+  {
+    BlockVector u = structure.particular(to);
+    u -= structure.particular(from);
+    const std::vector<PrescribedRow> &rows = structure.prescribed();
+    for (unsigned int b = 0; b < moved_reductions.size(); ++b)
+      if (moved_reductions[b] != nullptr)
+        u.block(b) = moved_reductions[b]->influence([&](const unsigned int k) {
+          return to.of(rows[k].history) * rows[k].value - measured[k];
+        });
+    return u;
+  }
 
 
 
@@ -72,7 +141,7 @@ namespace lamella
   {
     const Body        &one         = *structure.bodies()[body];
     const Vector      &u           = state.block(body);
-    const Constraints &constraints = structure.reduction(body).constraints();
+    const Constraints &constraints = reduction(body).constraints();
     const auto         springs     = structure.spring_terms(body);
     if (!structure.has_turning_loads(body))
       return one.make_tangent_solver(
@@ -143,11 +212,8 @@ namespace lamella
   BlockVector
   Linearisation::solve(BlockVector r) const
   {
-    r                 = solve_symmetric(std::move(r));
-    bool is_symmetric = true;
-    for (unsigned int b = 0; b < structure.bodies().size(); ++b)
-      is_symmetric &= !structure.has_turning_loads(b);
-    if (is_symmetric)
+    r = solve_symmetric(std::move(r));
+    if (!structure.has_skew_loads())
       return r;
     struct
     {
@@ -180,11 +246,11 @@ namespace lamella
   BlockVector
   Linearisation::solve_symmetric(BlockVector r) const
   {
-    structure.condense(r);
+    condense(r);
     for (unsigned int b = 0; b < structure.bodies().size(); ++b)
       {
         solver(b).solve(r.block(b));
-        structure.reduction(b).constraints().distribute(r.block(b));
+        reduction(b).constraints().distribute(r.block(b));
       }
     return r;
   }
@@ -198,12 +264,11 @@ namespace lamella
       return solvers[body]->largest_diagonal();
     stiffest.resize(structure.bodies().size(), 0.);
     if (stiffest[body] == 0.)
-      stiffest[body] =
-        structure.bodies()[body]
-          ->assembled_stiffness(structure.reduction(body).constraints(),
-                                structure.spring_terms(body))
-          ->diagonal()
-          .linfty_norm();
+      stiffest[body] = structure.bodies()[body]
+                         ->assembled_stiffness(reduction(body).constraints(),
+                                               structure.spring_terms(body))
+                         ->diagonal()
+                         .linfty_norm();
     return stiffest[body];
   }
 

@@ -39,6 +39,9 @@ namespace lamella
     , asked(asked)
     , parameters(parameters)
   {
+    for (const auto &body : structure.bodies())
+      sizes.push_back(body->rows_turn() ? body->dof_sizes() :
+                                          std::vector<double>());
     if (structure.is_heated() || structure.has_springs())
       throw InputError("Large rotations know neither Temperature nor "
                        "Stabilisation yet: take a Support in place of it.");
@@ -69,16 +72,17 @@ namespace lamella
 
 
   bool
-  Newton::measure(const BlockVector &r,
-                  const LoadFactor  &factor,
-                  double            &began,
-                  Equilibrium       &at) const
+  Newton::measure(const Linearisation &here,
+                  const BlockVector   &r,
+                  const LoadFactor    &factor,
+                  double              &began,
+                  Equilibrium         &at) const
   {
     const BlockVector load     = structure.load(factor, at.state.u);
     BlockVector       internal = load, left = r;
     contacts.add_forces(at.state, internal);
     internal -= r;
-    structure.condense(left);
+    here.condense(left);
     const double norm = left.l2_norm();
     // From rest, where nothing but an obstacle moves, there was nothing.
     if (began == 0.)
@@ -130,6 +134,14 @@ namespace lamella
 
 
   bool
+  Newton::is_held(const BlockVector &moved) const
+  {
+    return length_of(moved) <= parameters.still * structure.size();
+  }
+
+
+
+  bool
   Newton::keeps_law(const Decay &missed, const double size) const
   {
     return missed.now <= std::max(parameters.law * size,
@@ -141,19 +153,10 @@ namespace lamella
 
 
   BlockVector
-  Newton::correct(const BlockVector &r,
-                  const BlockVector &moved,
-                  const BlockVector &correction,
-                  const LoadFactor  &to,
-                  State             &state) const
+  Newton::press(const Linearisation &about,
+                const LoadFactor    &to,
+                State               &state) const
   {
-    const Linearisation about(
-      structure, state.u, asked, monitor, correction, to);
-    BlockVector du = about.solve(r);
-    du += moved;
-    state.u += du;
-    if (contacts.none())
-      return du;
     ContactProblem problem;
     for (const GapRow &row : contacts.rows())
       problem.gap.push_back(row.gap(state.u, to));
@@ -172,12 +175,63 @@ namespace lamella
                      " change");
         });
     if (found.force.empty())
-      return du;
+      return structure.zero();
     state.force  = found.force;
     state.active = found.active;
-    state.u += found.du;
-    du += found.du;
+    return found.du;
+  }
+
+
+
+  BlockVector
+  Newton::correct(const BlockVector &r,
+                  const BlockVector &moved,
+                  const BlockVector &correction,
+                  const LoadFactor  &to,
+                  State             &state) const
+  {
+    const Linearisation about(
+      structure, state.u, asked, monitor, correction, to);
+    const BlockVector before = state.u;
+    BlockVector       du     = about.solve(r);
+    du += moved;
+    if (!contacts.none())
+      {
+        // Gaps are those of the tangent planes, whose states are sums.
+        state.u += du;
+        du += press(about, to, state);
+      }
+    shorten(du);
+    state.u = structure.updated(before, du);
     return du;
+  }
+
+
+
+  double
+  Newton::length_of(const BlockVector &u) const
+  {
+    double largest = 0.;
+    for (unsigned int b = 0; b < sizes.size(); ++b)
+      if (sizes[b].empty())
+        largest = std::max(largest, u.block(b).linfty_norm());
+      else
+        for (DofIndex dof = 0; dof < sizes[b].size(); ++dof)
+          largest =
+            std::max(largest, std::abs(u.block(b)[dof]) * sizes[b][dof]);
+    return largest;
+  }
+
+
+
+  void
+  Newton::shorten(BlockVector &change) const
+  {
+    for (unsigned int b = 0; b < structure.bodies().size(); ++b)
+      if (const double spin =
+            structure.bodies()[b]->largest_spin(change.block(b));
+          spin > parameters.spin)
+        change.block(b) *= parameters.spin / spin;
   }
 
 
@@ -185,12 +239,12 @@ namespace lamella
   Newton::Beginning
   Newton::beginning(const LoadFactor &to, const Equilibrium &at) const
   {
-    Beginning result;
-    result.moved = structure.particular(to);
-    result.moved -= structure.particular(at.factor);
-    result.r = unbalanced(at.state, to);
+    Beginning           result;
+    const Linearisation here(structure, at.state.u);
+    result.moved = here.way_to_supports(at.factor, to);
+    result.r     = unbalanced(at.state, to);
     if (result.moved.l2_norm() > 0.)
-      result.r -= Linearisation(structure, at.state.u).apply(result.moved);
+      result.r -= here.apply(result.moved);
     // An obstacle that moves leaves the start in equilibrium.
     result.size = std::max({result.r.l2_norm(),
                             structure.load(to, at.state.u).l2_norm(),
@@ -212,20 +266,20 @@ namespace lamella
     for (unsigned int k = 0; k < parameters.max_iterations; ++k)
       {
         ++state.iterations;
-        const std::vector<unsigned int> were_active = state.active;
         correction =
           correct(r, moved, predicted ? correction : BlockVector(), to, state);
-        moved = 0.;
 
         contacts.move(state, to);
+        const Linearisation here(structure, state.u);
         r = unbalanced(state, to);
-        if (!measure(r, to, began, at))
+        if (!measure(here, r, to, began, at))
           return false;
+        // Rows that turn miss their places by what they have turned.
+        moved = here.way_to_supports(to, to);
         forces.add(at.residual);
         gaps.add(at.law_error);
-        if (is_equilibrium(forces, correction.linfty_norm()) &&
-            state.active == were_active &&
-            keeps_law(gaps, state.u.linfty_norm()))
+        if (is_equilibrium(forces, length_of(correction)) && is_held(moved) &&
+            keeps_law(gaps, length_of(state.u)))
           {
             if (contacts.none() || !contacts.see_what_touches(state, to))
               {
@@ -236,6 +290,8 @@ namespace lamella
               return false;
             r = unbalanced(state, to);
           }
+        if (moved.l2_norm() > 0.)
+          r -= here.apply(moved);
       }
     return false;
   }

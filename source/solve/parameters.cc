@@ -54,8 +54,9 @@ namespace lamella
         selection<Rotations>(),
         "linear: displacements and rotations are small, as in the paper; "
         "large: bodies turn by any angle and slide on each other by any "
-        "distance, at small strains: for LE-N and TE-N from TE-2 on with Axis "
-        "element = B4, and for solid-2; auto: linear, or large where the "
+        "distance, at small strains: by fields that follow (LE-N, TE-N from "
+        "TE-2 on, with Axis element = B4; solid-2) or by sections that turn "
+        "(EBBT, TBT, SV, SV-N); auto: linear, or large where the "
         "linear result leaves more than 2e-3 out.");
     }
   } // namespace

@@ -235,6 +235,14 @@ namespace lamella
           "in the stretch differ by " +
           to_text(150. * checks.max_strain, 2) +
           " % in the stress there, and materials by what nobody has measured");
+      if (checks.shape_change > worth_naming)
+        warnings.push_back(
+          "sections that turn as a whole keep their shape: what bending and "
+          "twisting do to it (Brazier's flattening of tubes, Lamb's of wide "
+          "strips, Wagner's stiffening of twisted ones) would change moments "
+          "or torques by some " +
+          to_text(100. * checks.shape_change, 2) +
+          " % somewhere. Theory = LE-N has it");
       if (checks.max_element_turn > large_element_turn)
         warnings.push_back(
           "an element of an axis turns by " +

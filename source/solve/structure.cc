@@ -75,7 +75,7 @@ namespace lamella
     for (const Load &load : loads)
       take(load);
     if (gravity.norm() > 0.)
-      resultants.push_back(add_weight(gravity, all_bodies, histories[0].load));
+      take_weight(gravity);
     apply_heat(loads, all_bodies);
     for (unsigned int b = 0; b < all_bodies.size(); ++b)
       initial_energies.push_back(
@@ -87,16 +87,33 @@ namespace lamella
   void
   Structure::take(const Load &load)
   {
-    const bool turns_along_bodies = turns() && turns_along(load);
-    if (turns_along_bodies)
-      for (const Region &region : load.on)
-        turning[region.body].emplace_back(
-          turning_load(load, region, *all_bodies[region.body]), load.history);
-    BlockVector nowhere = zero();
-    resultants.push_back(
-      add_load(load,
-               all_bodies,
-               turns_along_bodies ? nowhere : histories[load.history].load));
+    BlockVector at_start = zero();
+    resultants.push_back(add_load(load, all_bodies, at_start));
+    for (const Region &region : load.on)
+      if (const Body &body = *all_bodies[region.body];
+          depends_on_state(load, body))
+        {
+          turning[region.body].emplace_back(turning_load(load, region, body),
+                                            load.history);
+          at_start.block(region.body) = 0.;
+        }
+    histories[load.history].load += at_start;
+  }
+
+
+
+  void
+  Structure::take_weight(const dealii::Tensor<1, 3> &gravity)
+  {
+    BlockVector at_start = zero();
+    resultants.push_back(add_weight(gravity, all_bodies, at_start));
+    for (unsigned int b = 0; b < all_bodies.size(); ++b)
+      if (all_bodies[b]->rows_turn())
+        {
+          turning[b].emplace_back(turning_weight(gravity, *all_bodies[b]), 0);
+          at_start.block(b) = 0.;
+        }
+    histories[0].load += at_start;
   }
 
 
@@ -212,6 +229,18 @@ namespace lamella
   Structure::load(const LoadFactor &factor) const
   {
     return load(factor, zero());
+  }
+
+
+
+  bool
+  Structure::has_skew_loads() const
+  {
+    return std::any_of(turning.begin(), turning.end(), [](const auto &loads) {
+      return std::any_of(loads.begin(), loads.end(), [](const auto &load) {
+        return load.first->is_skew();
+      });
+    });
   }
 
 
@@ -352,6 +381,17 @@ namespace lamella
     r.sadd(-1., 1., load(factor, u));
     r += initial_load;
     return r;
+  }
+
+
+
+  BlockVector
+  Structure::updated(const BlockVector &u, const BlockVector &change) const
+  {
+    BlockVector result = u;
+    for (unsigned int b = 0; b < all_bodies.size(); ++b)
+      result.block(b) = all_bodies[b]->updated(u.block(b), change.block(b));
+    return result;
   }
 
 

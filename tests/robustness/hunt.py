@@ -28,6 +28,9 @@ and ways of obstacles are scaled so that the probe goes by a tenth of the length
     ends        at all of it, in four steps, a run ends with results or with a sentence
     one path    in one step it comes to the same place, within 1e-4
     finer       on twice the elements to within 5 %, where no note says that they are too long
+    turning     in SV-6, whose sections turn as a whole, it ends as well, and within 5 % of LE-2
+                or of LE-2 on twice the elements, where no note says that sections change their
+                shape
 
 The same seed gives the same scenes. What is a finding stays in WORKDIR/cases, each scene
 with the lines that say what it is. Exit status 1 if there is one."""
@@ -352,6 +355,14 @@ def large_faults(lamella, scene, folder):
         faults.append(f"finer fails: {words}")
     elif not any("turns by" in note for note in path["notes"]):
         faults += ["finer " + fault for fault in apart(path, finer, 0.05)]
+    turning, words = solve("turning", [full * k for k in (0.25, 0.5, 0.75, 1.)], large,
+                           "Theory=SV-6")
+    if turning is None:
+        faults.append(f"SV-6 fails: {words}")
+    elif not any("keep their shape" in note for note in turning["notes"]):
+        off = [apart(one, turning, 0.05) for one in (path, finer) if one is not None]
+        if all(off):
+            faults += ["SV-6 " + fault for fault in off[-1]]
     return faults
 
 

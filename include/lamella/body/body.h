@@ -242,9 +242,14 @@ namespace lamella
     /// Of a body that turns (Body::turns()) the largest angle.
     double max_rotation = 0.;
     /// Of a body that turns the largest principal value of Green's strain, the
-    /// largest root mean square over a section of that along the axis, and the
-    /// largest turn from one end of an element to the other [rad].
+    /// largest root mean square over a section of that along the axis, and,
+    /// where fields follow the turn, the largest one from one end of an element
+    /// to the other [rad].
     double max_strain = 0., max_mean_strain = 0., max_element_turn = 0.;
+    /// Of sections that turn as a whole by what share, largest along the axis,
+    /// their moments and torques leave out what bending and twisting do to
+    /// their shape (stiffening_by_shape()).
+    double shape_change = 0.;
   };
 
   /// A rigid motion as amplitudes: three translations along the scene's axes
@@ -415,6 +420,26 @@ namespace lamella
       return false;
     }
 
+    /// Whether rows of displacements depend on the state (rows_at()), which is
+    /// then no sum of changes (updated()): of bodies with rotations as DoFs.
+    virtual bool
+    rows_turn() const
+    {
+      return false;
+    }
+
+    /// The state that @p change makes of the state @p u. Here the sum.
+    virtual Vector
+    updated(const Vector &u, const Vector &change) const;
+
+    /// The largest rotation among those DoFs of @p change that are rotations
+    /// [rad]; here there are none.
+    virtual double
+    largest_spin(const Vector &) const
+    {
+      return 0.;
+    }
+
     /// Those rigid motions that the theory's displacements do not contain (EBBT
     /// and TBT cannot turn about their axis): nothing needs to hold them, and
     /// no couple about them does work.
@@ -502,6 +527,16 @@ namespace lamella
     virtual void
     add_weight(const dealii::Tensor<1, 3> &acceleration, Vector &f) const;
 
+    /// The same weight as forces at points, an element at a time: @p use is
+    /// called with places and forces (scene axes), which live no longer. This
+    /// process's share of the elements. Throws InputError likewise.
+    using UseOfForces =
+      std::function<void(const std::vector<Location> &,
+                         const std::vector<dealii::Tensor<1, 3>> &)>;
+    void
+    for_each_cell_by_weight(const dealii::Tensor<1, 3> &acceleration,
+                            const UseOfForces          &use) const;
+
     /// The homogeneous parts of the body's section.
     virtual const std::vector<Ply> &
     plies() const = 0;
@@ -538,6 +573,26 @@ namespace lamella
     rows(const std::vector<Location> &locations,
          const Quantity               quantity,
          const Frame                  frame = Frame::scene) const = 0;
+
+    /// The displacements at @p locations in the state @p u [length], scene
+    /// axes, and of a change of the state the rows that give theirs. Here
+    /// those of rows(), whatever the state.
+    virtual std::vector<dealii::Tensor<1, 3>>
+    displacements(const std::vector<Location> &locations,
+                  const Vector                &u) const;
+    virtual std::vector<std::vector<Row>>
+    rows_at(const std::vector<Location> &locations, const Vector &u) const;
+
+    /// Calls @p use with blocks that sum to the derivative of what @p forces
+    /// do at @p locations (scene axes) in the state @p u, sum over k of
+    /// rows_at()^T F_k: symmetric, that along geodesics of rotations. Here
+    /// none, as the rows do not change.
+    virtual void
+    for_each_block_of_forces(
+      const std::vector<Location>                       &locations,
+      const std::vector<dealii::Tensor<1, 3>>           &forces,
+      const Vector                                      &u,
+      const std::function<void(const StiffnessBlock &)> &use) const;
 
     /// All fields of the displacement @p u at @p location, the means over its
     /// places and how much these differ. The numbers are those of rows(), which

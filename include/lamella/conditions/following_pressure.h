@@ -4,6 +4,7 @@
 #define lamella_conditions_following_pressure_h
 
 #include <lamella/body/facet_map.h>
+#include <lamella/conditions/moved_points.h>
 #include <lamella/conditions/traction.h>
 #include <lamella/conditions/turning_load.h>
 
@@ -43,13 +44,13 @@ namespace lamella
       double              pressure;
       std::vector<double> value, by_s, by_t;
     };
-    /// A facet with the displacement rows of its trace nodes.
+    /// A facet with its trace nodes.
     struct Facet
     {
-      FacetMap                      map;
-      unsigned int                  degree_s, degree_t;
-      std::vector<std::vector<Row>> rows;
-      std::vector<GaussPoint>       points;
+      FacetMap                map;
+      unsigned int            degree_s, degree_t;
+      MovedPoints             nodes;
+      std::vector<GaussPoint> points;
 
       FacetMap
       moved(const Vector &u) const;
@@ -60,9 +61,12 @@ namespace lamella
     /// The functions of @p facet at @p point.
     static void
     evaluate(const SurfaceFacet &facet, GaussPoint &point);
-    /// The displacement rows of the trace nodes of @p facet.
-    static std::vector<std::vector<Row>>
-    rows_of_nodes(const Body &body, const SurfaceFacet &facet);
+    /// The forces on the nodes of @p facet, which is @p now there.
+    static std::vector<dealii::Tensor<1, 3>>
+    forces_on(const Facet &facet, const FacetMap &now, const double factor);
+    /// The trace nodes of @p facet.
+    static std::vector<Location>
+    nodes_of(const Body &body, const SurfaceFacet &facet);
     static Facet
     facet_of(const Body         &body,
              const SurfaceFacet &facet,

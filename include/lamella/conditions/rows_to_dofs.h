@@ -13,12 +13,12 @@
 namespace lamella
 {
   /// From forms of the displacements of some places, whose three rows each it
-  /// is made of and refers to, to forms of the DoFs that these depend on.
+  /// is made of, to forms of the DoFs that these depend on.
   class RowsToDofs
   {
   public:
-    explicit RowsToDofs(const std::vector<std::vector<Row>> &rows)
-      : rows(rows)
+    explicit RowsToDofs(std::vector<std::vector<Row>> of_places)
+      : rows(std::move(of_places))
     {
       for (const auto &of_place : rows)
         for (const Row &row : of_place)
@@ -73,9 +73,9 @@ namespace lamella
     }
 
   private:
-    const std::vector<std::vector<Row>> &rows;
-    std::map<DofIndex, unsigned int>     places;
-    StiffnessBlock                       block;
+    const std::vector<std::vector<Row>> rows;
+    std::map<DofIndex, unsigned int>    places;
+    StiffnessBlock                      block;
   };
 } // namespace lamella
 

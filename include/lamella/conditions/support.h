@@ -90,6 +90,10 @@ namespace lamella
     dealii::Tensor<1, 3> couple = {};
     /// That of its support.
     unsigned int history = 0;
+    /// The same place in its body; none of a hold, and none on an end of a
+    /// body: what is held there are the numbers of its section, whatever its
+    /// state.
+    std::optional<Location> location = {};
   };
 
   /// The unit vector along the scene's axis @p c, 0, 1 or 2 for x, y, z.
@@ -107,6 +111,12 @@ namespace lamella
    */
   std::vector<PrescribedRow>
   prescribed_rows(const std::vector<Support> &supports, const Bodies &bodies);
+
+  /// The row @p prescribed of @p body where @p u has moved it, a functional of
+  /// changes of that state (Body::rows_at()), and what it measures there. One
+  /// without a location stays as it is.
+  std::pair<Row, double>
+  row_at(const PrescribedRow &prescribed, const Body &body, const Vector &u);
 
   /**
    * The rigid motions of @p body, number @p index, that @p rows leave free;

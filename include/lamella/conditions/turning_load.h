@@ -21,6 +21,13 @@ namespace lamella
   public:
     virtual ~TurningLoad() = default;
 
+    /// Whether df/du has a part that is not symmetric.
+    virtual bool
+    is_skew() const
+    {
+      return true;
+    }
+
     /// f += @p factor f(u), u the displacement @p u of the body.
     virtual void
     add_forces(const double factor, const Vector &u, Vector &f) const = 0;
@@ -45,10 +52,16 @@ namespace lamella
 
   using TurningLoads = std::vector<std::unique_ptr<TurningLoad>>;
 
-  /// Whether @p load is one of these where its body turns by any angle: a
-  /// couple, or a pressure that follows.
+  /// Whether @p load turns along with bodies that turn by any angle: a couple,
+  /// or a pressure that follows.
   bool
   turns_along(const Load &load);
+
+  /// Whether @p load is a TurningLoad on @p body: where it turns along with
+  /// it, and any load where what the body feels of a force depends on its state
+  /// (Body::rows_turn()).
+  bool
+  depends_on_state(const Load &load, const Body &body);
 
   /**
    * @p load on its region @p region of @p body,
@@ -64,11 +77,17 @@ namespace lamella
    *   there: in all no force and the moment M, of a fixed direction, at any
    *   turn.
    *
+   * any other load as forces that keep their direction.
+   *
    * Throws InputError as add_load() does, and where a pressure varies within an
    * element by more than the Gauss points see.
    */
   std::unique_ptr<TurningLoad>
   turning_load(const Load &load, const Region &region, const Body &body);
+
+  /// The weight of @p body under @p acceleration, likewise.
+  std::unique_ptr<TurningLoad>
+  turning_weight(const dealii::Tensor<1, 3> &acceleration, const Body &body);
 } // namespace lamella
 
 #endif

@@ -79,7 +79,8 @@ namespace lamella
     points(const bool second) const;
 
     /// Where each trace node of surface() is in its body, and the three rows of
-    /// its displacement: made once, of the undeformed.
+    /// its displacement: made once, of the undeformed; of bodies whose rows
+    /// turn, those of the state.
     const std::vector<Location> &
     trace_places(const bool second) const;
     const std::vector<std::vector<Row>> &
@@ -91,6 +92,10 @@ namespace lamella
     {
       return second ? pair.second : pair.first;
     }
+
+    /// Where bodies have moved, those of the trace nodes.
+    std::vector<dealii::Tensor<1, 3>>
+    trace_displacements(const bool second) const;
 
     ContactPair                     pair;
     const Bodies                   &all_bodies;

@@ -110,6 +110,11 @@ namespace lamella
     Vector
     response_to_constant(const Vector &load) const;
 
+    /// S_00 v = @p load with translations and the turn about y held, whatever
+    /// the load does on these.
+    Vector
+    held_response(Vector load) const;
+
   private:
     /// S_00 a = E @p v + S_11 @p w, the held fields zero.
     Vector

@@ -77,6 +77,20 @@ namespace lamella
     /// paper. Ignored by all others. Reported stresses have it, so that their
     /// resultant is the shear force.
     double shear_factor = 1.;
+    /// Of TBT: whether its sections turn about the axis as well and keep their
+    /// shape in that: a sixth field (RigidField), with G times the polar moment
+    /// as its stiffness. For bodies that turn by any angle (of_turning()).
+    bool twists = false;
+
+    /// LE-@p order.
+    static Theory
+    layer_wise(const unsigned int order)
+    {
+      Theory result;
+      result.kind  = Kind::LE;
+      result.order = order;
+      return result;
+    }
 
     /// For messages and reports: EBBT, TBT, TE-4, solid-2; of LE with the
     /// element's name in the literature, LE-2 (L9). Not for parse().
@@ -139,11 +153,33 @@ namespace lamella
     {
       return kind == Kind::EBBT;
     }
+    /// Whether, of bodies that turn by any angle, a section turns as a whole
+    /// and deforms in axes of its own; those of all others that turn deform as
+    /// a turned one does.
+    bool
+    has_turning_sections() const
+    {
+      return is_classical() || is_of_solutions();
+    }
+    /// What a classical theory is made of there: TBT that twists, of both. All
+    /// others stay.
+    Theory
+    of_turning() const
+    {
+      Theory result = *this;
+      if (!is_classical())
+        return result;
+      if (keeps_sections_normal())
+        result.shear_factor = 1.;
+      result.kind   = Kind::TBT;
+      result.twists = true;
+      return result;
+    }
     /// Whether a section can turn about the axis.
     bool
     can_twist() const
     {
-      return !is_classical();
+      return !is_classical() || twists;
     }
     /// Whether sections contract, and plies couple, by functions of the
     /// theory's own: not so where u_x and u_z are linear at most.
@@ -247,8 +283,8 @@ namespace lamella
   };
 
   /// For use as a key: theories that share the section's fields and matrices.
-  /// By kind, orders, hierarchy, Poisson correction and shear factor, one after
-  /// the other.
+  /// By kind, orders, hierarchy, Poisson correction, shear factor and twist,
+  /// one after the other.
   bool
   operator<(const Theory &a, const Theory &b);
 } // namespace lamella

@@ -61,7 +61,8 @@ namespace lamella
     /// balance of energy are not looked at, and there are the numbers of
     /// Deformation.
     bool   is_large   = false;
-    double max_strain = 0., max_mean_strain = 0., max_element_turn = 0.;
+    double max_strain = 0., max_mean_strain = 0., max_element_turn = 0.,
+           shape_change = 0.;
     /// What large deflections would change; not looked at by check_state(),
     /// which solves nothing.
     BeyondLinear beyond;

@@ -81,7 +81,7 @@ namespace lamella
       std::vector<unsigned int>   place;
     };
 
-    const Structure      &structure;
+    const Linearisation  &linearisation;
     const GapRows         rows;
     std::vector<BodyRows> bodies;
 

@@ -63,6 +63,32 @@ namespace lamella
       return structure;
     }
 
+    /// The prescribed rows of all supports as functionals of changes of the
+    /// state, and G of @p body with them: those of the structure but for bodies
+    /// whose rows turn.
+    const std::vector<PrescribedRow> &
+    prescribed() const
+    {
+      return moved_rows.empty() ? structure.prescribed() : moved_rows;
+    }
+    const RowReduction &
+    reduction(const unsigned int body) const
+    {
+      return moved_reductions.empty() || moved_reductions[body] == nullptr ?
+               structure.reduction(body) :
+               *moved_reductions[body];
+    }
+
+    /// G^T r in place, zero in the eliminated DoFs.
+    void
+    condense(BlockVector &r) const;
+
+    /// What supports move bodies by from load factor @p from, that of the
+    /// state, to @p to. Where rows turn it is what takes the state to where the
+    /// supports are then, to the first order.
+    BlockVector
+    way_to_supports(const LoadFactor &from, const LoadFactor &to) const;
+
     /// What K(u) of @p body is assembled from, its springs among it.
     StiffnessTerms
     terms(const unsigned int body) const;
@@ -97,6 +123,10 @@ namespace lamella
     condition_estimate() const;
 
   private:
+    /// Makes the rows and reductions of bodies whose rows turn.
+    void
+    move_supports();
+
     /// What solves with the stiffness of @p body.
     std::unique_ptr<LinearSolver>
     make_solver(const unsigned int   body,
@@ -115,6 +145,10 @@ namespace lamella
     const BlockVector                          state;
     const LoadFactor                           factor;
     std::vector<std::unique_ptr<LinearSolver>> solvers;
+    /// Where no rows turn empty; of each row what it measures in the state.
+    std::vector<PrescribedRow>                 moved_rows;
+    std::vector<double>                        measured;
+    std::vector<std::unique_ptr<RowReduction>> moved_reductions;
     /// largest_stiffness() where no solver knows it, once asked for.
     mutable std::vector<double> stiffest;
   };

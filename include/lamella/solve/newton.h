@@ -25,7 +25,7 @@ namespace lamella
     /// below `floor` they do once two iterations on end leave more than
     /// `stalls` of them; and below `near` where the correction is this share of
     /// the size of the scene.
-    double floor = arithmetic::alike, stalls = 0.3, near = 1e-3,
+    double floor = arithmetic::alike, stalls = 0.5, near = 1e-3,
            still = arithmetic::same_place;
     /// Forces that are left beyond this, over those that the step began with,
     /// are a failure; below `nothing` of these they are rounding.
@@ -37,6 +37,8 @@ namespace lamella
     double law = arithmetic::negligible, touching = arithmetic::rounding;
     /// How often contacts pair anew in a step.
     unsigned int max_pairings = 3;
+    /// The largest spin of an iteration [rad]: a longer change is shortened.
+    double spin = 1.;
     /// How often a step is halved.
     unsigned int max_cuts = 6;
   };
@@ -76,9 +78,10 @@ namespace lamella
    * rolls up in one step. Where that fails the step is tried with the
    * stress as it is, and then in halves.
    *
-   * It ends where forces balance, gaps keep the law, the same rows are active
-   * as in the iteration before, and no surfaces touch that are not paired; else
-   * these are paired anew and it goes on. K is positive definite there, as its
+   * It ends where forces balance, gaps keep the law, and no surfaces touch that
+   * are not paired; else these are paired anew and it goes on. (Which of rows
+   * that depend on each other are active is not asked: it may be others in each
+   * iteration.) K is positive definite there, as its
    * Cholesky factor exists: the equilibrium is a minimum of the energy. (With
    * couples there is none, but in their plane; that the symmetric part of K is
    * positive definite is enough for stability, and more than it takes.)
@@ -157,20 +160,36 @@ namespace lamella
             const LoadFactor  &to,
             State             &state) const;
 
+    /// Presses the gaps of @p state at @p to about it: its forces and active
+    /// rows, and what that moves bodies by, which is returned.
+    BlockVector
+    press(const Linearisation &about, const LoadFactor &to, State &state) const;
+
+    /// The largest displacement that the numbers of @p u make, of bodies whose
+    /// rows turn by the sizes of their DoFs: warpings are no lengths.
+    double
+    length_of(const BlockVector &u) const;
+
+    /// Shortens the @p change of bodies that would turn too far in it.
+    void
+    shorten(BlockVector &change) const;
+
     /// f(t) + B^T lambda - f_int of @p state, not condensed; contacts are where
     /// it is.
     BlockVector
     unbalanced(const State &state, const LoadFactor &factor) const;
 
     /// Says in @p at, and to who listens, what is left of forces and gaps: the
-    /// unbalanced forces @p r at @p factor, condensed, over the loads or the
-    /// internal forces, and 0 where they are rounding of those that the step
+    /// unbalanced forces @p r @p here at @p factor, condensed, over the loads
+    /// or the internal forces, and 0 where they are rounding of those that the
+    /// step
     /// @p began with. Whether that is within bounds.
     bool
-    measure(const BlockVector &r,
-            const LoadFactor  &factor,
-            double            &began,
-            Equilibrium       &at) const;
+    measure(const Linearisation &here,
+            const BlockVector   &r,
+            const LoadFactor    &factor,
+            double              &began,
+            Equilibrium         &at) const;
 
     /// What the last three iterations left.
     struct Decay
@@ -190,13 +209,20 @@ namespace lamella
     bool
     is_equilibrium(const Decay &unbalanced, const double change) const;
 
+    /// Whether supports hold what they have to where they are still to move
+    /// bodies by @p moved.
+    bool
+    is_held(const BlockVector &moved) const;
+
     /// Whether gaps that miss the contact law by these lengths, at
     /// displacements of that @p size, are those of the law.
     bool
     keeps_law(const Decay &missed, const double size) const;
 
     const Structure &structure;
-    MovingContacts   contacts;
+    /// Of bodies whose rows turn Body::dof_sizes(), empty for all others.
+    std::vector<std::vector<double>> sizes;
+    MovingContacts                   contacts;
     /// What the last attempt that threw said.
     std::string            last_failure;
     const SolverKind       asked;

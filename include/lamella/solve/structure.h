@@ -119,8 +119,8 @@ namespace lamella
 
     /// The load vector f(t, u) at load factor t = @p factor, not condensed: all
     /// loads together, f . v is their work on the virtual displacement v
-    /// (Eq. 10). Those that turn along with bodies (TurningLoad) are of the
-    /// displacements @p u; all others do not ask.
+    /// (Eq. 10). Those that depend on the state (TurningLoad) are of @p u; all
+    /// others do not ask.
     BlockVector
     load(const LoadFactor &factor, const BlockVector &u) const;
 
@@ -128,12 +128,16 @@ namespace lamella
     BlockVector
     load(const LoadFactor &factor) const;
 
-    /// Whether a load turns along with @p body.
+    /// Whether a load on @p body depends on its state.
     bool
     has_turning_loads(const unsigned int body) const
     {
       return !turning[body].empty();
     }
+
+    /// Whether one of these has a derivative that is not symmetric.
+    bool
+    has_skew_loads() const;
 
     /// f += df(t, u)/du @p w of these.
     void
@@ -242,6 +246,10 @@ namespace lamella
     BlockVector
     internal_forces(const BlockVector &u, const SpringRest &rest = {}) const;
 
+    /// The state that @p change makes of the state @p u (Body::updated()).
+    BlockVector
+    updated(const BlockVector &u, const BlockVector &change) const;
+
     /// G^T r in place, zero in the eliminated DoFs: the residual that
     /// equilibrium sets to zero. (What is left in the eliminated ones before
     /// that are the reactions.)
@@ -260,6 +268,8 @@ namespace lamella
     /// to what turns; and what it is in all.
     void
     take(const Load &load);
+    void
+    take_weight(const dealii::Tensor<1, 3> &gravity);
 
     /// Throws InputError for the first body with a rigid motion that supports
     /// leave free and no stabilisation holds.

@@ -1,0 +1,346 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef lamella_body_reissner_beam_h
+#define lamella_body_reissner_beam_h
+
+#include <lamella/body/beam.h>
+#include <lamella/body/frame_strains.h>
+
+#include <memory>
+#include <vector>
+
+namespace lamella
+{
+  /**
+   * A beam whose sections turn by any angle and warp a little: its centre goes
+   * by r(y), the section turns by R(y), and what else it does, the amplitudes a
+   * of its fields that are no rigid motions, turns with it,
+   *   x = X_c + r + R (X - X_c + Phi a).
+   * Strains are small in the axes of the section, and linear in
+   *   e = (Gamma, kappa, a, a')                                (FrameStrains),
+   * so that what the section answers is what it answers to the same numbers in
+   * a Beam (SectionAnswer), and a constant matrix: s = D e. Of Saint-Venant's
+   * fields that is Simo's beam with the section's own stiffness; warping in
+   * shear and torsion, Poisson's effect and all couplings of a layup are in it.
+   * What it leaves out are strains that are quadratic in the section itself:
+   * Wagner's stiffening of a twisted strip, the flattening of bent tubes and
+   * of wide strips; Deformation::shape_change says how much that is.
+   *
+   * DoFs are those of the Beam. In a state u the six rigid fields of a node
+   * have another meaning: its r, and its rotation vector, of 0 to pi, as small
+   * rotations have it (RigidField). In changes du, and in forces, they are
+   * spins on top of the state, about the axes of the body, and updated() puts
+   * both together. Rows of displacements, their change with du, depend on the
+   * state (rows_at()). At u = 0 both are those of the Beam.
+   *
+   * Quaternions of the nodes are interpolated along an element, and integrals
+   * are those of one Gauss point fewer than nodes, which locks at no
+   * slenderness. (With one more for what has a and a' alone 16 elements were as
+   * far off as 8 without, where warping is held.)
+   *
+   * Sections that stay normal to the axis (EBBT) are those of TBT with 10^4
+   * times the axial stiffness against shear: a share (h / L)^2 of 1e-5 of the
+   * deflection is left of it. A section that cannot twist turns in one plane.
+   */
+  class ReissnerBeam : public Beam
+  {
+  public:
+    /// Every node carries all fields of the section, which is that of
+    /// Theory::of_turning(); whether it @p stays_normal. What theory() says is
+    /// @p theory, or that of the section.
+    ReissnerBeam(const std::string             &name,
+                 std::shared_ptr<const Section> section,
+                 std::shared_ptr<const Axis>    axis,
+                 const Placement               &placement,
+                 const std::string             &theory       = "",
+                 const bool                     stays_normal = false);
+
+    /// As the constructor of Beam; lists of fields are dense (FieldSpace).
+    /// Throws InputError for lists that are not.
+    ReissnerBeam(const std::string                            &name,
+                 std::shared_ptr<const FieldSpace>             space,
+                 std::shared_ptr<const Axis>                   axis,
+                 const Placement                              &placement,
+                 const std::vector<std::vector<unsigned int>> &fields_of_node,
+                 const std::string                            &theory,
+                 const bool stays_normal = false);
+
+    bool
+    turns() const override
+    {
+      return true;
+    }
+    bool
+    rows_turn() const override
+    {
+      return true;
+    }
+    /// Throws NumericsError where a section that cannot twist would have to.
+    Vector
+    updated(const Vector &u, const Vector &change) const override;
+    double
+    largest_spin(const Vector &change) const override;
+    std::vector<Vector>
+    rigid_motions_at(const Vector &u) const override;
+    void
+    add_internal_forces(const Vector &u, Vector &f) const override;
+    Deformation
+    deformation(const Vector &u) const override;
+    std::vector<dealii::Tensor<1, 3>>
+    displacements(const std::vector<Location> &locations,
+                  const Vector                &u) const override;
+    std::vector<std::vector<Row>>
+    rows_at(const std::vector<Location> &locations,
+            const Vector                &u) const override;
+    void
+    for_each_block_of_forces(
+      const std::vector<Location>                       &locations,
+      const std::vector<dealii::Tensor<1, 3>>           &forces,
+      const Vector                                      &u,
+      const std::function<void(const StiffnessBlock &)> &use) const override;
+    /// Point by point.
+    std::vector<OutputCell>
+    cut(const double       position,
+        const unsigned int n,
+        const Vector      &u) const override;
+    void
+    for_each_output_cell(const GridIntervals   &n,
+                         const Vector          &u,
+                         const UseOfOutputCell &use) const override;
+
+  protected:
+    FieldSample
+    sample_at(const SectionPoint &point,
+              const AxisPoint    &on_axis,
+              const Vector       &u) const override;
+    /// A block for each own element of the axis.
+    void
+    for_each_tangent_block(
+      const Vector                                      &u,
+      const Vector                                      &correction,
+      const bool                                         with_values,
+      const std::function<void(const StiffnessBlock &)> &use) const override;
+
+  private:
+    /// What the sections of an element of the axis answer, D e, and to which
+    /// fields: m that are no rigid motions.
+    struct Law
+    {
+      std::vector<unsigned int> warpings;
+      /// By e = (Gamma, kappa, a, a'): of Gamma and kappa a row each, 6 x (6 +
+      /// 2 m), and of a and a' by these, 2 m x 2 m.
+      dealii::LAPACKFullMatrix<double> of_frame, of_warping;
+    };
+
+    /// The state of an element of the axis, node by node.
+    struct Element
+    {
+      /// All alike in sign.
+      std::vector<Quaternion>           q;
+      std::vector<dealii::Tensor<1, 3>> r;
+      /// The amplitudes of Law::warpings.
+      std::vector<std::vector<double>> a;
+    };
+
+    /// The state at a point of the axis.
+    struct Frame
+    {
+      Quaternion           Q, dQ;
+      dealii::Tensor<1, 3> r, dr;
+      std::vector<double>  a, da;
+    };
+
+    /// A point that an element is integrated by.
+    struct Station
+    {
+      AxisPoint point;
+      double    weight = 0.;
+    };
+
+    /// One of the numbers of an element that its forces and its tangent are
+    /// made for, node after node its r, its spin and its warpings: the DoF is
+    /// `factor` of it, if there is one.
+    struct LocalDof
+    {
+      DofIndex dof    = dealii::numbers::invalid_dof_index;
+      double   factor = 1.;
+
+      bool
+      exists() const
+      {
+        return dof != dealii::numbers::invalid_dof_index;
+      }
+    };
+
+    /// Gamma and kappa; r and the spin of a node.
+    static constexpr unsigned int n_strains = 6, n_of_node = RigidField::n_all;
+
+    /// d(Q, Q', r') by r and the spin of a node.
+    using ByNode = std::array<dealii::Tensor<1, 6>, 11>;
+
+    /// A point of the section and what is there of the fields of an element.
+    struct PointFields
+    {
+      AxisPoint on_axis;
+      /// From the centre of the section.
+      dealii::Tensor<1, 3> X;
+      /// Of Law::warpings.
+      std::vector<dealii::Tensor<1, 3>> Phi;
+    };
+
+    void
+    make_stations();
+    void
+    make_laws(const bool stays_normal);
+    std::shared_ptr<Law>
+    make_law(const SectionAnswer &answer) const;
+
+    /// The rotation vector of @p node in a state, or its spin in a change.
+    dealii::Tensor<1, 3>
+    rotation(const unsigned int node, const Vector &u) const;
+
+    Element
+    element(const unsigned int cell, const Vector &u) const;
+    static Frame
+    frame_at(const AxisPoint &point, const Element &element);
+    /// e there.
+    static std::vector<double>
+    strains(const Frame &frame, const FrameStrains &of);
+
+    std::vector<LocalDof>
+    local_dofs(const unsigned int cell) const;
+    /// Adds the forces @p local to @p f.
+    static void
+    add_local(const std::vector<LocalDof> &dofs,
+              const std::vector<double>   &local,
+              Vector                      &f);
+    /// The matrix @p local; without values where it is empty.
+    static StiffnessBlock
+    block_of(const std::vector<LocalDof>            &dofs,
+             const dealii::LAPACKFullMatrix<double> &local);
+    static ByNode
+    by_node(const Element     &element,
+            const AxisPoint   &point,
+            const unsigned int i);
+
+    /// Add to the local forces @p f.
+    static void
+    add_frame_forces(const Station       &station,
+                     const Law           &law,
+                     const Element       &element,
+                     std::vector<double> &f);
+    void
+    add_warping_forces(const unsigned int   cell,
+                       const Element       &element,
+                       std::vector<double> &f) const;
+
+    /// The stresses of Gamma and kappa that a @p change of the local numbers
+    /// predicts where it starts from @p before: the linear part of what it
+    /// makes (Magisano, Leonetti and Garcea, see green_tangent()).
+    static std::array<double, 6>
+    predicted(const Station             &station,
+              const Law                 &law,
+              const Element             &before,
+              const std::vector<double> &change);
+    /// Add to the local matrix @p K: all of a station with the stresses @p s of
+    /// Gamma and kappa; the products of r and spins with those of node @p j;
+    /// those with a warping. A node has @p n numbers.
+    static void
+    add_frame_tangent(const Station                    &station,
+                      const Law                        &law,
+                      const Element                    &element,
+                      const std::array<double, 6>      &s,
+                      dealii::LAPACKFullMatrix<double> &K);
+    /// What the second derivative of the unit quaternion @p q of node @p j, as
+    /// spins go on, adds to its own spins.
+    static double
+    along_geodesic(const AxisPoint             &point,
+                   const dealii::Tensor<1, 11> &stress,
+                   const Quaternion            &q,
+                   const unsigned int           j);
+    /// That of the energy of Gamma and kappa by (Q, Q', r'), with these
+    /// stresses.
+    static dealii::Tensor<2, 11>
+    second_derivative(const Law                   &law,
+                      const FrameStrains          &of,
+                      const std::array<double, 6> &s);
+    static void
+    add_rigid_tangent(const dealii::Tensor<2, 11>      &by_measures,
+                      const std::vector<ByNode>        &by,
+                      const unsigned int                j,
+                      const unsigned int                n,
+                      dealii::LAPACKFullMatrix<double> &K);
+    static void
+    add_coupling(const dealii::Tensor<1, 11>      &coupled,
+                 const std::vector<ByNode>        &by,
+                 const std::vector<double>        &N,
+                 const unsigned int                warping,
+                 const unsigned int                n,
+                 dealii::LAPACKFullMatrix<double> &K);
+    void
+    add_warping_tangent(const unsigned int                cell,
+                        dealii::LAPACKFullMatrix<double> &K) const;
+
+    /// The strain energy [force length].
+    double
+    energy(const Vector &u) const;
+
+    PointFields
+    fields_at(const Location::Place &place) const;
+    /// Of the point @p at, in axes of the body.
+    static dealii::Tensor<1, 3>
+    displacement(const PointFields &at, const Frame &frame);
+    /// R (X + Phi a) there.
+    static TurnedVector
+    turned_point(const PointFields &at, const Frame &frame);
+    /// The displacement there of a unit of each local number, in axes of the
+    /// body.
+    static std::vector<dealii::Tensor<1, 3>>
+    by_local(const PointFields &at, const Element &element);
+    /// Adds @p share of the rows of the displacement at @p place to @p rows.
+    void
+    add_rows(const Location::Place &place,
+             const double           share,
+             const Vector          &u,
+             std::vector<Row>      &rows) const;
+    /// Adds to @p K the derivative of the work of @p force, in axes of the
+    /// body, on these numbers at @p at.
+    static void
+    add_force(const PointFields                &at,
+              const dealii::Tensor<1, 3>       &force,
+              const Element                    &element,
+              dealii::LAPACKFullMatrix<double> &K);
+
+    /// The part of add_force() of the spin whose number is @p spin, @p row its
+    /// derivatives by Q and what R turns.
+    static void
+    add_force_row(const PointFields                &at,
+                  const Element                    &element,
+                  const dealii::Tensor<1, 7>       &row,
+                  const unsigned int                spin,
+                  dealii::LAPACKFullMatrix<double> &K);
+
+    /// Takes what sections with the strains @p e of the element @p cell have
+    /// into @p deformation.
+    void
+    add_strains(const unsigned int         cell,
+                const std::vector<double> &e,
+                Deformation               &deformation) const;
+
+    /// The strain at @p point of the section where that of the frame is @p e,
+    /// of the element @p cell.
+    Voigt
+    strain_at(const SectionPoint        &point,
+              const unsigned int         cell,
+              const std::vector<double> &e) const;
+
+    /// The reference length of the section.
+    double h;
+    /// stiffening_by_shape().
+    std::array<double, 3>                   stiffening;
+    std::vector<std::vector<Station>>       stations;
+    std::vector<std::shared_ptr<const Law>> laws;
+  };
+} // namespace lamella
+
+#endif

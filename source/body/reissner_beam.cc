@@ -1,0 +1,433 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+// A beam whose sections turn: its state, its forces and their tangent. What it
+// shows at points is in reissner_points.cc.
+
+#include <lamella/base/arithmetic.h>
+#include <lamella/base/exceptions.h>
+#include <lamella/base/text.h>
+#include <lamella/body/fields.h>
+#include <lamella/body/reissner_beam.h>
+#include <lamella/section/shape_change.h>
+
+#include <deal.II/base/quadrature_lib.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace lamella
+{
+  using namespace dealii;
+
+  namespace
+  {
+    // Gamma and kappa.
+    constexpr unsigned int n_frame = 6;
+
+    constexpr std::array<unsigned int, 3> translations{
+      {RigidField::translation_x,
+       RigidField::translation_y,
+       RigidField::translation_z}};
+
+    /// The field that turns the section about each axis, and the sign of its
+    /// amplitude for a right-handed turn.
+    constexpr std::array<unsigned int, 3> turns_about{
+      {RigidField::slope_z, RigidField::rotation_y, RigidField::slope_x}};
+    constexpr std::array<double, 3> sign_of_turn{{-1., 1., 1.}};
+
+
+
+    std::shared_ptr<const FieldSpace>
+    no_modes(std::shared_ptr<const Section> section)
+    {
+      return std::make_shared<FieldSpace>(std::move(section));
+    }
+
+    /// @p section, or where it is rigid one of the same mesh that is not.
+    std::shared_ptr<const Section>
+    that_deforms(const std::shared_ptr<const Section> &section)
+    {
+      if (section->n_fields() > RigidField::n_all)
+        return section;
+      return make_section(section->element().shared_mesh(),
+                          Theory::layer_wise(2));
+    }
+
+    std::vector<std::vector<unsigned int>>
+    all_at_each_node(const Section &section, const Axis &axis)
+    {
+      std::vector<unsigned int> all(section.n_fields());
+      std::iota(all.begin(), all.end(), 0);
+      return std::vector<std::vector<unsigned int>>(axis.n_nodes(), all);
+    }
+  } // namespace
+
+
+
+  ReissnerBeam::ReissnerBeam(const std::string             &name,
+                             std::shared_ptr<const Section> section,
+                             std::shared_ptr<const Axis>    axis,
+                             const Placement               &placement,
+                             const std::string             &theory,
+                             const bool                     stays_normal)
+    : ReissnerBeam(name,
+                   no_modes(section),
+                   axis,
+                   placement,
+                   all_at_each_node(*section, *axis),
+                   theory,
+                   stays_normal)
+  {}
+
+
+
+  ReissnerBeam::ReissnerBeam(
+    const std::string                            &name,
+    std::shared_ptr<const FieldSpace>             space,
+    std::shared_ptr<const Axis>                   axis,
+    const Placement                              &placement,
+    const std::vector<std::vector<unsigned int>> &fields_of_node,
+    const std::string                            &theory,
+    const bool                                    stays_normal)
+    : Beam(name, space, axis, placement, fields_of_node, theory)
+    , h(section().element().reference_length())
+  {
+    for (const auto &list : fields_of_node)
+      if (section().n_fields() > n_of_node && !fields().is_dense(list))
+        throw InputError("Sections that turn want Theory = EBBT, TBT, SV or "
+                         "SV-N: those of all others deform as a turned one "
+                         "does.");
+    make_stations();
+    make_laws(stays_normal);
+    stiffening = stiffening_by_shape(*that_deforms(fields().shared_section()));
+  }
+
+
+
+  void
+  ReissnerBeam::make_stations()
+  {
+    const QGauss<1> rule(axis().degree());
+    for (unsigned int cell = 0; cell < axis().n_cells(); ++cell)
+      {
+        const double length = axis().cell_end(cell) - axis().cell_begin(cell);
+        stations.emplace_back();
+        for (unsigned int k = 0; k < rule.size(); ++k)
+          stations.back().push_back(
+            {axis().evaluate(cell, rule.point(k)[0]), length * rule.weight(k)});
+      }
+  }
+
+
+
+  void
+  ReissnerBeam::make_laws(const bool stays_normal)
+  {
+    // Of a section that does, stiffness against shear over that against
+    // stretch.
+    constexpr double     normal = 1e4;
+    const SectionAnswer *before = nullptr;
+    along_axis().for_each_element(
+      [&](const unsigned int, const SectionAnswer &answer) {
+        if (&answer == before)
+          {
+            laws.push_back(laws.back());
+            return;
+          }
+        const auto law = make_law(answer);
+        for (const unsigned int shear : {0, 2})
+          if (stays_normal)
+            law->of_frame(shear, shear) += normal * law->of_frame(1, 1);
+        laws.push_back(law);
+        before = &answer;
+      });
+  }
+
+
+
+  namespace
+  {
+    /// Of each of Gamma and kappa the number in a list of the field whose
+    /// derivative it is, and what a unit of it is of that; none: 0.
+    struct FrameFields
+    {
+      FrameFields(const std::vector<unsigned int> &list, const double h)
+      {
+        for (unsigned int c = 0; c < 3; ++c)
+          {
+            set(c, list, translations[c], 1.);
+            set(3 + c, list, turns_about[c], h * sign_of_turn[c]);
+          }
+      }
+
+      void
+      set(const unsigned int               c,
+          const std::vector<unsigned int> &list,
+          const unsigned int               field,
+          const double                     by)
+      {
+        const auto found = std::find(list.begin(), list.end(), field);
+        place[c]         = found == list.end() ? 0 : found - list.begin();
+        factor[c]        = found == list.end() ? 0. : by;
+      }
+
+      std::array<unsigned int, n_frame> place{};
+      std::array<double, n_frame>       factor{};
+    };
+
+
+
+    /// Of @p n_fields fields, the first @p rigid of which are no warpings, what
+    /// a unit of each number of e is, a column each.
+    FieldParts
+    units(const FrameFields &frame,
+          const unsigned int n_fields,
+          const unsigned int rigid)
+    {
+      const unsigned int m    = n_fields - rigid;
+      FieldParts         unit = field_parts(n_fields, n_frame + 2 * m);
+      for (unsigned int c = 0; c < n_frame; ++c)
+        unit[FieldPart::derivative](frame.place[c], c) += frame.factor[c];
+      for (unsigned int a = 0; a < m; ++a)
+        {
+          unit[FieldPart::value](rigid + a, n_frame + a)          = 1.;
+          unit[FieldPart::shear_value](rigid + a, n_frame + a)    = 1.;
+          unit[FieldPart::derivative](rigid + a, n_frame + m + a) = 1.;
+        }
+      return unit;
+    }
+  } // namespace
+
+
+
+  std::shared_ptr<ReissnerBeam::Law>
+  ReissnerBeam::make_law(const SectionAnswer &answer) const
+  {
+    const std::vector<unsigned int> &list = answer.fields();
+    const FrameFields                frame(list, h);
+    const unsigned int               rigid =
+      std::min<unsigned int>(n_of_node, section().n_fields());
+    const auto law = std::make_shared<Law>();
+    law->warpings.assign(list.begin() + rigid, list.end());
+    const unsigned int m = law->warpings.size(), n = n_frame + 2 * m;
+    const FieldParts   work =
+      answer.forces(units(frame, list.size(), rigid)).work;
+    law->of_frame.reinit(n_frame, n);
+    law->of_warping.reinit(2 * m, 2 * m);
+    for (unsigned int k = 0; k < n; ++k)
+      for (unsigned int c = 0; c < n_frame; ++c)
+        law->of_frame(c, k) =
+          frame.factor[c] * work[FieldPart::derivative](frame.place[c], k);
+    for (unsigned int k = 0; k < 2 * m; ++k)
+      for (unsigned int a = 0; a < m; ++a)
+        {
+          law->of_warping(a, k) =
+            work[FieldPart::value](rigid + a, n_frame + k) +
+            work[FieldPart::shear_value](rigid + a, n_frame + k);
+          law->of_warping(m + a, k) =
+            work[FieldPart::derivative](rigid + a, n_frame + k);
+        }
+    return law;
+  }
+
+
+
+  // ---- the state
+
+  Tensor<1, 3>
+  ReissnerBeam::rotation(const unsigned int node, const Vector &u) const
+  {
+    Tensor<1, 3> theta;
+    for (unsigned int c = 0; c < 3; ++c)
+      if (turns_about[c] < section().n_fields())
+        theta[c] = sign_of_turn[c] / h *
+                   u[dofs().first(node) + dofs().place(node, turns_about[c])];
+    return theta;
+  }
+
+
+
+  Vector
+  ReissnerBeam::updated(const Vector &u, const Vector &change) const
+  {
+    Vector result = u;
+    result += change;
+    for (unsigned int node = 0; node < dofs().n_nodes(); ++node)
+      {
+        const Tensor<1, 3> theta =
+          rotation_vector_of(turned_by(quaternion_of(rotation(node, change)),
+                                       quaternion_of(rotation(node, u))));
+        for (unsigned int c = 0; c < 3; ++c)
+          if (turns_about[c] < section().n_fields())
+            result[dofs().first(node) + dofs().place(node, turns_about[c])] =
+              h * sign_of_turn[c] * theta[c];
+          else if (std::abs(theta[c]) > arithmetic::alike)
+            throw NumericsError(
+              "Body " + name() + " (" + theory() +
+              ") bends in two planes, and would have to twist by " +
+              to_text(theta[c], 2) +
+              " rad: its sections cannot. Take Theory = SV.");
+      }
+    return result;
+  }
+
+
+
+  double
+  ReissnerBeam::largest_spin(const Vector &change) const
+  {
+    double largest = 0.;
+    for (unsigned int node = 0; node < dofs().n_nodes(); ++node)
+      largest = std::max(largest, rotation(node, change).norm());
+    return largest;
+  }
+
+
+
+  std::vector<Vector>
+  ReissnerBeam::rigid_motions_at(const Vector &u) const
+  {
+    std::vector<Vector> motions = rigid_motions();
+    for (unsigned int m = 0; m < 3; ++m)
+      {
+        Tensor<1, 3> axis;
+        axis[m]              = 1.;
+        const Tensor<1, 3> v = placement.vector_to_body(axis);
+        for (unsigned int node = 0; node < dofs().n_nodes(); ++node)
+          {
+            const DofIndex first = dofs().first(node);
+            Tensor<1, 3>   r;
+            for (unsigned int c = 0; c < 3; ++c)
+              r[c] = u[first + translations[c]];
+            const Tensor<1, 3> more = cross_product_3d(v, r);
+            for (unsigned int c = 0; c < 3; ++c)
+              motions[3 + m][first + translations[c]] += more[c];
+          }
+      }
+    return motions;
+  }
+
+
+
+  ReissnerBeam::Element
+  ReissnerBeam::element(const unsigned int cell, const Vector &u) const
+  {
+    Element result;
+    for (const unsigned int node : axis().nodes_of_cell(cell))
+      {
+        result.q.push_back(quaternion_of(rotation(node, u)));
+        if (result.q.back() * result.q.front() < 0.)
+          result.q.back() *= -1.;
+        const DofIndex first = dofs().first(node);
+        result.r.emplace_back();
+        for (unsigned int c = 0; c < 3; ++c)
+          result.r.back()[c] = u[first + translations[c]];
+        result.a.emplace_back();
+        for (const unsigned int alpha : laws[cell]->warpings)
+          {
+            const int place = dofs().place(node, alpha);
+            result.a.back().push_back(place < 0 ? 0. : u[first + place]);
+          }
+      }
+    return result;
+  }
+
+
+
+  ReissnerBeam::Frame
+  ReissnerBeam::frame_at(const AxisPoint &point, const Element &element)
+  {
+    Frame              result;
+    const unsigned int m = element.a.front().size();
+    result.a.assign(m, 0.);
+    result.da.assign(m, 0.);
+    for (unsigned int i = 0; i < point.N.size(); ++i)
+      {
+        result.Q += point.N[i] * element.q[i];
+        result.r += point.N[i] * element.r[i];
+        // A section that turns as a whole has no derivative, to the last bit.
+        result.dQ += point.dN[i] * (element.q[i] - element.q[0]);
+        result.dr += point.dN[i] * (element.r[i] - element.r[0]);
+        for (unsigned int a = 0; a < m; ++a)
+          {
+            result.a[a] += point.N[i] * element.a[i][a];
+            result.da[a] += point.dN[i] * (element.a[i][a] - element.a[0][a]);
+          }
+      }
+    return result;
+  }
+
+
+
+  std::vector<double>
+  ReissnerBeam::strains(const Frame &frame, const FrameStrains &of)
+  {
+    std::vector<double> e(of.value.begin(), of.value.end());
+    e.insert(e.end(), frame.a.begin(), frame.a.end());
+    e.insert(e.end(), frame.da.begin(), frame.da.end());
+    return e;
+  }
+
+
+
+  // ---- local numbers: of each node r, spin and warpings
+
+  std::vector<ReissnerBeam::LocalDof>
+  ReissnerBeam::local_dofs(const unsigned int cell) const
+  {
+    std::vector<LocalDof> result;
+    for (const unsigned int node : axis().nodes_of_cell(cell))
+      {
+        const auto add = [&](const unsigned int alpha, const double factor) {
+          const int place =
+            alpha < fields().n_fields() ? dofs().place(node, alpha) : -1;
+          result.emplace_back();
+          if (place >= 0)
+            result.back() = {dofs().first(node) + place, factor};
+        };
+        for (unsigned int c = 0; c < 3; ++c)
+          add(translations[c], 1.);
+        for (unsigned int c = 0; c < 3; ++c)
+          add(turns_about[c], h * sign_of_turn[c]);
+        for (const unsigned int alpha : laws[cell]->warpings)
+          add(alpha, 1.);
+      }
+    return result;
+  }
+
+
+
+  void
+  ReissnerBeam::add_local(const std::vector<LocalDof> &dofs,
+                          const std::vector<double>   &local,
+                          Vector                      &f)
+  {
+    for (unsigned int k = 0; k < dofs.size(); ++k)
+      if (dofs[k].exists())
+        f[dofs[k].dof] += local[k] / dofs[k].factor;
+  }
+
+
+
+  StiffnessBlock
+  ReissnerBeam::block_of(const std::vector<LocalDof>    &dofs,
+                         const LAPACKFullMatrix<double> &local)
+  {
+    StiffnessBlock            block;
+    std::vector<unsigned int> there;
+    for (unsigned int k = 0; k < dofs.size(); ++k)
+      if (dofs[k].exists())
+        {
+          there.push_back(k);
+          block.rows.push_back(dofs[k].dof);
+        }
+    block.columns = block.rows;
+    if (local.m() > 0)
+      for (const unsigned int i : there)
+        for (const unsigned int j : there)
+          block.values.push_back(local(i, j) /
+                                 (dofs[i].factor * dofs[j].factor));
+    return block;
+  }
+} // namespace lamella

@@ -1,0 +1,330 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+// The forces of a beam whose sections turn, and their derivative.
+
+#include <lamella/body/reissner_beam.h>
+
+#include <algorithm>
+
+namespace lamella
+{
+  using namespace dealii;
+
+  ReissnerBeam::ByNode
+  ReissnerBeam::by_node(const Element     &element,
+                        const AxisPoint   &point,
+                        const unsigned int i)
+  {
+    constexpr unsigned int of_dQ = 4, of_dr = 8;
+    ByNode                 result;
+    const auto             spin = spin_derivative(element.q[i]);
+    for (unsigned int c = 0; c < 3; ++c)
+      {
+        result[of_dr + c][c] = point.dN[i];
+        for (unsigned int a = 0; a < 4; ++a)
+          {
+            result[a][3 + c]         = point.N[i] * spin[a][c];
+            result[of_dQ + a][3 + c] = point.dN[i] * spin[a][c];
+          }
+      }
+    return result;
+  }
+
+
+
+  void
+  ReissnerBeam::add_frame_forces(const Station       &station,
+                                 const Law           &law,
+                                 const Element       &element,
+                                 std::vector<double> &f)
+  {
+    const Frame               frame = frame_at(station.point, element);
+    const FrameStrains        of = frame_strains(frame.Q, frame.dQ, frame.dr);
+    const std::vector<double> e  = strains(frame, of);
+    const unsigned int        m = law.warpings.size(), n = n_of_node + m;
+    // On Gamma and kappa, and of these on the warpings.
+    std::array<double, n_strains> s{};
+    std::vector<double>           on_warpings(2 * m, 0.);
+    for (unsigned int c = 0; c < n_strains; ++c)
+      for (unsigned int k = 0; k < e.size(); ++k)
+        {
+          s[c] += law.of_frame(c, k) * e[k];
+          if (k >= n_strains)
+            on_warpings[k - n_strains] += law.of_frame(c, k) * e[c];
+        }
+    Tensor<1, 11> on_measures;
+    for (unsigned int c = 0; c < n_strains; ++c)
+      on_measures += station.weight * s[c] * of.first[c];
+    for (unsigned int i = 0; i < element.q.size(); ++i)
+      {
+        const ByNode L = by_node(element, station.point, i);
+        for (unsigned int z = 0; z < L.size(); ++z)
+          for (unsigned int c = 0; c < n_of_node; ++c)
+            f[i * n + c] += on_measures[z] * L[z][c];
+        for (unsigned int a = 0; a < m; ++a)
+          f[i * n + n_of_node + a] +=
+            station.weight * (station.point.N[i] * on_warpings[a] +
+                              station.point.dN[i] * on_warpings[m + a]);
+      }
+  }
+
+
+
+  void
+  ReissnerBeam::add_warping_forces(const unsigned int   cell,
+                                   const Element       &element,
+                                   std::vector<double> &f) const
+  {
+    const Law         &law = *laws[cell];
+    const unsigned int m = law.warpings.size(), n = n_of_node + m;
+    if (m == 0)
+      return;
+    for (const auto &[point, weight] : stations[cell])
+      {
+        const Frame frame = frame_at(point, element);
+        Vector      w(2 * m), s(2 * m);
+        std::copy(frame.a.begin(), frame.a.end(), w.begin());
+        std::copy(frame.da.begin(), frame.da.end(), w.begin() + m);
+        law.of_warping.vmult(s, w);
+        for (unsigned int i = 0; i < element.q.size(); ++i)
+          for (unsigned int a = 0; a < m; ++a)
+            f[i * n + n_of_node + a] +=
+              weight * (point.N[i] * s[a] + point.dN[i] * s[m + a]);
+      }
+  }
+
+
+
+  void
+  ReissnerBeam::add_internal_forces(const Vector &u, Vector &f) const
+  {
+    for (unsigned int cell = 0; cell < axis().n_cells(); ++cell)
+      {
+        const Element               at      = element(cell, u);
+        const std::vector<LocalDof> numbers = local_dofs(cell);
+        std::vector<double>         local(numbers.size(), 0.);
+        for (const Station &station : stations[cell])
+          add_frame_forces(station, *laws[cell], at, local);
+        add_warping_forces(cell, at, local);
+        add_local(numbers, local, f);
+      }
+  }
+
+
+
+  // ---- the tangent
+
+  std::array<double, 6>
+  ReissnerBeam::predicted(const Station             &station,
+                          const Law                 &law,
+                          const Element             &before,
+                          const std::vector<double> &change)
+  {
+    const unsigned int  m = law.warpings.size(), n = n_of_node + m;
+    const Frame         frame = frame_at(station.point, before);
+    const FrameStrains  of    = frame_strains(frame.Q, frame.dQ, frame.dr);
+    std::vector<double> there = strains(frame, of);
+    for (unsigned int i = 0; i < before.q.size(); ++i)
+      {
+        const ByNode  L = by_node(before, station.point, i);
+        Tensor<1, 11> dz;
+        for (unsigned int z = 0; z < L.size(); ++z)
+          for (unsigned int c = 0; c < n_of_node; ++c)
+            dz[z] += L[z][c] * change[i * n + c];
+        for (unsigned int c = 0; c < n_strains; ++c)
+          there[c] += of.first[c] * dz;
+        for (unsigned int a = 0; a < m; ++a)
+          {
+            const double by = change[i * n + n_of_node + a];
+            there[n_strains + a] += station.point.N[i] * by;
+            there[n_strains + m + a] += station.point.dN[i] * by;
+          }
+      }
+    std::array<double, n_strains> s{};
+    for (unsigned int c = 0; c < n_strains; ++c)
+      for (unsigned int k = 0; k < there.size(); ++k)
+        s[c] += law.of_frame(c, k) * there[k];
+    return s;
+  }
+
+
+
+  void
+  ReissnerBeam::add_frame_tangent(const Station               &station,
+                                  const Law                   &law,
+                                  const Element               &element,
+                                  const std::array<double, 6> &s,
+                                  LAPACKFullMatrix<double>    &K)
+  {
+    const Frame        frame = frame_at(station.point, element);
+    const FrameStrains of    = frame_strains(frame.Q, frame.dQ, frame.dr);
+    const unsigned int m = law.warpings.size(), n = n_of_node + m,
+                       n_nodes = element.q.size();
+    std::vector<ByNode> by;
+    for (unsigned int i = 0; i < n_nodes; ++i)
+      by.push_back(by_node(element, station.point, i));
+    const Tensor<2, 11> by_measures = second_derivative(law, of, s);
+    Tensor<1, 11>       stress;
+    for (unsigned int c = 0; c < n_strains; ++c)
+      stress += station.weight * s[c] * of.first[c];
+    for (unsigned int j = 0; j < n_nodes; ++j)
+      {
+        add_rigid_tangent(station.weight * by_measures, by, j, n, K);
+        const double curved =
+          along_geodesic(station.point, stress, element.q[j], j);
+        for (unsigned int c = 3; c < n_of_node; ++c)
+          K(j * n + c, j * n + c) += curved;
+      }
+    for (unsigned int a = 0; a < 2 * m; ++a)
+      {
+        Tensor<1, 11> coupled;
+        for (unsigned int c = 0; c < n_strains; ++c)
+          coupled +=
+            station.weight * law.of_frame(c, n_strains + a) * of.first[c];
+        const auto &N = a < m ? station.point.N : station.point.dN;
+        add_coupling(coupled, by, N, n_of_node + a % m, n, K);
+      }
+  }
+
+
+
+  double
+  ReissnerBeam::along_geodesic(const AxisPoint     &point,
+                               const Tensor<1, 11> &stress,
+                               const Quaternion    &q,
+                               const unsigned int   j)
+  {
+    double sum = 0.;
+    for (unsigned int a = 0; a < 4; ++a)
+      sum -= (point.N[j] * stress[a] + point.dN[j] * stress[4 + a]) * q[a] / 4.;
+    return sum;
+  }
+
+
+
+  Tensor<2, 11>
+  ReissnerBeam::second_derivative(const Law                   &law,
+                                  const FrameStrains          &of,
+                                  const std::array<double, 6> &s)
+  {
+    Tensor<2, 11> result;
+    for (unsigned int c = 0; c < n_strains; ++c)
+      {
+        Tensor<1, 11> D_first;
+        for (unsigned int d = 0; d < n_strains; ++d)
+          D_first += law.of_frame(c, d) * of.first[d];
+        result += outer_product(of.first[c], D_first) + s[c] * of.second[c];
+      }
+    return result;
+  }
+
+
+
+  void
+  ReissnerBeam::add_rigid_tangent(const Tensor<2, 11>       &by_measures,
+                                  const std::vector<ByNode> &by,
+                                  const unsigned int         j,
+                                  const unsigned int         n,
+                                  LAPACKFullMatrix<double>  &K)
+  {
+    for (unsigned int c = 0; c < n_of_node; ++c)
+      {
+        Tensor<1, 11> column;
+        for (unsigned int z = 0; z < 11; ++z)
+          column[z] = by[j][z][c];
+        column = by_measures * column;
+        for (unsigned int i = 0; i < by.size(); ++i)
+          for (unsigned int z = 0; z < 11; ++z)
+            for (unsigned int d = 0; d < n_of_node; ++d)
+              K(i * n + d, j * n + c) += by[i][z][d] * column[z];
+      }
+  }
+
+
+
+  void
+  ReissnerBeam::add_coupling(const Tensor<1, 11>       &coupled,
+                             const std::vector<ByNode> &by,
+                             const std::vector<double> &N,
+                             const unsigned int         warping,
+                             const unsigned int         n,
+                             LAPACKFullMatrix<double>  &K)
+  {
+    for (unsigned int i = 0; i < by.size(); ++i)
+      for (unsigned int d = 0; d < n_of_node; ++d)
+        {
+          double by_spin = 0.;
+          for (unsigned int z = 0; z < 11; ++z)
+            by_spin += by[i][z][d] * coupled[z];
+          for (unsigned int j = 0; j < by.size(); ++j)
+            {
+              K(i * n + d, j * n + warping) += by_spin * N[j];
+              K(j * n + warping, i * n + d) += by_spin * N[j];
+            }
+        }
+  }
+
+
+
+  void
+  ReissnerBeam::add_warping_tangent(const unsigned int        cell,
+                                    LAPACKFullMatrix<double> &K) const
+  {
+    const Law         &law = *laws[cell];
+    const unsigned int m = law.warpings.size(), n = n_of_node + m,
+                       n_nodes = axis().nodes_of_cell(cell).size();
+    for (unsigned int i = 0; m > 0 && i < n_nodes; ++i)
+      for (unsigned int j = 0; j < n_nodes; ++j)
+        {
+          double NN = 0., NdN = 0., dNN = 0., dNdN = 0.;
+          for (const auto &[point, weight] : stations[cell])
+            {
+              NN += weight * point.N[i] * point.N[j];
+              NdN += weight * point.N[i] * point.dN[j];
+              dNN += weight * point.dN[i] * point.N[j];
+              dNdN += weight * point.dN[i] * point.dN[j];
+            }
+          for (unsigned int a = 0; a < m; ++a)
+            for (unsigned int b = 0; b < m; ++b)
+              K(i * n + n_of_node + a, j * n + n_of_node + b) +=
+                NN * law.of_warping(a, b) + NdN * law.of_warping(a, m + b) +
+                dNN * law.of_warping(m + a, b) +
+                dNdN * law.of_warping(m + a, m + b);
+        }
+  }
+
+
+
+  void
+  ReissnerBeam::for_each_tangent_block(
+    const Vector                                      &u,
+    const Vector                                      &correction,
+    const bool                                         with_values,
+    const std::function<void(const StiffnessBlock &)> &use) const
+  {
+    Vector back = correction;
+    back *= -1.;
+    const Vector came_from = with_values ? updated(u, back) : Vector();
+    for (unsigned int cell = 0; cell < axis().n_cells(); ++cell)
+      {
+        const std::vector<LocalDof> numbers = local_dofs(cell);
+        LAPACKFullMatrix<double>    K;
+        if (with_values)
+          {
+            const Law    &law    = *laws[cell];
+            const Element at     = element(cell, u),
+                          before = element(cell, came_from);
+            std::vector<double> change;
+            for (const LocalDof &local : numbers)
+              change.push_back(
+                local.exists() ? correction[local.dof] / local.factor : 0.);
+            K.reinit(numbers.size(), numbers.size());
+            for (const Station &station : stations[cell])
+              add_frame_tangent(
+                station, law, at, predicted(station, law, before, change), K);
+            add_warping_tangent(cell, K);
+          }
+        use(block_of(numbers, K));
+      }
+  }
+} // namespace lamella

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <lamella/conditions/moved_points.h>
+
+namespace lamella
+{
+  using namespace dealii;
+
+  MovedPoints::MovedPoints(const Body &body, std::vector<Location> locations)
+    : body(body)
+    , locations(std::move(locations))
+  {
+    if (!body.rows_turn())
+      fixed = body.rows(this->locations, Quantity::displacement);
+  }
+
+
+
+  std::vector<std::vector<Row>>
+  MovedPoints::rows(const Vector &u) const
+  {
+    return body.rows_turn() ? body.rows_at(locations, u) : fixed;
+  }
+
+
+
+  std::vector<Tensor<1, 3>>
+  MovedPoints::displacements(const Vector &u) const
+  {
+    return body.rows_turn() ? body.displacements(locations, u) : changes(u, u);
+  }
+
+
+
+  void
+  MovedPoints::add_forces(const std::vector<Tensor<1, 3>> &forces,
+                          const Vector                    &u,
+                          Vector                          &f) const
+  {
+    const auto at = rows(u);
+    for (unsigned int k = 0; k < at.size(); ++k)
+      for (unsigned int c = 0; c < 3; ++c)
+        at[k][c].add_to(f, forces[k][c]);
+  }
+
+
+
+  std::vector<Tensor<1, 3>>
+  MovedPoints::changes(const Vector &u, const Vector &w) const
+  {
+    const auto                at = rows(u);
+    std::vector<Tensor<1, 3>> by(at.size());
+    for (unsigned int k = 0; k < at.size(); ++k)
+      for (unsigned int c = 0; c < 3; ++c)
+        by[k][c] = at[k][c](w);
+    return by;
+  }
+
+
+
+  void
+  MovedPoints::add_turned(const std::vector<Tensor<1, 3>> &forces,
+                          const double                     factor,
+                          const Vector                    &u,
+                          const Vector                    &w,
+                          Vector                          &f) const
+  {
+    for_each_turned_block(forces, factor, u, [&](const StiffnessBlock &block) {
+      block.add_product(w, f);
+    });
+  }
+
+
+
+  void
+  MovedPoints::for_each_turned_block(
+    const std::vector<Tensor<1, 3>>                   &forces,
+    const double                                       factor,
+    const Vector                                      &u,
+    const std::function<void(const StiffnessBlock &)> &use) const
+  {
+    body.for_each_block_of_forces(locations,
+                                  forces,
+                                  u,
+                                  [&](const StiffnessBlock &block) {
+                                    StiffnessBlock scaled = block;
+                                    for (double &value : scaled.values)
+                                      value *= factor;
+                                    use(scaled);
+                                  });
+  }
+} // namespace lamella
