@@ -314,6 +314,9 @@ namespace lamella
   std::vector<OutputCell>
   Beam::cut(const double position, const unsigned int n, const Vector &u) const
   {
+    // What turns is no product.
+    if (turns())
+      return Body::cut(position, n, u);
     const auto places =
       beam_axis->locate(position,
                         arithmetic::same_place_along * beam_axis->length());
@@ -360,6 +363,8 @@ namespace lamella
                              const Vector          &u,
                              const UseOfOutputCell &use) const
   {
+    if (turns())
+      return Body::for_each_output_cell(n, u, use);
     std::vector<double> etas;
     for (unsigned int j = 0; j <= n[1]; ++j)
       etas.push_back(double(j) / n[1]);

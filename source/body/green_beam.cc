@@ -141,26 +141,6 @@ namespace lamella
 
 
 
-  std::vector<OutputCell>
-  GreenBeam::cut(const double       position,
-                 const unsigned int n,
-                 const Vector      &u) const
-  {
-    return Body::cut(position, n, u);
-  }
-
-
-
-  void
-  GreenBeam::for_each_output_cell(const GridIntervals   &n,
-                                  const Vector          &u,
-                                  const UseOfOutputCell &use) const
-  {
-    Body::for_each_output_cell(n, u, use);
-  }
-
-
-
   // ---- the tangent
 
   StiffnessBlock

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-// A beam whose sections turn: its state, its forces and their tangent. What it
-// shows at points is in reissner_points.cc.
+// A beam whose sections turn: its sections' law and its state. Its forces are
+// in reissner_forces.cc, what it shows at points in reissner_points.cc.
 
 #include <lamella/base/arithmetic.h>
 #include <lamella/base/exceptions.h>
@@ -138,7 +138,7 @@ namespace lamella
         const auto law = make_law(answer);
         for (const unsigned int shear : {0, 2})
           if (stays_normal)
-            law->of_frame(shear, shear) += normal * law->of_frame(1, 1);
+            law->D(shear, shear) += normal * law->D(1, 1);
         laws.push_back(law);
         before = &answer;
       });
@@ -213,21 +213,20 @@ namespace lamella
     const unsigned int m = law->warpings.size(), n = n_frame + 2 * m;
     const FieldParts   work =
       answer.forces(units(frame, list.size(), rigid)).work;
-    law->of_frame.reinit(n_frame, n);
-    law->of_warping.reinit(2 * m, 2 * m);
+    law->D.reinit(n, n);
     for (unsigned int k = 0; k < n; ++k)
-      for (unsigned int c = 0; c < n_frame; ++c)
-        law->of_frame(c, k) =
-          frame.factor[c] * work[FieldPart::derivative](frame.place[c], k);
-    for (unsigned int k = 0; k < 2 * m; ++k)
-      for (unsigned int a = 0; a < m; ++a)
-        {
-          law->of_warping(a, k) =
-            work[FieldPart::value](rigid + a, n_frame + k) +
-            work[FieldPart::shear_value](rigid + a, n_frame + k);
-          law->of_warping(m + a, k) =
-            work[FieldPart::derivative](rigid + a, n_frame + k);
-        }
+      {
+        for (unsigned int c = 0; c < n_frame; ++c)
+          law->D(c, k) =
+            frame.factor[c] * work[FieldPart::derivative](frame.place[c], k);
+        for (unsigned int a = 0; a < m; ++a)
+          {
+            law->D(n_frame + a, k) = work[FieldPart::value](rigid + a, k) +
+                                     work[FieldPart::shear_value](rigid + a, k);
+            law->D(n_frame + m + a, k) =
+              work[FieldPart::derivative](rigid + a, k);
+          }
+      }
     return law;
   }
 
@@ -367,6 +366,14 @@ namespace lamella
     e.insert(e.end(), frame.a.begin(), frame.a.end());
     e.insert(e.end(), frame.da.begin(), frame.da.end());
     return e;
+  }
+
+
+
+  std::vector<double>
+  ReissnerBeam::strains(const Frame &frame)
+  {
+    return strains(frame, frame_strains(frame.Q, frame.dQ, frame.dr));
   }
 
 

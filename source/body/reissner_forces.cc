@@ -32,27 +32,28 @@ namespace lamella
 
 
 
-  void
-  ReissnerBeam::add_frame_forces(const Station       &station,
-                                 const Law           &law,
-                                 const Element       &element,
-                                 std::vector<double> &f)
+  Vector
+  ReissnerBeam::stresses(const Law &law, const std::vector<double> &e)
   {
-    const Frame               frame = frame_at(station.point, element);
-    const FrameStrains        of = frame_strains(frame.Q, frame.dQ, frame.dr);
-    const std::vector<double> e  = strains(frame, of);
-    const unsigned int        m = law.warpings.size(), n = n_of_node + m;
-    // On Gamma and kappa, and of these on the warpings.
-    std::array<double, n_strains> s{};
-    std::vector<double>           on_warpings(2 * m, 0.);
-    for (unsigned int c = 0; c < n_strains; ++c)
-      for (unsigned int k = 0; k < e.size(); ++k)
-        {
-          s[c] += law.of_frame(c, k) * e[k];
-          if (k >= n_strains)
-            on_warpings[k - n_strains] += law.of_frame(c, k) * e[c];
-        }
-    Tensor<1, 11> on_measures;
+    const Vector strain(e.begin(), e.end());
+    Vector       s(strain.size());
+    law.D.vmult(s, strain);
+    return s;
+  }
+
+
+
+  void
+  ReissnerBeam::add_forces(const Station       &station,
+                           const Law           &law,
+                           const Element       &element,
+                           std::vector<double> &f)
+  {
+    const Frame        frame = frame_at(station.point, element);
+    const FrameStrains of    = frame_strains(frame.Q, frame.dQ, frame.dr);
+    const Vector       s     = stresses(law, strains(frame, of));
+    const unsigned int m = law.warpings.size(), n = n_of_node + m;
+    Tensor<1, 11>      on_measures;
     for (unsigned int c = 0; c < n_strains; ++c)
       on_measures += station.weight * s[c] * of.first[c];
     for (unsigned int i = 0; i < element.q.size(); ++i)
@@ -63,33 +64,8 @@ namespace lamella
             f[i * n + c] += on_measures[z] * L[z][c];
         for (unsigned int a = 0; a < m; ++a)
           f[i * n + n_of_node + a] +=
-            station.weight * (station.point.N[i] * on_warpings[a] +
-                              station.point.dN[i] * on_warpings[m + a]);
-      }
-  }
-
-
-
-  void
-  ReissnerBeam::add_warping_forces(const unsigned int   cell,
-                                   const Element       &element,
-                                   std::vector<double> &f) const
-  {
-    const Law         &law = *laws[cell];
-    const unsigned int m = law.warpings.size(), n = n_of_node + m;
-    if (m == 0)
-      return;
-    for (const auto &[point, weight] : stations[cell])
-      {
-        const Frame frame = frame_at(point, element);
-        Vector      w(2 * m), s(2 * m);
-        std::copy(frame.a.begin(), frame.a.end(), w.begin());
-        std::copy(frame.da.begin(), frame.da.end(), w.begin() + m);
-        law.of_warping.vmult(s, w);
-        for (unsigned int i = 0; i < element.q.size(); ++i)
-          for (unsigned int a = 0; a < m; ++a)
-            f[i * n + n_of_node + a] +=
-              weight * (point.N[i] * s[a] + point.dN[i] * s[m + a]);
+            station.weight * (station.point.N[i] * s[n_strains + a] +
+                              station.point.dN[i] * s[n_strains + m + a]);
       }
   }
 
@@ -104,8 +80,7 @@ namespace lamella
         const std::vector<LocalDof> numbers = local_dofs(cell);
         std::vector<double>         local(numbers.size(), 0.);
         for (const Station &station : stations[cell])
-          add_frame_forces(station, *laws[cell], at, local);
-        add_warping_forces(cell, at, local);
+          add_forces(station, *laws[cell], at, local);
         add_local(numbers, local, f);
       }
   }
@@ -143,7 +118,7 @@ namespace lamella
     std::array<double, n_strains> s{};
     for (unsigned int c = 0; c < n_strains; ++c)
       for (unsigned int k = 0; k < there.size(); ++k)
-        s[c] += law.of_frame(c, k) * there[k];
+        s[c] += law.D(c, k) * there[k];
     return s;
   }
 
@@ -170,8 +145,11 @@ namespace lamella
     for (unsigned int j = 0; j < n_nodes; ++j)
       {
         add_rigid_tangent(station.weight * by_measures, by, j, n, K);
-        const double curved =
-          along_geodesic(station.point, stress, element.q[j], j);
+        Quaternion by_q;
+        for (unsigned int a = 0; a < 4; ++a)
+          by_q[a] = station.point.N[j] * stress[a] +
+                    station.point.dN[j] * stress[4 + a];
+        const double curved = along_geodesic(by_q, element.q[j]);
         for (unsigned int c = 3; c < n_of_node; ++c)
           K(j * n + c, j * n + c) += curved;
       }
@@ -179,25 +157,10 @@ namespace lamella
       {
         Tensor<1, 11> coupled;
         for (unsigned int c = 0; c < n_strains; ++c)
-          coupled +=
-            station.weight * law.of_frame(c, n_strains + a) * of.first[c];
+          coupled += station.weight * law.D(c, n_strains + a) * of.first[c];
         const auto &N = a < m ? station.point.N : station.point.dN;
         add_coupling(coupled, by, N, n_of_node + a % m, n, K);
       }
-  }
-
-
-
-  double
-  ReissnerBeam::along_geodesic(const AxisPoint     &point,
-                               const Tensor<1, 11> &stress,
-                               const Quaternion    &q,
-                               const unsigned int   j)
-  {
-    double sum = 0.;
-    for (unsigned int a = 0; a < 4; ++a)
-      sum -= (point.N[j] * stress[a] + point.dN[j] * stress[4 + a]) * q[a] / 4.;
-    return sum;
   }
 
 
@@ -212,7 +175,7 @@ namespace lamella
       {
         Tensor<1, 11> D_first;
         for (unsigned int d = 0; d < n_strains; ++d)
-          D_first += law.of_frame(c, d) * of.first[d];
+          D_first += law.D(c, d) * of.first[d];
         result += outer_product(of.first[c], D_first) + s[c] * of.second[c];
       }
     return result;
@@ -270,8 +233,10 @@ namespace lamella
   ReissnerBeam::add_warping_tangent(const unsigned int        cell,
                                     LAPACKFullMatrix<double> &K) const
   {
-    const Law         &law = *laws[cell];
-    const unsigned int m = law.warpings.size(), n = n_of_node + m,
+    // The first row of the warpings.
+    constexpr unsigned int w   = n_strains;
+    const Law             &law = *laws[cell];
+    const unsigned int     m = law.warpings.size(), n = n_of_node + m,
                        n_nodes = axis().nodes_of_cell(cell).size();
     for (unsigned int i = 0; m > 0 && i < n_nodes; ++i)
       for (unsigned int j = 0; j < n_nodes; ++j)
@@ -287,9 +252,9 @@ namespace lamella
           for (unsigned int a = 0; a < m; ++a)
             for (unsigned int b = 0; b < m; ++b)
               K(i * n + n_of_node + a, j * n + n_of_node + b) +=
-                NN * law.of_warping(a, b) + NdN * law.of_warping(a, m + b) +
-                dNN * law.of_warping(m + a, b) +
-                dNdN * law.of_warping(m + a, m + b);
+                NN * law.D(w + a, w + b) + NdN * law.D(w + a, w + m + b) +
+                dNN * law.D(w + m + a, w + b) +
+                dNdN * law.D(w + m + a, w + m + b);
         }
   }
 

@@ -46,13 +46,21 @@ namespace lamella
 
 
   Tensor<1, 3>
+  ReissnerBeam::warping(const PointFields &at, const Frame &frame)
+  {
+    Tensor<1, 3> sum;
+    for (unsigned int a = 0; a < at.Phi.size(); ++a)
+      sum += frame.a[a] * at.Phi[a];
+    return sum;
+  }
+
+
+
+  Tensor<1, 3>
   ReissnerBeam::displacement(const PointFields &at, const Frame &frame)
   {
-    Tensor<1, 3> warped;
-    for (unsigned int a = 0; a < at.Phi.size(); ++a)
-      warped += frame.a[a] * at.Phi[a];
     const Tensor<2, 3> R = rotation_of(frame.Q);
-    return frame.r + (R * at.X - at.X) + R * warped;
+    return frame.r + (R * at.X - at.X) + R * warping(at, frame);
   }
 
 
@@ -82,10 +90,7 @@ namespace lamella
   TurnedVector
   ReissnerBeam::turned_point(const PointFields &at, const Frame &frame)
   {
-    Tensor<1, 3> warped = at.X;
-    for (unsigned int a = 0; a < at.Phi.size(); ++a)
-      warped += frame.a[a] * at.Phi[a];
-    return turned_vector(frame.Q, warped);
+    return turned_vector(frame.Q, at.X + warping(at, frame));
   }
 
 
@@ -182,10 +187,11 @@ namespace lamella
       }
     for (unsigned int i = 0; i < N.size(); ++i)
       {
-        const auto spin   = spin_derivative(element.q[i]);
-        double     curved = 0.;
+        const auto spin = spin_derivative(element.q[i]);
+        Quaternion by_q;
         for (unsigned int a = 0; a < 4; ++a)
-          curved -= N[i] * first[a] * element.q[i][a] / 4.;
+          by_q[a] = N[i] * first[a];
+        const double curved = along_geodesic(by_q, element.q[i]);
         for (unsigned int c = 0; c < 3; ++c)
           {
             Tensor<1, 7> row;
@@ -311,44 +317,11 @@ namespace lamella
                                  (on_axis.y - axis().cell_begin(on_axis.cell)) /
                                    length,
                                  point.unit[1]}};
-    return sample_of(
-      displacement(fields_at(place), frame),
-      strain_at(point,
-                on_axis.cell,
-                strains(frame, frame_strains(frame.Q, frame.dQ, frame.dr))),
-      placement,
-      section().ply_axes(point.cell, point.position),
-      section().law(point.cell, point.position));
-  }
-
-
-
-  double
-  ReissnerBeam::energy(const Vector &u) const
-  {
-    double sum = 0.;
-    for (unsigned int cell = 0; cell < axis().n_cells(); ++cell)
-      {
-        const Law    &law = *laws[cell];
-        const Element at  = element(cell, u);
-        for (const Station &station : stations[cell])
-          {
-            const Frame               frame = frame_at(station.point, at);
-            const std::vector<double> e =
-              strains(frame, frame_strains(frame.Q, frame.dQ, frame.dr));
-            for (unsigned int c = 0; c < n_of_node; ++c)
-              for (unsigned int k = 0; k < e.size(); ++k)
-                sum += station.weight * e[c] * law.of_frame(c, k) * e[k] *
-                       (k < n_of_node ? 0.5 : 1.);
-          }
-        std::vector<double> f(local_dofs(cell).size(), 0.);
-        add_warping_forces(cell, at, f);
-        const unsigned int m = law.warpings.size();
-        for (unsigned int i = 0; i < at.a.size(); ++i)
-          for (unsigned int a = 0; a < m; ++a)
-            sum += 0.5 * at.a[i][a] * f[i * (n_of_node + m) + n_of_node + a];
-      }
-    return sum;
+    return sample_of(displacement(fields_at(place), frame),
+                     strain_at(point, on_axis.cell, strains(frame)),
+                     placement,
+                     section().ply_axes(point.cell, point.position),
+                     section().law(point.cell, point.position));
   }
 
 
@@ -389,37 +362,17 @@ namespace lamella
         const Element at = element(cell, u);
         for (const Station &station : stations[cell])
           {
-            const Frame frame = frame_at(station.point, at);
-            add_strains(cell,
-                        strains(frame,
-                                frame_strains(frame.Q, frame.dQ, frame.dr)),
-                        result);
+            const Frame               frame = frame_at(station.point, at);
+            const std::vector<double> e     = strains(frame);
+            result.energy +=
+              0.5 * station.weight *
+              (Vector(e.begin(), e.end()) * stresses(*laws[cell], e));
+            add_strains(cell, e, result);
             result.max_rotation =
               std::max(result.max_rotation,
                        rotation_vector_of(frame.Q / frame.Q.norm()).norm());
           }
       }
-    result.energy = energy(u);
     return over_processes(result);
-  }
-
-
-
-  std::vector<OutputCell>
-  ReissnerBeam::cut(const double       position,
-                    const unsigned int n,
-                    const Vector      &u) const
-  {
-    return Body::cut(position, n, u);
-  }
-
-
-
-  void
-  ReissnerBeam::for_each_output_cell(const GridIntervals   &n,
-                                     const Vector          &u,
-                                     const UseOfOutputCell &use) const
-  {
-    Body::for_each_output_cell(n, u, use);
   }
 } // namespace lamella

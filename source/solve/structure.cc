@@ -87,17 +87,25 @@ namespace lamella
   void
   Structure::take(const Load &load)
   {
+    const auto depends = [&](const Region &region) {
+      return depends_on_state(load, *all_bodies[region.body]);
+    };
+    BlockVector &dead = histories[load.history].load;
+    if (std::none_of(load.on.begin(), load.on.end(), depends))
+      {
+        resultants.push_back(add_load(load, all_bodies, dead));
+        return;
+      }
     BlockVector at_start = zero();
     resultants.push_back(add_load(load, all_bodies, at_start));
     for (const Region &region : load.on)
-      if (const Body &body = *all_bodies[region.body];
-          depends_on_state(load, body))
+      if (depends(region))
         {
-          turning[region.body].emplace_back(turning_load(load, region, body),
-                                            load.history);
+          turning[region.body].emplace_back(
+            turning_load(load, region, *all_bodies[region.body]), load.history);
           at_start.block(region.body) = 0.;
         }
-    histories[load.history].load += at_start;
+    dead += at_start;
   }
 
 
@@ -105,15 +113,16 @@ namespace lamella
   void
   Structure::take_weight(const dealii::Tensor<1, 3> &gravity)
   {
-    BlockVector at_start = zero();
-    resultants.push_back(add_weight(gravity, all_bodies, at_start));
+    // On top of other loads; of bodies whose rows turn what these have stays.
+    BlockVector &dead   = histories[0].load;
+    BlockVector  before = dead;
+    resultants.push_back(add_weight(gravity, all_bodies, dead));
     for (unsigned int b = 0; b < all_bodies.size(); ++b)
       if (all_bodies[b]->rows_turn())
         {
           turning[b].emplace_back(turning_weight(gravity, *all_bodies[b]), 0);
-          at_start.block(b) = 0.;
+          dead.block(b) = before.block(b);
         }
-    histories[0].load += at_start;
   }
 
 

@@ -3,7 +3,7 @@
 // Beams that turn by any angle: the derivative of their forces, rigid turns,
 // small loads, and what is known of a cantilever that bends round.
 
-#include "fixtures.h"
+#include "turning_fixtures.h"
 
 #include <lamella/base/exceptions.h>
 #include <lamella/body/green_beam.h>
@@ -17,8 +17,6 @@
 
 #include <boost/test/unit_test.hpp>
 
-#include <random>
-
 BOOST_AUTO_TEST_SUITE(large_rotations)
 
 using namespace lamella;
@@ -29,29 +27,13 @@ namespace
 {
   const Laminate two_plies = rectangle(1., 0.4, {30., -60.});
 
-  Material
-  orthotropic()
-  {
-    EngineeringConstants c;
-    c.E1   = 10.;
-    c.E2   = 2.;
-    c.E3   = 1.5;
-    c.G12  = 0.9;
-    c.G13  = 0.8;
-    c.G23  = 0.6;
-    c.nu12 = 0.3;
-    c.nu13 = 0.25;
-    c.nu23 = 0.35;
-    return c;
-  }
-
   template <class Kind>
   std::unique_ptr<Kind>
   beam(const unsigned int degree)
   {
     return std::make_unique<Kind>("b",
                                   make_section(two_plies,
-                                               orthotropic(),
+                                               nine_constants(),
                                                degree),
                                   make_axis(3., 2),
                                   Placement());
@@ -73,23 +55,10 @@ namespace
   {
     return std::make_unique<Kind>(
       "s",
-      make_section_mesh(two_plies, {{"material", orthotropic()}}),
+      make_section_mesh(two_plies, {{"material", nine_constants()}}),
       two_elements(),
       Placement(),
       2);
-  }
-
-  Vector
-  random_vector(const unsigned int n,
-                const double       size,
-                const unsigned int seed)
-  {
-    std::mt19937                           generator(seed);
-    std::uniform_real_distribution<double> number(-size, size);
-    Vector                                 v(n);
-    for (double &entry : v)
-      entry = number(generator);
-    return v;
   }
 
   /// The displacement (@p A - 1) x of @p body.
@@ -209,13 +178,13 @@ BOOST_AUTO_TEST_CASE(undeformed_it_is_the_linear_stiffness)
 
 BOOST_AUTO_TEST_CASE(a_solid_of_incompatible_modes_does_not_turn)
 {
-  BOOST_CHECK_THROW(GreenSolid("s",
-                               make_section_mesh(two_plies,
-                                                 {{"material", orthotropic()}}),
-                               two_elements(),
-                               Placement(),
-                               1),
-                    InputError);
+  BOOST_CHECK_THROW(
+    GreenSolid("s",
+               make_section_mesh(two_plies, {{"material", nine_constants()}}),
+               two_elements(),
+               Placement(),
+               1),
+    InputError);
 }
 
 

@@ -4,7 +4,7 @@
 // what follows from it, points, rigid turns, and elastic lines by exact
 // solutions.
 
-#include "fixtures.h"
+#include "turning_fixtures.h"
 
 #include <lamella/base/exceptions.h>
 #include <lamella/body/frame_strains.h>
@@ -19,7 +19,6 @@
 #include <boost/test/unit_test.hpp>
 
 #include <cmath>
-#include <random>
 
 BOOST_AUTO_TEST_SUITE(turning_sections)
 
@@ -31,24 +30,11 @@ namespace
 {
   constexpr double pi = dealii::numbers::PI;
 
-  Vector
-  random_numbers(const unsigned int n,
-                 const double       size,
-                 const unsigned int seed)
-  {
-    std::mt19937                           generator(seed);
-    std::uniform_real_distribution<double> number(-size, size);
-    Vector                                 v(n);
-    for (double &entry : v)
-      entry = number(generator);
-    return v;
-  }
-
   template <int n>
   Tensor<1, n>
   random_tensor(const double size, const unsigned int seed)
   {
-    const Vector v = random_numbers(n, size, seed);
+    const Vector v = random_vector(n, size, seed);
     Tensor<1, n> t;
     for (unsigned int i = 0; i < n; ++i)
       t[i] = v[i];
@@ -170,22 +156,6 @@ BOOST_AUTO_TEST_CASE(strains_of_a_frame)
 
 namespace
 {
-  Material
-  orthotropic()
-  {
-    EngineeringConstants c;
-    c.E1   = 10.;
-    c.E2   = 2.;
-    c.E3   = 1.5;
-    c.G12  = 0.9;
-    c.G13  = 0.8;
-    c.G23  = 0.6;
-    c.nu12 = 0.3;
-    c.nu13 = 0.25;
-    c.nu23 = 0.35;
-    return c;
-  }
-
   /// With Saint-Venant's fields of LE-@p degree.
   template <class Kind>
   std::unique_ptr<Kind>
@@ -221,7 +191,7 @@ namespace
   coupled(const Placement &placement = askew())
   {
     return saint_venant_beam<ReissnerBeam>(
-      make_section(rectangle(1., 0.4, {30., -60.}), orthotropic(), 2),
+      make_section(rectangle(1., 0.4, {30., -60.}), nine_constants(), 2),
       make_axis(3., 2),
       placement);
   }
@@ -247,8 +217,8 @@ namespace
   Vector
   some_state(const Body &body, const unsigned int seed = 1)
   {
-    return body.updated(random_numbers(body.n_dofs(), 0.3, seed),
-                        random_numbers(body.n_dofs(), 0.2, seed + 1));
+    return body.updated(random_vector(body.n_dofs(), 0.3, seed),
+                        random_vector(body.n_dofs(), 0.2, seed + 1));
   }
 } // namespace
 
@@ -261,7 +231,7 @@ BOOST_AUTO_TEST_CASE(forces_and_tangent_follow_from_the_energy)
   constexpr double h    = 1e-5;
   for (const unsigned int seed : {3, 4, 5})
     {
-      const Vector w     = random_numbers(body->n_dofs(), 1., seed);
+      const Vector w     = random_vector(body->n_dofs(), 1., seed);
       const Vector ahead = along(*body, u, h, w), back = along(*body, u, -h, w);
       const double work = forces(*body, u) * w;
       BOOST_TEST(std::abs((body->deformation(ahead).energy -
@@ -284,7 +254,7 @@ BOOST_AUTO_TEST_CASE(small_states_are_those_of_the_linear_beam)
   // Curvatures and a twist that are constant: what three Gauss points of B4
   // see as well as four. The linear beam has the same energy and forces.
   const auto section =
-    make_section(rectangle(1., 0.4, {30., -60.}), orthotropic(), 2);
+    make_section(rectangle(1., 0.4, {30., -60.}), nine_constants(), 2);
   const auto axis         = make_axis(3., 2);
   const auto turning      = saint_venant_beam<ReissnerBeam>(section, axis),
              other        = saint_venant_beam<ReissnerBeam>(section, axis);
@@ -328,7 +298,7 @@ BOOST_AUTO_TEST_CASE(small_states_are_those_of_the_linear_beam)
 BOOST_AUTO_TEST_CASE(points_move_with_their_sections)
 {
   const auto   body = coupled();
-  const Vector u = some_state(*body), w = random_numbers(u.size(), 1., 7);
+  const Vector u = some_state(*body), w = random_vector(u.size(), 1., 7);
   std::vector<Location>     places;
   std::vector<Tensor<1, 3>> force;
   for (const Point<3> &x : {Point<3>(0.1, 0.7, 0.15), Point<3>(0.9, 2.9, 0.35)})

@@ -44,15 +44,6 @@ namespace lamella
     rigid_motions_at(const Vector &u) const override;
     Deformation
     deformation(const Vector &u) const override;
-    /// Point by point.
-    std::vector<OutputCell>
-    cut(const double       position,
-        const unsigned int n,
-        const Vector      &u) const override;
-    void
-    for_each_output_cell(const GridIntervals   &n,
-                         const Vector          &u,
-                         const UseOfOutputCell &use) const override;
 
   protected:
     /// Those of Green's strain.

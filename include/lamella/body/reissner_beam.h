@@ -98,15 +98,6 @@ namespace lamella
       const std::vector<dealii::Tensor<1, 3>>           &forces,
       const Vector                                      &u,
       const std::function<void(const StiffnessBlock &)> &use) const override;
-    /// Point by point.
-    std::vector<OutputCell>
-    cut(const double       position,
-        const unsigned int n,
-        const Vector      &u) const override;
-    void
-    for_each_output_cell(const GridIntervals   &n,
-                         const Vector          &u,
-                         const UseOfOutputCell &use) const override;
 
   protected:
     FieldSample
@@ -127,9 +118,8 @@ namespace lamella
     struct Law
     {
       std::vector<unsigned int> warpings;
-      /// By e = (Gamma, kappa, a, a'): of Gamma and kappa a row each, 6 x (6 +
-      /// 2 m), and of a and a' by these, 2 m x 2 m.
-      dealii::LAPACKFullMatrix<double> of_frame, of_warping;
+      /// 6 + 2 m numbers squared, in the order of e.
+      dealii::LAPACKFullMatrix<double> D;
     };
 
     /// The state of an element of the axis, node by node.
@@ -206,6 +196,11 @@ namespace lamella
     /// e there.
     static std::vector<double>
     strains(const Frame &frame, const FrameStrains &of);
+    static std::vector<double>
+    strains(const Frame &frame);
+    /// D e.
+    static Vector
+    stresses(const Law &law, const std::vector<double> &e);
 
     std::vector<LocalDof>
     local_dofs(const unsigned int cell) const;
@@ -223,16 +218,12 @@ namespace lamella
             const AxisPoint   &point,
             const unsigned int i);
 
-    /// Add to the local forces @p f.
+    /// Adds to the local forces @p f.
     static void
-    add_frame_forces(const Station       &station,
-                     const Law           &law,
-                     const Element       &element,
-                     std::vector<double> &f);
-    void
-    add_warping_forces(const unsigned int   cell,
-                       const Element       &element,
-                       std::vector<double> &f) const;
+    add_forces(const Station       &station,
+               const Law           &law,
+               const Element       &element,
+               std::vector<double> &f);
 
     /// The stresses of Gamma and kappa that a @p change of the local numbers
     /// predicts where it starts from @p before: the linear part of what it
@@ -251,13 +242,13 @@ namespace lamella
                       const Element                    &element,
                       const std::array<double, 6>      &s,
                       dealii::LAPACKFullMatrix<double> &K);
-    /// What the second derivative of the unit quaternion @p q of node @p j, as
-    /// spins go on, adds to its own spins.
+    /// What the second derivative of a unit quaternion @p q as spins go on adds
+    /// to a spin, where the energy has the derivative @p by_q.
     static double
-    along_geodesic(const AxisPoint             &point,
-                   const dealii::Tensor<1, 11> &stress,
-                   const Quaternion            &q,
-                   const unsigned int           j);
+    along_geodesic(const Quaternion &by_q, const Quaternion &q)
+    {
+      return -(by_q * q) / 4.;
+    }
     /// That of the energy of Gamma and kappa by (Q, Q', r'), with these
     /// stresses.
     static dealii::Tensor<2, 11>
@@ -281,13 +272,11 @@ namespace lamella
     add_warping_tangent(const unsigned int                cell,
                         dealii::LAPACKFullMatrix<double> &K) const;
 
-    /// The strain energy [force length].
-    double
-    energy(const Vector &u) const;
-
     PointFields
     fields_at(const Location::Place &place) const;
-    /// Of the point @p at, in axes of the body.
+    /// Phi a and the displacement of the point @p at, in axes of the body.
+    static dealii::Tensor<1, 3>
+    warping(const PointFields &at, const Frame &frame);
     static dealii::Tensor<1, 3>
     displacement(const PointFields &at, const Frame &frame);
     /// R (X + Phi a) there.

@@ -77,7 +77,7 @@ namespace lamella
    *   there: in all no force and the moment M, of a fixed direction, at any
    *   turn.
    *
-   * any other load as forces that keep their direction.
+   * - any other load, as forces that keep their direction.
    *
    * Throws InputError as add_load() does, and where a pressure varies within an
    * element by more than the Gauss points see.

@@ -12,18 +12,23 @@ namespace lamella
   /**
    * What curvatures do to the shape of a section, and that to its stiffness:
    * the c of
-   *   M = D k (1 + c k^2 + ...)
+   *
+   *     M = D k (1 + c k^2 + ...)
+   *
    * [length^2] for the curvature k about x, the twist about y and the curvature
    * about z [rad / length], in this order, alone and with the section free
    * otherwise. That is Brazier's flattening of bent tubes (c < 0), Lamb's
    * anticlastic strip and Wagner's twisted one (c > 0): Green's strain at
-   * second order, where e_1 = B u_1 is the Saint-Venant state of k = 1, e_2
-   * what is quadratic in u_1 in axes that turn with the section, H_i . H_j / 2
-   * and the curvature of what has warped, v   what relaxes e_2 and the work of
-   * the stress C e_1 on what is bilinear in u_1 and v (the section's modal
-   * derivative), c = 2 (int e_2 . C e_2 + 2 e_3 . C e_1 dA - f . v) / int e_1 .
-   * C e_1 dA, f their work on v, e_3 the curvature of the warping times u_1.
-   * The stretch of the axis is free in v.
+   * second order,
+   *
+   *     c = 2 (int e_2 . C e_2 + 2 e_3 . C e_1 dA - f . v) / int e_1 . C e_1 dA
+   *
+   * where e_1 = B u_1 is the Saint-Venant state of k = 1; e_2 is what is
+   * quadratic in u_1 in axes that turn with the section, H_i . H_j / 2 and the
+   * curvature of what has warped; e_3 is the latter times u_1; and v is what
+   * relaxes e_2 and the work of the stress C e_1 on what is bilinear in u_1 and
+   * v, f (the section's modal derivative). The stretch of the axis is free in
+   * v.
    *
    * An estimate for beams whose law leaves this out (ReissnerBeam), right where
    * it is small: wide strips flatten in a layer at their edges beyond b^2 k / h
