@@ -189,8 +189,71 @@ def coupon():
            "standards"], rows)
 
 
+def turned_about_middle(angle, guess):
+    """A rod of tests/scenes/turning_grip.prm whose end a grip turns about its middle: force
+    and moment at its start, as the clamp has them."""
+    section = Section(1.2e6, 1., 0.1)
+    end = 6. * (along(0.) + along(angle))
+
+    def residual(q):
+        x = shoot(section, [0., 0., 0., q[2]], 12., q[:2])
+        return np.array([*(x[:2] - end), 10. * (x[2] - angle)])
+
+    return solve(residual, guess)
+
+
+def twisted_strip(length=120., width=12., height=0.6, modulus=3e3, by=2.4, n=1200):
+    """The pull N and the torque T of tests/scenes/large_twist.prm, nu = 0: with the twist k,
+      N = E A eps + E I_p k^2 / 2,
+      T = G J k + k (E I_p eps + E I_4 k^2 / 2) - E Gamma k'',
+    k = 0 at the ends, int k = by, int eps = 0 (Wagner; Vlasov), by differences."""
+    b, t, h = width, height, length / n
+    area, warping, shear = b * t, b ** 3 * t ** 3 / 144., 0.5 * modulus
+    polar = (b ** 3 * t + b * t ** 3) / 12.
+    fourth = (b ** 5 * t + b * t ** 5) / 80. + 2. * b ** 3 * t ** 3 / 144.
+    torsion = b * t ** 3 / 3. * (1. - 192. * t / math.pi ** 5 / b * sum(
+        math.tanh(m * math.pi * b / 2. / t) / m ** 5 for m in range(1, 40, 2)))
+    weights = np.full(n + 1, h)
+    weights[[0, n]] = 0.5 * h
+    k = np.full(n + 1, by / length)
+    k[[0, n]] = 0.
+    force = torque = 0.
+    for _ in range(20):
+        eps = (force - 0.5 * modulus * polar * k ** 2) / (modulus * area)
+        off_axis = modulus * (polar * eps + 0.5 * fourth * k ** 2)
+        residual = np.zeros(n + 3)
+        jacobian = np.zeros((n + 3, n + 3))
+        for i in range(1, n):
+            residual[i] = (shear * torsion * k[i] + k[i] * off_axis[i] - torque
+                           - modulus * warping * (k[i - 1] - 2. * k[i] + k[i + 1]) / h ** 2)
+            jacobian[i, i - 1] = jacobian[i, i + 1] = -modulus * warping / h ** 2
+            jacobian[i, i] = (2. * modulus * warping / h ** 2 + shear * torsion + off_axis[i]
+                              + k[i] ** 2 * modulus * (fourth - polar ** 2 / area))
+            jacobian[i, n + 1] = k[i] * polar / area
+            jacobian[i, n + 2] = -1.
+        jacobian[0, 0] = jacobian[n, n] = 1.
+        residual[n + 1], residual[n + 2] = weights @ k - by, weights @ eps
+        jacobian[n + 1, :n + 1] = weights
+        jacobian[n + 2, :n + 1] = -weights * polar * k / area
+        jacobian[n + 2, n + 1] = length / (modulus * area)
+        change = np.linalg.solve(jacobian, -residual)
+        k, force, torque = k + change[:n + 1], force + change[n + 1], torque + change[n + 2]
+        if np.max(np.abs(change)) < 1e-9:
+            return force, torque
+    raise RuntimeError("The twisted strip was not found.")
+
+
+def grips():
+    print("turning_grip: force along, across, moment of a rod")
+    print(-turned_about_middle(1., [-13., -7.1, -15.]))
+    print("large_twist: pull, torque of a rod with warping")
+    print(twisted_strip())
+
+
 def turning():
-    """Rods by shooting beside tests/scenes/large_roller.prm and large_slide.prm."""
+    """Rods beside tests/scenes/large_roller.prm, large_slide.prm, turning_grip.prm and
+    large_twist.prm."""
     rollers()
     slides()
     coupon()
+    grips()

@@ -116,12 +116,39 @@ namespace lamella
 
 
 
+  void
+  Body::add_heat_at(const Vector &u, Vector &f) const
+  {
+    add_heat(f);
+    for_each_block_of_heat(u, [&](const StiffnessBlock &block) {
+      block.add_product(u, f);
+    });
+  }
+
+
+
+  void
+  Body::for_each_block_of_heat(
+    const Vector &,
+    const std::function<void(const StiffnessBlock &)> &) const
+  {}
+
+
+
   Vector
   Body::updated(const Vector &u, const Vector &change) const
   {
     Vector result = u;
     result += change;
     return result;
+  }
+
+
+
+  Tensor<2, 3>
+  Body::turn_at(const Location &, const Vector &) const
+  {
+    return unit_triad();
   }
 
 

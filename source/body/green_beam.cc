@@ -118,6 +118,14 @@ namespace lamella
         result.max_element_turn =
           std::max(result.max_element_turn, turn_along(cell, u));
       }
+    // E . C epsilon_0 is quadratic in u, as the forces of heat are linear.
+    if (is_heated())
+      {
+        Vector f(n_dofs());
+        add_heat(f);
+        add_heat_at(u, f);
+        result.energy -= 0.5 * (f * u);
+      }
     return over_processes(result);
   }
 
@@ -136,7 +144,11 @@ namespace lamella
                             gradient_at(point, q, 0),
                             placement,
                             section().ply_axes(point.cell, point.position),
-                            section().law(point.cell, point.position));
+                            law_at(point.cell,
+                                   point.position,
+                                   placement.to_scene({point.position[0],
+                                                       on_axis.y,
+                                                       point.position[1]})));
   }
 
 
@@ -153,6 +165,62 @@ namespace lamella
         block.rows.push_back(dofs().first(node) + dofs().place(node, alpha));
     block.columns = block.rows;
     return block;
+  }
+
+
+
+  std::vector<StiffnessBlock>
+  GreenBeam::empty_blocks(const unsigned int cell) const
+  {
+    std::vector<StiffnessBlock> blocks;
+    for (const auto *on_section : green.fields_of_cells())
+      blocks.push_back(empty_block(cell, *on_section));
+    return blocks;
+  }
+
+
+
+  std::vector<StiffnessBlock>
+  GreenBeam::zero_blocks(const unsigned int cell) const
+  {
+    std::vector<StiffnessBlock> blocks = empty_blocks(cell);
+    for (StiffnessBlock &block : blocks)
+      block.values.assign(block.rows.size() * block.columns.size(), 0.);
+    return blocks;
+  }
+
+
+
+  void
+  GreenBeam::for_each_block_of_heat(
+    const Vector &,
+    const std::function<void(const StiffnessBlock &)> &use) const
+  {
+    const auto [begin, end] = axis().own_cells();
+    for (unsigned int cell = begin; cell < end && is_heated(); ++cell)
+      {
+        std::vector<StiffnessBlock> blocks = zero_blocks(cell);
+        for (unsigned int k = 0; k < along_axis().n_stations(); ++k)
+          {
+            const double y =
+              axis()
+                .integration_points()[cell * along_axis().n_stations() + k]
+                .y;
+            auto block = blocks.begin();
+            green.for_each_cell_of_stress(
+              [&](const unsigned int on_section, const Point<2> &at) {
+                return -1. * law_at(on_section,
+                                    at,
+                                    placement.to_scene({at[0], y, at[1]}))
+                               .stress(Voigt());
+              },
+              [&](const GreenAnswer::CellTangent &tangent) {
+                add_station(cell, k, tangent, *block++);
+              });
+          }
+        for (const StiffnessBlock &block : blocks)
+          use(block);
+      }
   }
 
 
@@ -192,8 +260,6 @@ namespace lamella
                         const Vector                &correction,
                         std::vector<StiffnessBlock> &blocks) const
   {
-    for (StiffnessBlock &block : blocks)
-      block.values.assign(block.rows.size() * block.columns.size(), 0.);
     const AxisLoop loop = along_axis();
     // All nodes carry all fields.
     const std::vector<unsigned int> &all = dofs().fields(0);
@@ -223,9 +289,8 @@ namespace lamella
     const auto [begin, end] = axis().own_cells();
     for (unsigned int cell = begin; cell < end; ++cell)
       {
-        std::vector<StiffnessBlock> blocks;
-        for (const auto *on_section : green.fields_of_cells())
-          blocks.push_back(empty_block(cell, *on_section));
+        std::vector<StiffnessBlock> blocks =
+          with_values ? zero_blocks(cell) : empty_blocks(cell);
         if (with_values)
           add_values(cell, u, correction, blocks);
         for (const StiffnessBlock &block : blocks)

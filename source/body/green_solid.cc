@@ -106,6 +106,14 @@ namespace lamella
         result.max_element_turn =
           std::max(result.max_element_turn, turn_along(cell, u));
       }
+    // E . C epsilon_0 is quadratic in u, as the forces of heat are linear.
+    if (is_heated())
+      {
+        Vector f(n_dofs());
+        add_heat(f);
+        add_heat_at(u, f);
+        result.energy -= 0.5 * (f * u);
+      }
     return over_processes(result);
   }
 
@@ -125,7 +133,7 @@ namespace lamella
                             gradient_at(place.cell, point, u),
                             placement,
                             ply_axes(place.cell, point.position),
-                            law(place.cell, point.position));
+                            law_at(place.cell, place.unit, point.position));
   }
 
 
@@ -160,19 +168,16 @@ namespace lamella
 
 
   std::vector<double>
-  GreenSolid::tangent_of(const unsigned int                  cell,
-                         const std::vector<HexahedronPoint> &points,
-                         const Vector                       &u,
-                         const Vector                       &correction) const
+  GreenSolid::tangent_of(
+    const unsigned int                                          cell,
+    const std::function<Tensor<2, 9>(const HexahedronPoint &)> &D) const
   {
     const unsigned int  n = hexahedra().cells()[cell].nodes.size();
     std::vector<double> values(9 * n * n, 0.);
-    for (const HexahedronPoint &point : points)
+    for (const HexahedronPoint &point :
+         hexahedron().quadrature_points(nodes_of(cell)))
       {
-        const Tensor<2, 9> D =
-          green_tangent(gradient_at(cell, point, u),
-                        gradient_at(cell, point, correction),
-                        law(cell, point.position));
+        const Tensor<2, 9> at_point = D(point);
         for (unsigned int i = 0; i < n; ++i)
           {
             // grad N_i . D: a row a component, a column for each entry of H.
@@ -181,7 +186,7 @@ namespace lamella
               for (unsigned int c = 0; c < 3; ++c)
                 for (unsigned int m = 0; m < 9; ++m)
                   left[c][m] +=
-                    point.JxW * point.gradients[i][a] * D[3 * a + c][m];
+                    point.JxW * point.gradients[i][a] * at_point[3 * a + c][m];
             for (unsigned int k = 0; k < n; ++k)
               for (unsigned int c = 0; c < 3; ++c)
                 for (unsigned int d = 0; d < 3; ++d)
@@ -208,11 +213,31 @@ namespace lamella
         StiffnessBlock block;
         block.rows = block.columns = dofs_of(cell);
         if (with_values)
-          block.values =
-            tangent_of(cell,
-                       hexahedron().quadrature_points(nodes_of(cell)),
-                       u,
-                       correction);
+          block.values = tangent_of(cell, [&](const HexahedronPoint &point) {
+            return green_tangent(gradient_at(cell, point, u),
+                                 gradient_at(cell, point, correction),
+                                 law(cell, point.position));
+          });
+        use(block);
+      }
+  }
+
+
+
+  void
+  GreenSolid::for_each_block_of_heat(
+    const Vector &,
+    const std::function<void(const StiffnessBlock &)> &use) const
+  {
+    const auto [begin, end] = hexahedra().owned_cells();
+    for (unsigned int cell = begin; cell < end && is_heated(); ++cell)
+      {
+        StiffnessBlock block;
+        block.rows = block.columns = dofs_of(cell);
+        block.values = tangent_of(cell, [&](const HexahedronPoint &point) {
+          return stress_tangent(
+            -1. * law_at(cell, point.unit, point.position).stress(Voigt()));
+        });
         use(block);
       }
   }

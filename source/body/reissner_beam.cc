@@ -206,28 +206,41 @@ namespace lamella
   {
     const std::vector<unsigned int> &list = answer.fields();
     const FrameFields                frame(list, h);
-    const unsigned int               rigid =
-      std::min<unsigned int>(n_of_node, section().n_fields());
-    const auto law = std::make_shared<Law>();
+    const unsigned int               rigid = n_rigid();
+    const auto                       law   = std::make_shared<Law>();
+    law->fields.assign(list.begin(), list.end());
     law->warpings.assign(list.begin() + rigid, list.end());
-    const unsigned int m = law->warpings.size(), n = n_frame + 2 * m;
-    const FieldParts   work =
+    const FieldParts work =
       answer.forces(units(frame, list.size(), rigid)).work;
+    const unsigned int n = n_frame + 2 * law->warpings.size();
     law->D.reinit(n, n);
     for (unsigned int k = 0; k < n; ++k)
       {
-        for (unsigned int c = 0; c < n_frame; ++c)
-          law->D(c, k) =
-            frame.factor[c] * work[FieldPart::derivative](frame.place[c], k);
-        for (unsigned int a = 0; a < m; ++a)
-          {
-            law->D(n_frame + a, k) = work[FieldPart::value](rigid + a, k) +
-                                     work[FieldPart::shear_value](rigid + a, k);
-            law->D(n_frame + m + a, k) =
-              work[FieldPart::derivative](rigid + a, k);
-          }
+        const std::vector<double> s = on_strains(list, work, k);
+        for (unsigned int c = 0; c < n; ++c)
+          law->D(c, k) = s[c];
       }
     return law;
+  }
+
+
+
+  std::vector<double>
+  ReissnerBeam::on_strains(const std::vector<unsigned int> &list,
+                           const FieldParts                &work,
+                           const unsigned int               k) const
+  {
+    const FrameFields   frame(list, h);
+    std::vector<double> s;
+    for (unsigned int c = 0; c < n_frame; ++c)
+      s.push_back(frame.factor[c] *
+                  work[FieldPart::derivative](frame.place[c], k));
+    for (unsigned int a = n_rigid(); a < list.size(); ++a)
+      s.push_back(work[FieldPart::value](a, k) +
+                  work[FieldPart::shear_value](a, k));
+    for (unsigned int a = n_rigid(); a < list.size(); ++a)
+      s.push_back(work[FieldPart::derivative](a, k));
+    return s;
   }
 
 

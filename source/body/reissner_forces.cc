@@ -45,14 +45,13 @@ namespace lamella
 
   void
   ReissnerBeam::add_forces(const Station       &station,
-                           const Law           &law,
                            const Element       &element,
+                           const Vector        &s,
                            std::vector<double> &f)
   {
     const Frame        frame = frame_at(station.point, element);
     const FrameStrains of    = frame_strains(frame.Q, frame.dQ, frame.dr);
-    const Vector       s     = stresses(law, strains(frame, of));
-    const unsigned int m = law.warpings.size(), n = n_of_node + m;
+    const unsigned int m = element.a.front().size(), n = n_of_node + m;
     Tensor<1, 11>      on_measures;
     for (unsigned int c = 0; c < n_strains; ++c)
       on_measures += station.weight * s[c] * of.first[c];
@@ -80,8 +79,75 @@ namespace lamella
         const std::vector<LocalDof> numbers = local_dofs(cell);
         std::vector<double>         local(numbers.size(), 0.);
         for (const Station &station : stations[cell])
-          add_forces(station, *laws[cell], at, local);
+          add_forces(station,
+                     at,
+                     stresses(*laws[cell],
+                              strains(frame_at(station.point, at))),
+                     local);
         add_local(numbers, local, f);
+      }
+  }
+
+
+
+  // ---- heat
+
+  std::vector<Vector>
+  ReissnerBeam::heat_stresses(const unsigned int cell) const
+  {
+    std::vector<double> places;
+    for (const Station &station : stations[cell])
+      places.push_back(station.point.y);
+    const std::vector<unsigned int> &list = laws[cell]->fields;
+    const FieldParts                 work =
+      on_list(fields(), list, forces_of_heat({places})[0]).work;
+    std::vector<Vector> result;
+    for (unsigned int k = 0; k < places.size(); ++k)
+      {
+        const std::vector<double> s = on_strains(list, work, k);
+        result.emplace_back(s.begin(), s.end());
+      }
+    return result;
+  }
+
+
+
+  void
+  ReissnerBeam::add_heat_at(const Vector &u, Vector &f) const
+  {
+    for (unsigned int cell = 0; cell < axis().n_cells() && is_heated(); ++cell)
+      {
+        const std::vector<LocalDof> numbers = local_dofs(cell);
+        const std::vector<Vector>   s       = heat_stresses(cell);
+        std::vector<double>         local(numbers.size(), 0.);
+        for (unsigned int k = 0; k < s.size(); ++k)
+          add_forces(stations[cell][k], element(cell, u), s[k], local);
+        add_local(numbers, local, f);
+      }
+  }
+
+
+
+  void
+  ReissnerBeam::for_each_block_of_heat(
+    const Vector                                      &u,
+    const std::function<void(const StiffnessBlock &)> &use) const
+  {
+    for (unsigned int cell = 0; cell < axis().n_cells() && is_heated(); ++cell)
+      {
+        const std::vector<LocalDof> numbers = local_dofs(cell);
+        const std::vector<Vector>   s       = heat_stresses(cell);
+        LAPACKFullMatrix<double>    K(numbers.size(), numbers.size());
+        for (unsigned int k = 0; k < s.size(); ++k)
+          {
+            std::array<double, n_strains> of_frame{};
+            std::copy_n(s[k].begin(), n_strains, of_frame.begin());
+            add_stress_tangent(stations[cell][k],
+                               element(cell, u),
+                               of_frame,
+                               K);
+          }
+        use(block_of(numbers, K));
       }
   }
 
@@ -138,21 +204,11 @@ namespace lamella
     std::vector<ByNode> by;
     for (unsigned int i = 0; i < n_nodes; ++i)
       by.push_back(by_node(element, station.point, i));
-    const Tensor<2, 11> by_measures = second_derivative(law, of, s);
-    Tensor<1, 11>       stress;
-    for (unsigned int c = 0; c < n_strains; ++c)
-      stress += station.weight * s[c] * of.first[c];
+    const Tensor<2, 11> by_measures =
+      station.weight * square_of_strains(law, of);
     for (unsigned int j = 0; j < n_nodes; ++j)
-      {
-        add_rigid_tangent(station.weight * by_measures, by, j, n, K);
-        Quaternion by_q;
-        for (unsigned int a = 0; a < 4; ++a)
-          by_q[a] = station.point.N[j] * stress[a] +
-                    station.point.dN[j] * stress[4 + a];
-        const double curved = along_geodesic(by_q, element.q[j]);
-        for (unsigned int c = 3; c < n_of_node; ++c)
-          K(j * n + c, j * n + c) += curved;
-      }
+      add_rigid_tangent(by_measures, by, j, n, K);
+    add_stress_tangent(station, element, s, K);
     for (unsigned int a = 0; a < 2 * m; ++a)
       {
         Tensor<1, 11> coupled;
@@ -165,10 +221,43 @@ namespace lamella
 
 
 
+  void
+  ReissnerBeam::add_stress_tangent(const Station               &station,
+                                   const Element               &element,
+                                   const std::array<double, 6> &s,
+                                   LAPACKFullMatrix<double>    &K)
+  {
+    const Frame        frame   = frame_at(station.point, element);
+    const FrameStrains of      = frame_strains(frame.Q, frame.dQ, frame.dr);
+    const unsigned int n       = n_of_node + element.a.front().size(),
+                       n_nodes = element.q.size();
+    std::vector<ByNode> by;
+    for (unsigned int i = 0; i < n_nodes; ++i)
+      by.push_back(by_node(element, station.point, i));
+    Tensor<2, 11> turned;
+    Tensor<1, 11> stress;
+    for (unsigned int c = 0; c < n_strains; ++c)
+      {
+        turned += station.weight * s[c] * of.second[c];
+        stress += station.weight * s[c] * of.first[c];
+      }
+    for (unsigned int j = 0; j < n_nodes; ++j)
+      {
+        add_rigid_tangent(turned, by, j, n, K);
+        Quaternion by_q;
+        for (unsigned int a = 0; a < 4; ++a)
+          by_q[a] = station.point.N[j] * stress[a] +
+                    station.point.dN[j] * stress[4 + a];
+        const double curved = along_geodesic(by_q, element.q[j]);
+        for (unsigned int c = 3; c < n_of_node; ++c)
+          K(j * n + c, j * n + c) += curved;
+      }
+  }
+
+
+
   Tensor<2, 11>
-  ReissnerBeam::second_derivative(const Law                   &law,
-                                  const FrameStrains          &of,
-                                  const std::array<double, 6> &s)
+  ReissnerBeam::square_of_strains(const Law &law, const FrameStrains &of)
   {
     Tensor<2, 11> result;
     for (unsigned int c = 0; c < n_strains; ++c)
@@ -176,7 +265,7 @@ namespace lamella
         Tensor<1, 11> D_first;
         for (unsigned int d = 0; d < n_strains; ++d)
           D_first += law.D(c, d) * of.first[d];
-        result += outer_product(of.first[c], D_first) + s[c] * of.second[c];
+        result += outer_product(of.first[c], D_first);
       }
     return result;
   }

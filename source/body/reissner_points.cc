@@ -65,6 +65,17 @@ namespace lamella
 
 
 
+  Tensor<2, 3>
+  ReissnerBeam::turn_at(const Location &location, const Vector &u) const
+  {
+    const AxisPoint point = fields_at(location.places[0]).on_axis;
+    return transpose(placement.axes) *
+           rotation_of(frame_at(point, element(point.cell, u)).Q) *
+           placement.axes;
+  }
+
+
+
   std::vector<Tensor<1, 3>>
   ReissnerBeam::displacements(const std::vector<Location> &locations,
                               const Vector                &u) const
@@ -317,11 +328,21 @@ namespace lamella
                                  (on_axis.y - axis().cell_begin(on_axis.cell)) /
                                    length,
                                  point.unit[1]}};
+    const ElasticLaw      law =
+      law_at(point.cell,
+             point.position,
+             placement.to_scene(
+               {point.position[0], on_axis.y, point.position[1]}));
+    Voigt strain = strain_at(point, on_axis.cell, strains(frame));
+    if (is_heated())
+      strain += section().completion_of_initial(point.cell,
+                                                point.position,
+                                                law.initial_strain());
     return sample_of(displacement(fields_at(place), frame),
-                     strain_at(point, on_axis.cell, strains(frame)),
+                     strain,
                      placement,
                      section().ply_axes(point.cell, point.position),
-                     section().law(point.cell, point.position));
+                     law);
   }
 
 
@@ -359,14 +380,19 @@ namespace lamella
     Deformation result;
     for (unsigned int cell = 0; cell < axis().n_cells(); ++cell)
       {
-        const Element at = element(cell, u);
-        for (const Station &station : stations[cell])
+        const Element             at = element(cell, u);
+        const std::vector<Vector> of_heat =
+          is_heated() ? heat_stresses(cell) : std::vector<Vector>();
+        for (unsigned int k = 0; k < stations[cell].size(); ++k)
           {
-            const Frame               frame = frame_at(station.point, at);
-            const std::vector<double> e     = strains(frame);
-            result.energy +=
-              0.5 * station.weight *
-              (Vector(e.begin(), e.end()) * stresses(*laws[cell], e));
+            const Station            &station = stations[cell][k];
+            const Frame               frame   = frame_at(station.point, at);
+            const std::vector<double> e       = strains(frame);
+            Vector                    s       = stresses(*laws[cell], e);
+            s *= 0.5;
+            if (is_heated())
+              s -= of_heat[k];
+            result.energy += station.weight * (Vector(e.begin(), e.end()) * s);
             add_strains(cell, e, result);
             result.max_rotation =
               std::max(result.max_rotation,

@@ -194,6 +194,18 @@ namespace lamella
                       "On surfaces, instead of u: the displacement along the "
                       "outward normal, the rest free; 0 is symmetry, whichever "
                       "way the body is turned [length].");
+    prm.declare_entry("Rotation",
+                      "",
+                      Anything(),
+                      "Turns all that it holds as a whole, times the load "
+                      "factor: a vector along the axis, as long as the angle, "
+                      "scene axes [rad]. u, if given, is where About goes, and "
+                      "has no free component.");
+    prm.declare_entry("About",
+                      "",
+                      Anything(),
+                      "Of Rotation: the scene position that it turns about. "
+                      "Empty: the middle of all that it holds [length].");
   }
 
 
@@ -236,6 +248,31 @@ namespace lamella
                        "Name surfaces in On, or prescribe u.");
       return entry.number();
     }
+
+
+
+    /// The rotation and its centre of @p support, all else of which is there.
+    void
+    parse_rotation(const Entries &in, Support &support)
+    {
+      const Entry entry = in["Rotation"], about = in["About"];
+      if (entry.is_empty())
+        {
+          if (!about.is_empty())
+            about.refuse("there is no Rotation that would be about it",
+                         "Leave it out.");
+          return;
+        }
+      if (support.normal)
+        entry.refuse("Normal displacement is given, too",
+                     "Keep one of the two.");
+      if (!support.u[0] || !support.u[1] || !support.u[2])
+        entry.refuse("it turns places as a whole, and u leaves them free",
+                     "Give u three numbers, or leave it out.");
+      support.rotation = entry.point();
+      if (!about.is_empty())
+        support.about = about.point();
+    }
   } // namespace
 
 
@@ -253,6 +290,7 @@ namespace lamella
       support.u = parse_components(in["u"]);
     else
       support.normal = parse_normal(normal, in["u"], support.on);
+    parse_rotation(in, support);
     return support;
   }
 

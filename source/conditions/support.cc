@@ -3,6 +3,7 @@
 #include <lamella/base/arithmetic.h>
 #include <lamella/base/exceptions.h>
 #include <lamella/base/text.h>
+#include <lamella/body/frame_strains.h>
 #include <lamella/conditions/hold.h>
 #include <lamella/conditions/support.h>
 
@@ -24,10 +25,15 @@ namespace lamella
 
   namespace
   {
-    /// @p place on @p region, if a row there turns with the body.
+    /// @p place on @p region, if a row of @p support there turns with the
+    /// body.
     std::optional<Location>
-    turning_place(const Region &region, const Location &place)
+    turning_place(const Support  &support,
+                  const Region   &region,
+                  const Location &place)
     {
+      if (support.rotation)
+        return place;
       const bool is_section = region.surface == "start" ||
                               region.surface == "end" ||
                               region.surface == "ends";
@@ -55,11 +61,11 @@ namespace lamella
     void
     add_normal_rows(const Body                 &body,
                     const Region               &region,
-                    const double                value,
-                    const unsigned int          support,
-                    const std::string          &path,
+                    const Support              &support,
+                    const unsigned int          number,
                     std::vector<PrescribedRow> &rows)
     {
+      const std::string path = "Support " + support.name;
       check_surface(body, region.surface, path + "/On");
       std::vector<Location>     places;
       std::vector<Tensor<1, 3>> normals;
@@ -79,31 +85,40 @@ namespace lamella
       const auto all = body.rows(places, Quantity::displacement);
       for (unsigned int i = 0; i < places.size(); ++i)
         rows.push_back({{region.body, along(all[i], normals[i])},
-                        value,
-                        support,
+                        *support.normal,
+                        number,
                         normals[i],
                         places[i].position,
                         {},
-                        0,
-                        turning_place(region, places[i])});
+                        support.history,
+                        turning_place(support, region, places[i])});
+    }
+
+
+
+    /// The places that @p support holds on @p region of @p body.
+    std::vector<Location>
+    held_places(const Body &body, const Region &region, const Support &support)
+    {
+      return region_locations(body,
+                              region,
+                              "Support " + support.name +
+                                (region.at.empty() ? "/On" : "/At"));
     }
 
 
 
     /// The rows of the components of u that @p support, number @p number,
-    /// prescribes on @p region.
+    /// prescribes on @p region, with its @p turn if it has one.
     void
-    add_component_rows(const Body                 &body,
-                       const Region               &region,
-                       const Support              &support,
-                       const unsigned int          number,
-                       std::vector<PrescribedRow> &rows)
+    add_component_rows(const Body                     &body,
+                       const Region                   &region,
+                       const Support                  &support,
+                       const std::optional<RigidTurn> &turn,
+                       const unsigned int              number,
+                       std::vector<PrescribedRow>     &rows)
     {
-      const std::vector<Location> places =
-        region_locations(body,
-                         region,
-                         "Support " + support.name +
-                           (region.at.empty() ? "/On" : "/At"));
+      const std::vector<Location> places = held_places(body, region, support);
       auto all = body.rows(places, Quantity::displacement);
       // The place of a given point comes out of its position, with rounding:
       // without what that leaves at other nodes the rows of a node stay its
@@ -114,27 +129,93 @@ namespace lamella
       for (unsigned int i = 0; i < places.size(); ++i)
         for (unsigned int c = 0; c < 3; ++c)
           if (support.u[c])
-            rows.push_back({{region.body, all[i][c]},
-                            *support.u[c],
-                            number,
-                            scene_axis(c),
-                            places[i].position,
-                            {},
-                            0,
-                            turning_place(region, places[i])});
+            rows.push_back(
+              {{region.body, all[i][c]},
+               turn ? turn->rate(0., places[i].position)[c] : *support.u[c],
+               number,
+               scene_axis(c),
+               places[i].position,
+               {},
+               support.history,
+               turning_place(support, region, places[i]),
+               turn});
     }
   } // namespace
 
 
 
-  std::pair<Row, double>
-  row_at(const PrescribedRow &prescribed, const Body &body, const Vector &u)
+  RigidTurn
+  rigid_turn(const Support &support, const Bodies &bodies)
+  {
+    RigidTurn turn;
+    for (unsigned int c = 0; c < 3; ++c)
+      turn.translation[c] = *support.u[c];
+    turn.rotation = *support.rotation;
+    if (support.about)
+      {
+        turn.about = *support.about;
+        return turn;
+      }
+    std::vector<Point<3>> points;
+    for (const Region &region : support.on)
+      if (!region.surface.empty())
+        {
+          // More than what it takes to hold it.
+          check_surface(*bodies[region.body],
+                        region.surface,
+                        "Support " + support.name + "/On");
+          for (const SurfacePoint &point :
+               bodies[region.body]->surface_points(region.surface))
+            points.push_back(point.position);
+        }
+      else
+        for (const Location &place :
+             held_places(*bodies[region.body], region, support))
+          points.push_back(place.position);
+    const BoundingBox<3> box(points);
+    turn.about         = box.center();
+    const auto corners = box.get_boundary_points();
+    if (corners.first.distance(corners.second) == 0.)
+      throw InputError("Support " + support.name + "/Rotation",
+                       to_text(turn.rotation),
+                       "one place stays where it is when it turns about itself",
+                       "Give About, or hold a surface.");
+    return turn;
+  }
+
+
+
+  Tensor<1, 3>
+  RigidTurn::displacement(const double s, const Point<3> &X) const
+  {
+    const Tensor<1, 3> arm = X - about;
+    return s * translation + rotation_of(quaternion_of(s * rotation)) * arm -
+           arm;
+  }
+
+
+
+  Tensor<1, 3>
+  RigidTurn::rate(const double s, const Point<3> &X) const
+  {
+    return translation +
+           cross_product_3d(rotation,
+                            rotation_of(quaternion_of(s * rotation)) *
+                              (X - about));
+  }
+
+
+
+  std::pair<PrescribedRow, double>
+  row_at(PrescribedRow prescribed, const Body &body, const Vector &u)
   {
     if (!prescribed.location)
-      return {prescribed.row.row, prescribed.row.row(u)};
+      return {prescribed, prescribed.row.row(u)};
     const std::vector<Location> at{*prescribed.location};
-    return {along(body.rows_at(at, u)[0], prescribed.direction),
-            prescribed.direction * body.displacements(at, u)[0]};
+    if (prescribed.turn)
+      prescribed.direction = body.turn_at(at[0], u) * prescribed.direction;
+    prescribed.row.row = along(body.rows_at(at, u)[0], prescribed.direction);
+    return {prescribed, prescribed.direction * body.displacements(at, u)[0]};
   }
 
 
@@ -144,22 +225,22 @@ namespace lamella
   {
     std::vector<PrescribedRow> rows;
     for (unsigned int s = 0; s < supports.size(); ++s)
-      if (supports[s].hold)
-        for (const PrescribedRow &row :
-             rows_of_hold(*supports[s].hold, s, bodies))
-          rows.push_back(row);
-      else
-        for (const Region &region : supports[s].on)
-          {
-            const std::string path = "Support " + supports[s].name;
-            const Body       &body = *bodies[region.body];
-            if (supports[s].normal)
-              add_normal_rows(body, region, *supports[s].normal, s, path, rows);
-            else
-              add_component_rows(body, region, supports[s], s, rows);
-          }
-    for (PrescribedRow &row : rows)
-      row.history = supports[row.support].history;
+      {
+        const Support &support = supports[s];
+        if (support.hold)
+          for (const PrescribedRow &row :
+               rows_of_hold(*support.hold, s, bodies))
+            rows.push_back(row);
+        std::optional<RigidTurn> turn;
+        if (support.rotation)
+          turn = rigid_turn(support, bodies);
+        for (const Region &region : support.on)
+          if (support.normal)
+            add_normal_rows(*bodies[region.body], region, support, s, rows);
+          else
+            add_component_rows(
+              *bodies[region.body], region, support, turn, s, rows);
+      }
     return rows;
   }
 

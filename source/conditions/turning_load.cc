@@ -67,6 +67,62 @@ namespace lamella
 
 
 
+    class Heat : public TurningLoad
+    {
+    public:
+      explicit Heat(const Body &body)
+        : body(body)
+      {}
+
+      bool
+      is_skew() const override
+      {
+        return false;
+      }
+
+      void
+      add_forces(const double factor, const Vector &u, Vector &f) const override
+      {
+        Vector full(f.size());
+        body.add_heat_at(u, full);
+        f.add(factor, full);
+      }
+
+      void
+      add_derivative(const double  factor,
+                     const Vector &u,
+                     const Vector &w,
+                     Vector       &f) const override
+      {
+        Vector full(f.size());
+        body.for_each_block_of_heat(u, [&](const StiffnessBlock &block) {
+          block.add_product(w, full);
+        });
+        f.add(factor, full);
+      }
+
+      void
+      for_each_stiffness_block(
+        const double                                       factor,
+        const Vector                                      &u,
+        const bool                                         with_values,
+        const std::function<void(const StiffnessBlock &)> &use) const override
+      {
+        // Within elements, whose tangent has the pattern.
+        if (with_values)
+          body.for_each_block_of_heat(u, [&](StiffnessBlock block) {
+            for (double &value : block.values)
+              value *= -factor;
+            use(block);
+          });
+      }
+
+    private:
+      const Body &body;
+    };
+
+
+
     std::vector<Location>
     locations_of(const std::vector<SurfacePoint> &points)
     {
@@ -219,7 +275,9 @@ namespace lamella
   bool
   depends_on_state(const Load &load, const Body &body)
   {
-    return body.rows_turn() || (body.turns() && turns_along(load));
+    // Heat is one of the body (turning_heat()).
+    return load.temperature.empty() &&
+           (body.rows_turn() || (body.turns() && turns_along(load)));
   }
 
 
@@ -237,6 +295,14 @@ namespace lamella
     auto pressure = std::make_unique<FollowingPressure>(load, region, body);
     check_start(*pressure, load, region, body);
     return pressure;
+  }
+
+
+
+  std::unique_ptr<TurningLoad>
+  turning_heat(const Body &body)
+  {
+    return std::make_unique<Heat>(body);
   }
 
 

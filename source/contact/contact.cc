@@ -171,13 +171,73 @@ namespace lamella
     const ContactSides at(undeformed, u, factor);
     if (lines != nullptr)
       lines->follow(*at.surface(false), *at.obstacle(), points);
-    integrals =
-      integrate(at,
-                interface.discretisation == Discretisation::node_to_node ?
-                  Feet::kept :
-                  Feet::found,
-                points);
+    integrals = integrate(at, feet(), points);
     write(at, u, factor);
+  }
+
+
+
+  bool
+  Contact::add_forces_at(const BlockVector             &u,
+                         const LoadFactor              &factor,
+                         const ArrayView<const double> &lambda,
+                         BlockVector                   &f) const
+  {
+    const ContactSides        at(undeformed, u, factor);
+    std::vector<GapPoint>     all = points, pressed;
+    std::vector<unsigned int> numbers;
+    if (lines != nullptr)
+      lines->follow(*at.surface(false), *at.obstacle(), all);
+    for (unsigned int q = 0; q < all.size(); ++q)
+      for (const auto &[row, weight] : shares_of(functions(), q, all[q]))
+        if (lambda[row] != 0.)
+          {
+            pressed.push_back(all[q]);
+            numbers.push_back(row);
+            break;
+          }
+    // Where a point is a row it has a number of its own here.
+    const bool is_point = functions() == nullptr;
+    const auto there    = integrate(at, feet(), pressed);
+    std::array<std::map<unsigned int, Tensor<1, 3>>, 2> forces;
+    const unsigned int n_rows = is_point ? numbers.size() : there.size();
+    for (unsigned int k = 0; k < n_rows; ++k)
+      {
+        const double force = lambda[is_point ? numbers[k] : k];
+        if (force != 0. && there[k].area == 0.)
+          return false;
+        for (const auto &[node, of] : there[k].carrying)
+          forces[0][node] -= force * of.normal;
+        for (const auto &[node, of] : there[k].opposing)
+          forces[1][node] += force * of.normal;
+      }
+    add_forces_of_nodes(at, forces, f);
+    return true;
+  }
+
+
+
+  void
+  Contact::add_forces_of_nodes(
+    const ContactSides                                        &at,
+    const std::array<std::map<unsigned int, Tensor<1, 3>>, 2> &forces,
+    BlockVector                                               &f) const
+  {
+    for (const bool opposes : {false, true})
+      {
+        const bool second = opposes != interface.points_on_second;
+        std::vector<unsigned int> nodes;
+        for (const auto &[node, force] : forces[opposes])
+          nodes.push_back(node);
+        if (nodes.empty())
+          continue;
+        Vector &on =
+          f.block(second ? *interface.second_body : interface.first_body);
+        const auto row = at.trace_rows(second, nodes);
+        for (unsigned int k = 0; k < nodes.size(); ++k)
+          for (unsigned int c = 0; c < 3; ++c)
+            row[k][c].add_to(on, forces[opposes].at(nodes[k])[c]);
+      }
   }
 
 

@@ -116,4 +116,25 @@ namespace lamella
                        body.rows(trace_places(second), Quantity::displacement);
     return rows[second];
   }
+
+
+
+  std::vector<std::vector<Row>>
+  ContactSides::trace_rows(const bool                       second,
+                           const std::vector<unsigned int> &numbers) const
+  {
+    const unsigned int number = region(second).body;
+    const Body        &body   = *all_bodies[number];
+    if (undeformed != nullptr && body.rows_turn() && rows[second].empty())
+      {
+        std::vector<Location> at;
+        for (const unsigned int node : numbers)
+          at.push_back(trace_places(second)[node]);
+        return body.rows_at(at, u->block(number));
+      }
+    std::vector<std::vector<Row>> result;
+    for (const unsigned int node : numbers)
+      result.push_back(trace_rows(second)[node]);
+    return result;
+  }
 } // namespace lamella

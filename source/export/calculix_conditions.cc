@@ -99,6 +99,25 @@ namespace lamella
                            "loads that turn along with bodies are not exported",
                            "Take a Force, or leave out 'follows'.");
     }
+
+
+
+    /// The turn of @p support, if it has one.
+    std::optional<RigidTurn>
+    turn_of(const Support      &support,
+            const Scene        &scene,
+            const CalculixMesh &mesh)
+    {
+      if (!support.rotation)
+        return {};
+      if (scene.solve.rotations == Rotations::large)
+        throw InputError("Support " + support.name + "/Rotation",
+                         to_text(*support.rotation),
+                         "a deck multiplies displacements with the load "
+                         "factor, and those of a turn go round",
+                         "Take Rotations = linear, or a Load with a Couple.");
+      return rigid_turn(support, mesh.bodies());
+    }
   } // namespace
 
 
@@ -141,8 +160,9 @@ namespace lamella
   CalculixConditions::add_support(const unsigned int  s,
                                   const CalculixMesh &mesh)
   {
-    const Support    &support = scene.supports[s];
-    const std::string path    = "Support " + support.name;
+    const Support                 &support = scene.supports[s];
+    const std::string              path    = "Support " + support.name;
+    const std::optional<RigidTurn> turn    = turn_of(support, scene, mesh);
     for (const Region &region : support.on)
       if (support.normal)
         for (const auto &[node, normal] : node_normals(mesh, region))
@@ -167,7 +187,11 @@ namespace lamella
         for (const unsigned int node : mesh.region_nodes(region, path))
           for (unsigned int c = 0; c < 3; ++c)
             if (support.u[c])
-              hold(node, c, *support.u[c], s, mesh);
+              hold(node,
+                   c,
+                   turn ? turn->rate(0., mesh.node(node))[c] : *support.u[c],
+                   s,
+                   mesh);
   }
 
 

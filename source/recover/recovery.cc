@@ -286,6 +286,27 @@ namespace lamella
 
 
 
+  bool
+  StressRecovery::is_one_linear_layer(const unsigned int ply,
+                                      Place              element,
+                                      const unsigned int d)
+  {
+    if (body.recovery_degrees_of(element.cell)[d] != 1)
+      return false;
+    for (unsigned int other = 0; other < 3; ++other)
+      if (degrees[other] > 0)
+        element.unit[other] = 0.5;
+    for (const double end : {0., 1.})
+      {
+        element.unit[d] = end;
+        if (meeting(ply, element).size() > 1)
+          return false;
+      }
+    return true;
+  }
+
+
+
   std::vector<PatchPoint>
   StressRecovery::patch_points(const unsigned int        ply,
                                const std::vector<Place> &elements)
@@ -309,7 +330,8 @@ namespace lamella
                 if (degrees[d] == 0)
                   continue;
                 std::vector<Place> finer;
-                const QGauss<1>    gauss(own_degrees[d]);
+                const QGauss<1>    gauss(
+                  is_one_linear_layer(ply, element, d) ? 2 : own_degrees[d]);
                 for (Place place : places)
                   for (const Point<1> &point : gauss.get_points())
                     {

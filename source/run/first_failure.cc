@@ -32,7 +32,9 @@ namespace lamella
     const auto is_driven = [](const PrescribedRow &row) {
       return row.value != 0.;
     };
-    if (structure.load(1.).linfty_norm() == 0. &&
+    BlockVector growing = structure.load(1.);
+    growing -= structure.load(0.);
+    if (growing.linfty_norm() == 0. &&
         std::none_of(contacts.begin(), contacts.end(), is_moved) &&
         std::none_of(structure.prescribed().begin(),
                      structure.prescribed().end(),

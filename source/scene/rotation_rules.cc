@@ -37,13 +37,9 @@ namespace lamella
                "",
                rule,
                "Give the body one Theory.");
-      const unsigned int least_taylor = 2, cubic = 3;
-      // Sections that turn, and those that deform as a turned one does.
-      const bool turns   = theory.has_turning_sections(),
-                 deforms = theory.is_layerwise() ||
-                           (theory.is_solid() && theory.order > 1) ||
-                           (theory.is_taylor() && theory.order >= least_taylor);
-      if (!turns && !deforms)
+      const unsigned int cubic = 3;
+      const bool         turns = theory.has_turning_sections();
+      if (!can_turn(theory))
         refuse(
           place + "Kinematics/Theory",
           theory.name(),
@@ -63,16 +59,6 @@ namespace lamella
                "Hold the body by a Support.");
       if (body.is_held)
         refuse(place + "Hold", "", rule, "Hold the body by a Support.");
-    }
-
-
-
-    void
-    check_load(const Load &load)
-    {
-      const std::string place = "Load " + load.name + "/";
-      if (!load.temperature.text().empty())
-        refuse(place + "Temperature", "", rule, "Leave it out.");
     }
 
 
@@ -243,6 +229,18 @@ namespace lamella
 
 
 
+  bool
+  can_turn(const Theory &theory)
+  {
+    // Sections that turn, and those that deform as a turned one does.
+    constexpr unsigned int least_order = 2;
+    return theory.has_turning_sections() || theory.is_layerwise() ||
+           ((theory.is_solid() || theory.is_taylor()) &&
+            theory.order >= least_order);
+  }
+
+
+
   Scene
   turning(Scene scene)
   {
@@ -257,23 +255,18 @@ namespace lamella
              name_of(scene.solve.strategy),
              rule,
              "Take condensed.");
-    if (scene.find_first_failure)
-      refuse("Find", "", rule, "Leave it out, and give Load factors.");
     for (BodyDescription &body : scene.bodies)
       {
         check_body(body);
         body.turns = true;
       }
     for (const Load &load : scene.loads)
-      {
-        check_load(load);
-        if (!load.pressure.empty() && !load.follows)
-          scene.warnings.push_back(
-            "load " + load.name +
-            ": its Pressure is dead: per undeformed area, along the normal of "
-            "the undeformed surface. Write `" +
-            load.pressure.text() + ", follows` if it is to turn with the body");
-      }
+      if (!load.pressure.empty() && !load.follows)
+        scene.warnings.push_back(
+          "load " + load.name +
+          ": its Pressure is dead: per undeformed area, along the normal of "
+          "the undeformed surface. Write `" +
+          load.pressure.text() + ", follows` if it is to turn with the body");
     for (ContactPair &contact : scene.contacts)
       check_contact(scene, contact);
     check_requests(scene);

@@ -192,12 +192,25 @@ namespace lamella
 
 
   Tensor<2, 9>
+  stress_tangent(const Voigt &second)
+  {
+    const Tensor<2, 3> S(tensor_of(second, 1.));
+    Tensor<2, 9>       D;
+    for (unsigned int i = 0; i < 3; ++i)
+      for (unsigned int j = 0; j < 3; ++j)
+        for (unsigned int c = 0; c < 3; ++c)
+          D[3 * i + c][3 * j + c] = S[i][j];
+    return D;
+  }
+
+
+
+  Tensor<2, 9>
   green_tangent(const Gradient &H, const Gradient &dH, const ElasticLaw &law)
   {
-    const auto         B = strain_derivative(H);
-    const Tensor<2, 3> S(
-      tensor_of(law.stress(green_strain(H) - quadratic_strain(dH)), 1.));
-    Tensor<2, 9> D;
+    const auto   B = strain_derivative(H);
+    Tensor<2, 9> D =
+      stress_tangent(law.stress(green_strain(H) - quadratic_strain(dH)));
     for (unsigned int n = 0; n < 9; ++n)
       {
         Voigt column;
@@ -208,10 +221,6 @@ namespace lamella
           for (unsigned int e = 0; e < 6; ++e)
             D[m][n] += B[e][m] * stress[e];
       }
-    for (unsigned int i = 0; i < 3; ++i)
-      for (unsigned int j = 0; j < 3; ++j)
-        for (unsigned int c = 0; c < 3; ++c)
-          D[3 * i + c][3 * j + c] += S[i][j];
     return D;
   }
 } // namespace lamella

@@ -67,7 +67,7 @@ namespace lamella
           points.emplace_back();
         }
       cells.back().points.push_back(
-        {weight, section.law(at.cell, at.position)});
+        {weight, section.law(at.cell, at.position), at.cell, at.position});
       points.back().push_back(at);
     });
     for (unsigned int c = 0; c < cells.size(); ++c)
@@ -172,6 +172,21 @@ namespace lamella
 
 
 
+  GreenAnswer::CellTangent
+  GreenAnswer::tangent_of(
+    const Cell                                            &cell,
+    const std::function<Tensor<2, 9>(const unsigned int)> &D)
+  {
+    LAPACKFullMatrix<double> DG(cell.G.m(), cell.G.n());
+    for (unsigned int p = 0; p < cell.points.size(); ++p)
+      add_product(D(p), cell.points[p].weight, cell.G, 9 * p, DG);
+    CellTangent tangent{cell.fields, LAPACKFullMatrix<double>(DG.n(), DG.n())};
+    cell.G.Tmmult(tangent.matrix, DG);
+    return tangent;
+  }
+
+
+
   void
   GreenAnswer::for_each_cell(
     const FieldParts                               &q,
@@ -183,17 +198,24 @@ namespace lamella
       {
         const std::vector<Gradient> H  = gradients(cell, q, k),
                                     dH = gradients(cell, correction, k);
-        LAPACKFullMatrix<double> DG(cell.G.m(), cell.G.n());
-        for (unsigned int p = 0; p < H.size(); ++p)
-          add_product(green_tangent(H[p], dH[p], cell.points[p].law),
-                      cell.points[p].weight,
-                      cell.G,
-                      9 * p,
-                      DG);
-        CellTangent tangent{cell.fields,
-                            LAPACKFullMatrix<double>(DG.n(), DG.n())};
-        cell.G.Tmmult(tangent.matrix, DG);
-        use(tangent);
+        use(tangent_of(cell, [&](const unsigned int p) {
+          return green_tangent(H[p], dH[p], cell.points[p].law);
+        }));
       }
+  }
+
+
+
+  void
+  GreenAnswer::for_each_cell_of_stress(
+    const std::function<Voigt(const unsigned int, const dealii::Point<2> &)>
+                                                   &stress,
+    const std::function<void(const CellTangent &)> &use) const
+  {
+    for (const Cell &cell : cells)
+      use(tangent_of(cell, [&](const unsigned int p) {
+        const Point &at = cell.points[p];
+        return stress_tangent(stress(at.cell, at.position));
+      }));
   }
 } // namespace lamella

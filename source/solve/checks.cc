@@ -230,6 +230,16 @@ namespace lamella
 
 
 
+    /// The energy of @p checks: of bodies that turn the work of heat is off it,
+    /// and what it does to bodies that are held makes it none below zero.
+    double
+    kept_energy(const Structure &structure, const Checks &checks)
+    {
+      return checks.energy + (checks.is_large ? structure.heat_energy() : 0.);
+    }
+
+
+
     /// Keeps the larger of @p largest and @p error; what is not a number must
     /// not be lost in a maximum.
     void
@@ -290,7 +300,11 @@ namespace lamella
       checks.energies.push_back(
         energy > std::max(noise, of_heat * structure.heat_energy(b)) ? energy :
                                                                        0.);
-      if (deformation.energy > noise)
+      // Of bodies that turn the work of heat is taken off.
+      const double kept =
+        deformation.energy +
+        (on_body.body.turns() ? structure.heat_energy(b) : 0.);
+      if (kept > noise)
         {
           const auto [forces, moments] = on_body.unbalanced();
           keep_larger(checks.force_balance, forces);
@@ -393,12 +407,11 @@ namespace lamella
     std::vector<BodyForces> on_body;
     for (const auto &body : structure.bodies())
       on_body.emplace_back(*body, state.u.block(on_body.size()));
-
     const BlockVector contact_load =
       load_of_contacts(structure, contacts, state);
-    BlockVector r = structure.residual(state.u, factor, state.rest);
-    // What the residual was made of: f(t) less the internal forces.
-    const BlockVector load     = structure.load(factor, state.u);
+    // Made of f(t) less the internal forces.
+    BlockVector       r    = structure.residual(state.u, factor, state.rest);
+    const BlockVector load = structure.load(factor, state.u);
     BlockVector       internal = load;
     internal -= r;
     internal += structure.heat_load();
@@ -406,13 +419,12 @@ namespace lamella
     add_forces_from_outside(
       tangent, places, contacts, r, state, factor, on_body, checks);
     checks.external_work += 0.5 * (load * state.u);
-
     double rounding = 0.;
     for (unsigned int b = 0; b < on_body.size(); ++b)
       rounding +=
         check_body(tangent, b, state, load.block(b), on_body[b], checks);
     tangent.condense(r);
-    if (checks.energy > rounding && r.l2_norm() != 0.)
+    if (kept_energy(structure, checks) > rounding && r.l2_norm() != 0.)
       checks.residual = r.linfty_norm() / internal.linfty_norm();
     const double of_heat = structure.heat_load() * state.u;
     check_energy(0.5 * (contact_load * state.u + of_heat), rounding, checks);

@@ -39,15 +39,12 @@ namespace lamella
     solved.load_factor = to;
     {
       TimerOutput::Scope scope(timer, name_of(Phase::solve));
-      Equilibrium        start = newton.at_rest(to);
-      if (before.u.n_blocks() > 0)
-        {
-          start.state = before;
-          start.state.free_sizes.clear();
-          start.factor = from;
-        }
+      const Equilibrium  start = start_at(before, from, to);
+      // Rows are those of no state until it ends.
+      reached         = BlockVector();
       Equilibrium end = newton.advance(start, to);
       solved.state    = std::move(end.state);
+      reached         = solved.state.u;
       // Newton's iterations end at rounding of the way that they have come.
       constexpr double digits = 100.;
       for (unsigned int b = 0; b < solved.state.u.n_blocks(); ++b)
@@ -61,6 +58,25 @@ namespace lamella
     }
     solved.checks = check(solved.state, to, last);
     return solved;
+  }
+
+
+
+  Equilibrium
+  LargeStep::start_at(const State      &before,
+                      const LoadFactor &from,
+                      const LoadFactor &to)
+  {
+    if (before.u.n_blocks() == 0)
+      return newton.at_rest(to);
+    State state = before;
+    state.free_sizes.clear();
+    if (reached.n_blocks() == 0 || !(before.u == reached))
+      return newton.back_at(std::move(state), from);
+    Equilibrium start;
+    start.state  = std::move(state);
+    start.factor = from;
+    return start;
   }
 
 

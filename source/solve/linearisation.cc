@@ -49,7 +49,7 @@ namespace lamella
         for (const auto &[k, force] :
              structure.reduction(b).multipliers(Vector(bodies[b]->n_dofs())))
           {
-            std::tie(moved_rows[k].row.row, measured[k]) =
+            std::tie(moved_rows[k], measured[k]) =
               row_at(moved_rows[k], *bodies[b], state.block(b));
             held[k] = moved_rows[k];
             // What they are to measure, way_to_supports() says.
@@ -80,12 +80,19 @@ namespace lamella
   {
     BlockVector u = structure.particular(to);
     u -= structure.particular(from);
-    const std::vector<PrescribedRow> &rows = structure.prescribed();
-    for (unsigned int b = 0; b < moved_reductions.size(); ++b)
-      if (moved_reductions[b] != nullptr)
-        u.block(b) = moved_reductions[b]->influence([&](const unsigned int k) {
-          return to.of(rows[k].history) * rows[k].value - measured[k];
-        });
+    const std::vector<PrescribedRow> &rows = prescribed();
+    for (unsigned int b = 0; b < structure.bodies().size(); ++b)
+      {
+        const bool turns = !moved_reductions.empty() && moved_reductions[b];
+        if (turns || structure.is_turned(b))
+          u.block(b) = reduction(b).influence([&](const unsigned int k) {
+            const double s  = from.of(rows[k].history),
+                         is = turns ? measured[k] :
+                                      rows[k].row.row(state.block(b));
+            return rows[k].value_at(s) - is +
+                   (to.of(rows[k].history) - s) * rows[k].rate_at(s);
+          });
+      }
     return u;
   }
 

@@ -90,6 +90,21 @@ namespace lamella
 
 
 
+  bool
+  MovingContacts::add_forces_at(const State       &state,
+                                const BlockVector &u,
+                                const LoadFactor  &factor,
+                                BlockVector       &f) const
+  {
+    for (unsigned int c = 0; c < lives.size(); ++c)
+      if (!lives[c]->add_forces_at(
+            u, factor, numbered.of_contact(c, state.force), f))
+        return false;
+    return true;
+  }
+
+
+
   double
   MovingContacts::law_error(const State &state, const LoadFactor &factor) const
   {
@@ -122,18 +137,7 @@ namespace lamella
               .unseen == 0)
           continue;
         any = true;
-        try
-          {
-            lives[c]->pair(state.u, factor);
-          }
-        catch (const InputError &)
-          {
-            numbered = GapRows(all);
-            throw NumericsError("Contact " + all[c].name +
-                                " is lost at load factor " +
-                                to_text(factor.of_scene()) +
-                                ": nothing faces its other side any more.");
-          }
+        pair(c, state, factor);
       }
     if (any)
       {
@@ -141,5 +145,38 @@ namespace lamella
         pressed.give(all, state);
       }
     return any;
+  }
+
+
+
+  void
+  MovingContacts::pair(State &state, const LoadFactor &factor)
+  {
+    for (unsigned int c = 0; c < all.size(); ++c)
+      pair(c, state, factor);
+    numbered = GapRows(all);
+    state.force.assign(numbered.size(), 0.);
+    state.active.clear();
+  }
+
+
+
+  void
+  MovingContacts::pair(const unsigned int c,
+                       const State       &state,
+                       const LoadFactor  &factor)
+  {
+    try
+      {
+        lives[c]->pair(state.u, factor);
+      }
+    catch (const InputError &)
+      {
+        numbered = GapRows(all);
+        throw NumericsError("Contact " + all[c].name +
+                            " is lost at load factor " +
+                            to_text(factor.of_scene()) +
+                            ": nothing faces its other side any more.");
+      }
   }
 } // namespace lamella

@@ -5,6 +5,9 @@
 #include <lamella/solve/contact_strategy.h>
 #include <lamella/solve/newton.h>
 
+#include <deal.II/lac/precondition.h>
+#include <deal.II/lac/solver_gmres.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -14,6 +17,18 @@ namespace lamella
   {
     const std::vector<ContactInterface> no_interfaces;
     const Contacts                      no_contacts;
+
+    /// x - answer(x), as GMRES asks for it.
+    struct WithTurnOfRows
+    {
+      std::function<BlockVector(const BlockVector &)> answer;
+      void
+      vmult(BlockVector &to, const BlockVector &x) const
+      {
+        to = x;
+        to -= answer(x);
+      }
+    };
   } // namespace
 
 
@@ -42,9 +57,9 @@ namespace lamella
     for (const auto &body : structure.bodies())
       sizes.push_back(body->rows_turn() ? body->dof_sizes() :
                                           std::vector<double>());
-    if (structure.is_heated() || structure.has_springs())
-      throw InputError("Large rotations know neither Temperature nor "
-                       "Stabilisation yet: take a Support in place of it.");
+    if (structure.has_springs())
+      throw InputError("Large rotations know no Stabilisation yet: take a "
+                       "Support in place of it.");
   }
 
 
@@ -55,7 +70,19 @@ namespace lamella
     Equilibrium at;
     at.state.u = structure.zero();
     at.state.force.assign(contacts.rows().size(), 0.);
-    at.factor = factor.without_loads();
+    at.factor = factor.at_rest();
+    return at;
+  }
+
+
+
+  Equilibrium
+  Newton::back_at(State state, const LoadFactor &factor)
+  {
+    Equilibrium at;
+    at.state  = std::move(state);
+    at.factor = factor;
+    contacts.pair(at.state, factor);
     return at;
   }
 
@@ -153,9 +180,9 @@ namespace lamella
 
 
   BlockVector
-  Newton::press(const Linearisation &about,
-                const LoadFactor    &to,
-                State               &state) const
+  Newton::press(ContactStrategy  &strategy,
+                const LoadFactor &to,
+                State            &state) const
   {
     ContactProblem problem;
     for (const GapRow &row : contacts.rows())
@@ -164,21 +191,87 @@ namespace lamella
     problem.start                    = state.active;
     problem.closed                   = parameters.touching * structure.size();
     const ContactSolution found =
-      make_strategy(Strategy::condensed, about, contacts.rows())
-        ->settle(problem, [this, rounds = 0u](const Round &round) mutable {
-          if (++rounds > parameters.max_iterations)
-            throw NumericsError("The contact did not settle in " +
-                                std::to_string(rounds - 1) + " rounds.");
-          if (!round.changed.empty())
-            progress("  contact: " + std::to_string(round.active) +
-                     " rows active, " + std::to_string(round.changed.size()) +
-                     " change");
-        });
+      strategy.settle(problem, [this, rounds = 0u](const Round &round) mutable {
+        if (++rounds > parameters.max_iterations)
+          throw NumericsError("The contact did not settle in " +
+                              std::to_string(rounds - 1) + " rounds.");
+        if (!round.changed.empty())
+          progress("  contact: " + std::to_string(round.active) +
+                   " rows active, " + std::to_string(round.changed.size()) +
+                   " change");
+      });
     if (found.force.empty())
       return structure.zero();
     state.force  = found.force;
     state.active = found.active;
     return found.du;
+  }
+
+
+
+  BlockVector
+  Newton::turn_of_rows(const State       &state,
+                       const BlockVector &u,
+                       const BlockVector &w,
+                       const LoadFactor  &to) const
+  {
+    BlockVector  f      = structure.zero();
+    const double length = length_of(w);
+    if (length == 0.)
+      return f;
+    const double step = parameters.difference * structure.size() / length;
+    for (const double way : {step, -step})
+      {
+        BlockVector change = w, at = structure.zero();
+        change *= way;
+        if (!contacts.add_forces_at(
+              state, structure.updated(u, change), to, at))
+          return structure.zero();
+        f.add(0.5 / way, at);
+      }
+    return f;
+  }
+
+
+
+  BlockVector
+  Newton::follow_rows(ContactStrategy   &strategy,
+                      const BlockVector &u,
+                      const BlockVector &du,
+                      const LoadFactor  &to,
+                      State             &state) const
+  {
+    if (state.active.empty())
+      return du;
+    const ClosedRows closed(state.active);
+    const Vector     held(closed.numbers.size());
+    Vector           forces;
+    const auto       answer = [&](const BlockVector &w) {
+      BlockVector x = structure.zero();
+      strategy.solve(closed, turn_of_rows(state, u, w, to), held, x, forces);
+      return x;
+    };
+    const double          enough = parameters.follows * du.l2_norm();
+    dealii::SolverControl control(parameters.max_follows, enough, false, false);
+    BlockVector           x = answer(du);
+    if (x.l2_norm() > enough)
+      try
+        {
+          x += du;
+          dealii::SolverGMRES<BlockVector>(control).solve(
+            WithTurnOfRows{answer}, x, du, dealii::PreconditionIdentity());
+          x = answer(x);
+        }
+      catch (const dealii::SolverControl::NoConvergence &)
+        {
+          return du;
+        }
+    x += du;
+    // To first order; the next iteration says which rows are active.
+    for (unsigned int i = 0; i < closed.numbers.size(); ++i)
+      state.force[closed.numbers[i]] =
+        std::max(0., state.force[closed.numbers[i]] + forces[i]);
+    return x;
   }
 
 
@@ -197,9 +290,12 @@ namespace lamella
     du += moved;
     if (!contacts.none())
       {
+        const auto strategy =
+          make_strategy(Strategy::condensed, about, contacts.rows());
         // Gaps are those of the tangent planes, whose states are sums.
         state.u += du;
-        du += press(about, to, state);
+        du += press(*strategy, to, state);
+        du = follow_rows(*strategy, before, du, to, state);
       }
     shorten(du);
     state.u = structure.updated(before, du);
@@ -254,6 +350,20 @@ namespace lamella
 
 
 
+  double
+  Newton::largest_turn(const LoadFactor &from, const LoadFactor &to) const
+  {
+    double largest = 0.;
+    for (const PrescribedRow &row : structure.prescribed())
+      if (row.turn)
+        largest = std::max(largest,
+                           std::abs(to.of(row.history) - from.of(row.history)) *
+                             row.turn->rotation.norm());
+    return largest;
+  }
+
+
+
   bool
   Newton::step(const LoadFactor &to, const bool predicted, Equilibrium &at)
   {
@@ -266,8 +376,13 @@ namespace lamella
     for (unsigned int k = 0; k < parameters.max_iterations; ++k)
       {
         ++state.iterations;
-        correction =
-          correct(r, moved, predicted ? correction : BlockVector(), to, state);
+        // What it is to warm by strains it free of stress for the most part,
+        // which the tangent of the start knows nothing of.
+        correction = correct(r,
+                             moved,
+                             predicted ? correction : BlockVector(),
+                             k == 0 ? to.as_warm_as(at.factor) : to,
+                             state);
 
         contacts.move(state, to);
         const Linearisation here(structure, state.u);
@@ -336,6 +451,8 @@ namespace lamella
     last_failure.clear();
     // How far it is, and how far the next step is to go.
     double done = 0., way = 1.;
+    while (way * largest_turn(start.factor, to) > parameters.turn)
+      way /= 2.;
     while (done < 1.)
       {
         const double     next   = std::min(1., done + way);

@@ -29,6 +29,17 @@ namespace lamella
 
 
 
+    std::vector<std::string>
+    names_of(const std::vector<Support> &supports)
+    {
+      std::vector<std::string> names;
+      for (const Support &support : supports)
+        names.push_back(support.name);
+      return names;
+    }
+
+
+
     /// @p rows with the values of @p history, the others zero.
     std::vector<PrescribedRow>
     of_history(std::vector<PrescribedRow> rows, const unsigned int history)
@@ -55,9 +66,7 @@ namespace lamella
   {
     check_held(stabilisations);
     const std::vector<PrescribedRow> of_scene = of_history(rows, 0);
-    std::vector<std::string>         names;
-    for (const Support &support : supports)
-      names.push_back(support.name);
+    const std::vector<std::string>   names    = names_of(supports);
     for (unsigned int b = 0; b < all_bodies.size(); ++b)
       {
         reductions.push_back(
@@ -72,14 +81,13 @@ namespace lamella
       }
     for (unsigned int h = 1; h < histories.size(); ++h)
       histories[h].particular = prescribed_in(h, names);
+    check_turns(names);
     for (const Load &load : loads)
       take(load);
     if (gravity.norm() > 0.)
       take_weight(gravity);
     apply_heat(loads, all_bodies);
-    for (unsigned int b = 0; b < all_bodies.size(); ++b)
-      initial_energies.push_back(
-        all_bodies[b]->add_heat(initial_load.block(b)));
+    take_heat();
   }
 
 
@@ -106,6 +114,22 @@ namespace lamella
           at_start.block(region.body) = 0.;
         }
     dead += at_start;
+  }
+
+
+
+  void
+  Structure::take_heat()
+  {
+    for (unsigned int b = 0; b < all_bodies.size(); ++b)
+      {
+        initial_energies.push_back(
+          all_bodies[b]->add_heat(initial_load.block(b)));
+        if (!all_bodies[b]->turns() || !all_bodies[b]->is_heated())
+          continue;
+        initial_load.block(b) = 0.;
+        turning[b].emplace_back(turning_heat(*all_bodies[b]), LoadFactor::heat);
+      }
   }
 
 
@@ -148,6 +172,19 @@ namespace lamella
             to_text(row.position),
           "Give them the same Factors, or remove one of them.");
     return u;
+  }
+
+
+
+  void
+  Structure::check_turns(const std::vector<std::string> &names) const
+  {
+    std::vector<PrescribedRow> whole = rows;
+    for (PrescribedRow &row : whole)
+      row.value = row.value_at(1.);
+    for (unsigned int b = 0; b < all_bodies.size(); ++b)
+      if (is_turned(b) && all_bodies[b]->turns() && !all_bodies[b]->rows_turn())
+        RowReduction(*all_bodies[b], b, whole, names);
   }
 
 

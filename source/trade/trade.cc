@@ -5,6 +5,7 @@
 #include <lamella/base/interruption.h>
 #include <lamella/base/text.h>
 #include <lamella/run/simulation.h>
+#include <lamella/scene/rotation_rules.h>
 #include <lamella/trade/trade.h>
 #include <lamella/trade/trade_picture.h>
 
@@ -99,6 +100,26 @@ namespace lamella
                          "can be created and written.")
           .at("--output " + directory + ": ");
     }
+
+
+
+    /// Throws InputError for what a trade of @p scene does not know.
+    void
+    check_rotations(const Scene &scene)
+    {
+      const bool is_large = scene.solve.rotations == Rotations::large;
+      if (scene.solve.rotations == Rotations::automatic)
+        throw InputError("Rotations",
+                         name_of(scene.solve.rotations),
+                         "a trade compares runs of one kind, and auto may take "
+                         "either",
+                         "Run it with Rotations = linear, or large.");
+      if (is_large && scene.trade.error_bars)
+        throw InputError("Trade/Error bars",
+                         "true",
+                         "there are none with Rotations = large",
+                         "Leave it out: the finest rung is the reference.");
+    }
   } // namespace
 
 
@@ -116,12 +137,7 @@ namespace lamella
     , base(fingerprint(overrides))
     , quantities(scene.trade.quantities)
   {
-    if (scene.solve.rotations != Rotations::linear)
-      throw InputError(
-        "Rotations",
-        name_of(scene.solve.rotations),
-        "a trade compares theories most of which cannot turn yet",
-        "Run it with Rotations = linear.");
+    check_rotations(scene);
     if (quantities.empty() && scene.trade.whole_probes.empty())
       throw InputError("Trade/Quantities",
                        "",
@@ -136,6 +152,10 @@ namespace lamella
         }
       catch (const InputError &error)
         {
+          // A theory that cannot turn says so as a rung.
+          if (scene.solve.rotations == Rotations::large && !entry.tolerance &&
+              !can_turn(Theory::parse(Entry("Trade/Ladder", entry.theory))))
+            continue;
           throw InputError("Trade/Ladder",
                            entry.name,
                            "the scene cannot be read with this rung's entries",
@@ -269,7 +289,13 @@ namespace lamella
                            scene.trade.tolerances);
     write_trade_csv(table, directory + "/trade.csv");
     print_trade(out, table);
-    const std::string no_picture = draw_trade(table, scene.title, directory);
+    const bool is_large = scene.solve.rotations == Rotations::large;
+    if (is_large)
+      out << "All of it with Rotations = large.\n";
+    const std::string no_picture =
+      draw_trade(table,
+                 scene.title + (is_large ? ", large rotations" : ""),
+                 directory);
     if (!no_picture.empty())
       out << "\nNo pictures: " << no_picture << ".";
     out << "\nThe trade is in " << directory << " (trade.csv"

@@ -420,6 +420,24 @@ def check_goals(program, scene, workdir):
            f"nothing is called sure by a rung that is {100 * error:.0f} % off")
 
 
+def check_large(program, scene, workdir):
+    """Rungs that turn by any angle, and one that cannot."""
+    bends = scene.parents[1] / "scenes/turning_spatial.prm"
+    trade = Trade(program, bends, workdir / "large")
+    done = trade.run("Trade/Ladder=TE-1 | TBT | SV | SV, axis 2",
+                     "Load factors=1", "Trade/Tolerance=1")
+    rows = {row["rung"]: row for row in trade.table() if row["quantity"] == "tip: uz"}
+    expect(done.returncode == 0 and "All of it with Rotations = large." in done.stdout,
+           f"large rotations are said {done.stderr}")
+    expect("TE-1: failed" in done.stdout and "Rotations = large wants" in done.stdout,
+           "a theory that cannot turn says so")
+    expect(abs(float(rows["SV"]["value"]) - 113.361) < 0.1,
+           "the reference of turning_spatial.expect")
+    bars = trade.run("Trade/Ladder=TBT | SV", "Trade/Error bars=true")
+    expect(bars.returncode == 1 and "Trade/Error bars = true" in bars.stderr,
+           "there are no bars of them")
+
+
 def main():
     program, scene, workdir = (Path(word).resolve() for word in sys.argv[1:4])
     shutil.rmtree(workdir, ignore_errors=True)
@@ -430,6 +448,7 @@ def main():
     check_time_limit(program, scene, workdir)
     check_changed(program, scene, workdir)
     check_goals(program, scene, workdir)
+    check_large(program, scene, workdir)
     sys.exit(1 if faults else 0)
 
 

@@ -168,6 +168,17 @@ BOOST_AUTO_TEST_CASE(tangent_is_the_derivative_of_the_forces)
 
 
 
+BOOST_AUTO_TEST_CASE(heat_is_of_the_energy)
+{
+  const auto fields    = beam<GreenBeam>(2);
+  const auto hexahedra = solid<GreenSolid>();
+  for (Body *body : {static_cast<Body *>(fields.get()),
+                     static_cast<Body *>(hexahedra.get())})
+    check_heat(*body, random_vector(body->n_dofs(), 0.2, 1));
+}
+
+
+
 BOOST_AUTO_TEST_CASE(undeformed_it_is_the_linear_stiffness)
 {
   check_start(*beam<GreenBeam>(2), *beam<Beam>(2));

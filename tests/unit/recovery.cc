@@ -257,6 +257,28 @@ BOOST_AUTO_TEST_CASE(one_layer_fixes_one_degree_less_across_it)
 
 
 
+BOOST_AUTO_TEST_CASE(one_linear_layer_knows_bending)
+{
+  const StressField bending =
+    [](const Point<3> &x, unsigned int, unsigned int) {
+      return (1. + x[0]) * power(x[1], 3) * (1. + 5. * x[2]);
+    };
+  for (const unsigned int n_across : {1, 3})
+    {
+      const GivenStress body(make_section(rectangle(1., 0.1, {0.}, n_across, 1),
+                                          steel,
+                                          1),
+                             make_axis(2., 3, 3),
+                             bending);
+      BOOST_TEST(largest_error(body,
+                               grid(1., 2., 0.1),
+                               StressValues::recovered,
+                               bending) < 1e-12);
+    }
+}
+
+
+
 BOOST_AUTO_TEST_CASE(distorted_layers_do_not_amplify)
 {
   // Two Gauss points across a layer whose upper side is not quite parallel tell

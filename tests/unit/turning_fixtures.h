@@ -25,7 +25,9 @@ namespace lamella
     c.nu12 = 0.3;
     c.nu13 = 0.25;
     c.nu23 = 0.35;
-    return c;
+    Material material(c);
+    material.expansion = dealii::Tensor<1, 3>({0.1, 0.3, -0.2});
+    return material;
   }
 
   /// @p n numbers between -@p size and @p size, the same for a @p seed.
@@ -40,6 +42,50 @@ namespace lamella
     for (double &entry : v)
       entry = number(generator);
     return v;
+  }
+
+  /// What heat does to @p body in the state @p u is a derivative of its energy,
+  /// and has its own.
+  inline void
+  check_heat(Body &body, const Vector &u)
+  {
+    body.heat(
+      [](const dealii::Point<3> &x) { return 0.3 + 0.1 * x[1] - 0.2 * x[0]; });
+    constexpr double h       = 1e-5;
+    const auto       of_heat = [&](const Vector &at) {
+      Vector f(at.size());
+      body.add_heat_at(at, f);
+      return f;
+    };
+    for (const unsigned int seed : {3, 4, 5})
+      {
+        const Vector w    = random_vector(body.n_dofs(), 1., seed);
+        Vector       step = w;
+        step *= h;
+        const Vector ahead = body.updated(u, step);
+        step *= -1.;
+        const Vector back = body.updated(u, step);
+        Vector       f(u.size()), derivative(u.size());
+        body.add_internal_forces(u, f);
+        f -= of_heat(u);
+        const double work = f * w;
+        BOOST_TEST(std::abs((body.deformation(ahead).energy -
+                             body.deformation(back).energy) /
+                              (2. * h) -
+                            work) < 1e-7 * std::abs(work));
+        const double second =
+          (of_heat(ahead) * w - of_heat(back) * w) / (2. * h);
+        body.for_each_block_of_heat(u, [&](const StiffnessBlock &block) {
+          block.add_product(w, derivative);
+        });
+        BOOST_TEST(std::abs(derivative * w - second) < 1e-7 * std::abs(second));
+      }
+    Vector rest(u.size()), start(u.size());
+    body.add_heat(start);
+    const double size = start.l2_norm();
+    start -= of_heat(rest);
+    BOOST_TEST(size > 0.);
+    BOOST_TEST(start.l2_norm() < 1e-12 * size);
   }
 } // namespace lamella
 

@@ -249,6 +249,14 @@ BOOST_AUTO_TEST_CASE(forces_and_tangent_follow_from_the_energy)
 
 
 
+BOOST_AUTO_TEST_CASE(heat_is_of_the_energy)
+{
+  const auto body = coupled();
+  check_heat(*body, some_state(*body));
+}
+
+
+
 BOOST_AUTO_TEST_CASE(small_states_are_those_of_the_linear_beam)
 {
   // Curvatures and a twist that are constant: what three Gauss points of B4

@@ -326,6 +326,20 @@ namespace lamella
               const AxisPoint    &on_axis,
               const Vector       &u) const;
 
+    /// The law of the section cell @p cell at the section's point @p at, with
+    /// the initial strain of heat at @p x, which is that point in the scene.
+    ElasticLaw
+    law_at(const unsigned int      cell,
+           const dealii::Point<2> &at,
+           const dealii::Point<3> &x) const;
+
+    /// What the stress C epsilon_0 of heat does in each of some groups of
+    /// stations of the axis, each given by y, on the fields of the section,
+    /// with its energy epsilon_0 . C epsilon_0 / 2. The section's points are
+    /// looked at once.
+    std::vector<SectionForces>
+    forces_of_heat(const std::vector<std::vector<double>> &stations) const;
+
   private:
     friend class BeamSecondOrder;
 
@@ -387,12 +401,6 @@ namespace lamella
                 const AxisPoint    &on_axis,
                 const Vector       &u) const;
 
-    /// The law of the section cell @p cell at the section's point @p at, with
-    /// the initial strain of heat at @p x, which is that point in the scene.
-    ElasticLaw
-    law_at(const unsigned int      cell,
-           const dealii::Point<2> &at,
-           const dealii::Point<3> &x) const;
     /// alpha of the ply of @p point there.
     Voigt
     expansion_at(const SectionPoint &point) const;
@@ -405,14 +413,8 @@ namespace lamella
                  const SectionPoint     &point,
                  const dealii::Point<3> &x) const;
 
-    /// What the stress C epsilon_0 of heat does in each of some groups of
-    /// stations of the axis, each given by y, on the fields of the section,
-    /// with its energy epsilon_0 . C epsilon_0 / 2. The section's points are
-    /// looked at once.
-    std::vector<SectionForces>
-    forces_of_heat(const std::vector<std::vector<double>> &stations) const;
-
-    /// The same at the integration points of each of Axis::own_cells().
+    /// forces_of_heat() at the integration points of each of
+    /// Axis::own_cells().
     std::vector<SectionForces>
     forces_of_heat() const;
 

@@ -233,9 +233,9 @@ namespace lamella
   struct Deformation
   {
     /// integral epsilon . C epsilon / 2 dV (force times length): the strain
-    /// energy where no heat strains the body, and by Clapeyron's theorem half
-    /// the work of all forces on it, those of heat (Body::add_heat()) among
-    /// them.
+    /// energy where no heat strains the body, and half the work of all forces
+    /// on it, those of heat (Body::add_heat()) among them (Clapeyron). Of a
+    /// body that turns less integral epsilon . C epsilon_0 dV.
     double energy = 0.;
     /// The largest |curl u| / 2 at the integration points, in rad. The theory
     /// is that of small rotations; solve/checks.h warns or fails beyond them.
@@ -521,6 +521,18 @@ namespace lamella
     virtual double
     add_heat(Vector &f) const;
 
+    /// Of a body that turns by any angle, what heat does in the state @p u,
+    /// f += integral (dE/du)^T C epsilon_0 dV, that of add_heat() at rest; and
+    /// blocks that sum to its derivative, symmetric (along geodesics, of
+    /// rotations). Here the derivative is constant, as that of Green's strain
+    /// is, and none.
+    virtual void
+    add_heat_at(const Vector &u, Vector &f) const;
+    virtual void
+    for_each_block_of_heat(
+      const Vector                                      &u,
+      const std::function<void(const StiffnessBlock &)> &use) const;
+
     /// f += integral of rho g . u dV, g = @p acceleration in scene axes
     /// [length/s^2]. Throws InputError for a ply whose material has no density.
     /// Here by rows, as add_heat(). Collective.
@@ -573,6 +585,11 @@ namespace lamella
     rows(const std::vector<Location> &locations,
          const Quantity               quantity,
          const Frame                  frame = Frame::scene) const = 0;
+
+    /// R of the section at @p location in the state @p u, in scene axes: what
+    /// rows turn by. Here 1, as none do.
+    virtual dealii::Tensor<2, 3>
+    turn_at(const Location &location, const Vector &u) const;
 
     /// The displacements at @p locations in the state @p u [length], scene
     /// axes, and of a change of the state the rows that give theirs. Here

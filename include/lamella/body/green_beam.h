@@ -44,6 +44,10 @@ namespace lamella
     rigid_motions_at(const Vector &u) const override;
     Deformation
     deformation(const Vector &u) const override;
+    void
+    for_each_block_of_heat(
+      const Vector                                      &u,
+      const std::function<void(const StiffnessBlock &)> &use) const override;
 
   protected:
     /// Those of Green's strain.
@@ -76,14 +80,20 @@ namespace lamella
     double
     turn_along(const unsigned int cell, const Vector &u) const;
 
+    /// Its blocks of the axis element @p cell, one for each cell of the
+    /// section, without values; with zeros.
+    std::vector<StiffnessBlock>
+    empty_blocks(const unsigned int cell) const;
+    std::vector<StiffnessBlock>
+    zero_blocks(const unsigned int cell) const;
+
     /// The block of the axis element @p cell and the section's cell whose
     /// fields are @p on_section, without values.
     StiffnessBlock
     empty_block(const unsigned int               cell,
                 const std::vector<unsigned int> &on_section) const;
 
-    /// Gives @p blocks, one for each cell of the section, the values of the
-    /// axis element @p cell.
+    /// Adds the values of the axis element @p cell to its @p blocks.
     void
     add_values(const unsigned int           cell,
                const Vector                &u,

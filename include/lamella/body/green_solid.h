@@ -44,6 +44,10 @@ namespace lamella
     /// hexahedron, its turn that between its ends along the axis.
     Deformation
     deformation(const Vector &u) const override;
+    void
+    for_each_block_of_heat(
+      const Vector                                      &u,
+      const std::function<void(const StiffnessBlock &)> &use) const override;
 
   protected:
     FieldSample
@@ -68,13 +72,13 @@ namespace lamella
     double
     turn_along(const unsigned int cell, const Vector &u) const;
 
-    /// The values of the tangent of @p cell, whose integration points are
-    /// @p points, row by row.
+    /// int grad N_i . D . grad N_k dV over @p cell, row by row, where @p D
+    /// gives the derivative of the first stress at its integration points.
     std::vector<double>
-    tangent_of(const unsigned int                  cell,
-               const std::vector<HexahedronPoint> &points,
-               const Vector                       &u,
-               const Vector                       &correction) const;
+    tangent_of(
+      const unsigned int                                                  cell,
+      const std::function<dealii::Tensor<2, 9>(const HexahedronPoint &)> &D)
+      const;
   };
 } // namespace lamella
 

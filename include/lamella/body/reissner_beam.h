@@ -6,6 +6,7 @@
 #include <lamella/body/beam.h>
 #include <lamella/body/frame_strains.h>
 
+#include <algorithm>
 #include <memory>
 #include <vector>
 
@@ -86,6 +87,14 @@ namespace lamella
     add_internal_forces(const Vector &u, Vector &f) const override;
     Deformation
     deformation(const Vector &u) const override;
+    void
+    add_heat_at(const Vector &u, Vector &f) const override;
+    void
+    for_each_block_of_heat(
+      const Vector                                      &u,
+      const std::function<void(const StiffnessBlock &)> &use) const override;
+    dealii::Tensor<2, 3>
+    turn_at(const Location &location, const Vector &u) const override;
     std::vector<dealii::Tensor<1, 3>>
     displacements(const std::vector<Location> &locations,
                   const Vector                &u) const override;
@@ -114,10 +123,10 @@ namespace lamella
 
   private:
     /// What the sections of an element of the axis answer, D e, and to which
-    /// fields: m that are no rigid motions.
+    /// fields, of which m are no rigid motions.
     struct Law
     {
-      std::vector<unsigned int> warpings;
+      std::vector<unsigned int> fields, warpings;
       /// 6 + 2 m numbers squared, in the order of e.
       dealii::LAPACKFullMatrix<double> D;
     };
@@ -185,6 +194,24 @@ namespace lamella
     std::shared_ptr<Law>
     make_law(const SectionAnswer &answer) const;
 
+    /// How many of the section's fields, the first ones, are no warpings.
+    unsigned int
+    n_rigid() const
+    {
+      return std::min<unsigned int>(n_of_node, section().n_fields());
+    }
+
+    /// The stresses on e that the @p work on the fields @p list is, at station
+    /// @p k.
+    std::vector<double>
+    on_strains(const std::vector<unsigned int> &list,
+               const FieldParts                &work,
+               const unsigned int               k) const;
+
+    /// Of each station of the element @p cell the stresses on e of C epsilon_0.
+    std::vector<Vector>
+    heat_stresses(const unsigned int cell) const;
+
     /// The rotation vector of @p node in a state, or its spin in a change.
     dealii::Tensor<1, 3>
     rotation(const unsigned int node, const Vector &u) const;
@@ -218,11 +245,12 @@ namespace lamella
             const AxisPoint   &point,
             const unsigned int i);
 
-    /// Adds to the local forces @p f.
+    /// Adds what the stresses @p s on e do at @p station to the local forces
+    /// @p f.
     static void
     add_forces(const Station       &station,
-               const Law           &law,
                const Element       &element,
+               const Vector        &s,
                std::vector<double> &f);
 
     /// The stresses of Gamma and kappa that a @p change of the local numbers
@@ -234,14 +262,21 @@ namespace lamella
               const Element             &before,
               const std::vector<double> &change);
     /// Add to the local matrix @p K: all of a station with the stresses @p s of
-    /// Gamma and kappa; the products of r and spins with those of node @p j;
-    /// those with a warping. A node has @p n numbers.
+    /// Gamma and kappa; what these do alone, as r and spins turn e; the
+    /// products of r and spins with those of node @p j; those with a warping. A
+    /// node has
+    /// @p n numbers.
     static void
     add_frame_tangent(const Station                    &station,
                       const Law                        &law,
                       const Element                    &element,
                       const std::array<double, 6>      &s,
                       dealii::LAPACKFullMatrix<double> &K);
+    static void
+    add_stress_tangent(const Station                    &station,
+                       const Element                    &element,
+                       const std::array<double, 6>      &s,
+                       dealii::LAPACKFullMatrix<double> &K);
     /// What the second derivative of a unit quaternion @p q as spins go on adds
     /// to a spin, where the energy has the derivative @p by_q.
     static double
@@ -249,12 +284,9 @@ namespace lamella
     {
       return -(by_q * q) / 4.;
     }
-    /// That of the energy of Gamma and kappa by (Q, Q', r'), with these
-    /// stresses.
+    /// That of the energy of Gamma and kappa by (Q, Q', r') without stresses.
     static dealii::Tensor<2, 11>
-    second_derivative(const Law                   &law,
-                      const FrameStrains          &of,
-                      const std::array<double, 6> &s);
+    square_of_strains(const Law &law, const FrameStrains &of);
     static void
     add_rigid_tangent(const dealii::Tensor<2, 11>      &by_measures,
                       const std::vector<ByNode>        &by,

@@ -189,6 +189,14 @@ namespace lamella
     std::vector<double>
     relative_displacements(const unsigned int cell, const Vector &u) const;
 
+    /// law() with the initial strain of heat at @p unit, which is the point
+    /// @p x. Of degree 1 the temperature is that of the middle of the cell: one
+    /// that varies in it would strain its incompatible modes, too.
+    ElasticLaw
+    law_at(const unsigned int      cell,
+           const dealii::Point<3> &unit,
+           const dealii::Point<3> &x) const;
+
   private:
     friend class SolidSecondOrder;
 
@@ -211,14 +219,6 @@ namespace lamella
     /// law() as a function of the point, for @p cell's matrices.
     StiffnessAt
     stiffness_of(const unsigned int cell) const;
-
-    /// law() with the initial strain of heat at @p unit, which is the point
-    /// @p x. Of degree 1 the temperature is that of the middle of the cell: one
-    /// that varies in it would strain its incompatible modes, too.
-    ElasticLaw
-    law_at(const unsigned int      cell,
-           const dealii::Point<3> &unit,
-           const dealii::Point<3> &x) const;
 
     /// Adds @p share of what @p place has of the rows of a point.
     void

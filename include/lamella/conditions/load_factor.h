@@ -16,10 +16,15 @@ namespace lamella
    * scene (`Load factors`), and one for each of them that has a history of its
    * own (`Factors`),
    *   f(t) = t_0 f_0 + sum_k t_k f_k.
+   * Heat has one, too: it is all there in any step, and on the way of bodies
+   * that turn into the first one a part of it.
    */
   class LoadFactor
   {
   public:
+    /// The number of the history of heat.
+    static constexpr unsigned int heat = static_cast<unsigned int>(-1);
+
     /// The number is all there is in scenes where nothing has a history of its
     /// own.
     LoadFactor(const double scene = 0., std::vector<double> own = {})
@@ -40,6 +45,8 @@ namespace lamella
     {
       if (history == 0)
         return scene;
+      if (history == heat)
+        return of_heat;
       AssertIndexRange(history - 1, own.size());
       return own[history - 1];
     }
@@ -59,14 +66,34 @@ namespace lamella
       LoadFactor result(from.scene + way * (scene - from.scene), own);
       for (unsigned int k = 0; k < own.size(); ++k)
         result.own[k] = from.own[k] + way * (own[k] - from.own[k]);
+      result.of_heat = from.of_heat + way * (of_heat - from.of_heat);
       return result;
     }
 
-    /// Zero in all histories: nothing loads or moves the bodies.
+    /// Zero in all histories but that of heat: nothing loads or moves the
+    /// bodies.
     LoadFactor
     without_loads() const
     {
       return {0., std::vector<double>(own.size(), 0.)};
+    }
+
+    /// without_loads(), and cold.
+    LoadFactor
+    at_rest() const
+    {
+      LoadFactor result = without_loads();
+      result.of_heat    = 0.;
+      return result;
+    }
+
+    /// This, as warm as @p other.
+    LoadFactor
+    as_warm_as(const LoadFactor &other) const
+    {
+      LoadFactor result = *this;
+      result.of_heat    = other.of_heat;
+      return result;
     }
 
     template <class Archive>
@@ -77,7 +104,7 @@ namespace lamella
     }
 
   private:
-    double              scene;
+    double              scene, of_heat = 1.;
     std::vector<double> own;
   };
 } // namespace lamella

@@ -44,11 +44,30 @@ namespace lamella
     std::vector<FreeMotion> motions = {};
   };
 
+  /// A surface that is moved as a whole, the rigid motion
+  ///   u(X) = s d + (R(s theta) - 1) (X - c)
+  /// at load factor s, R the rotation by |theta| about theta.
+  struct RigidTurn
+  {
+    /// d [length] and theta [rad], scene axes.
+    dealii::Tensor<1, 3> translation, rotation;
+    dealii::Point<3>     about;
+
+    /// u(@p X).
+    dealii::Tensor<1, 3>
+    displacement(const double s, const dealii::Point<3> &X) const;
+    /// Its derivative, d + theta x R(s theta) (X - c).
+    dealii::Tensor<1, 3>
+    rate(const double s, const dealii::Point<3> &X) const;
+  };
+
   /// Prescribed displacements, imposed exactly.
   ///
   ///   u_c(X) = s d_c for all X of its regions, or n(X) . u(X) = s d,
   ///
-  /// with the load factor s of its history. Dirichlet conditions, eliminated
+  /// with the load factor s of its history, or those of a RigidTurn; bodies of
+  /// small rotations take s (d + theta x (X - c)). Dirichlet conditions,
+  /// eliminated
   /// from the unknowns (RowReduction); there is no penalty and no multiplier in
   /// the system. Either u or normal counts.
   struct Support
@@ -63,6 +82,10 @@ namespace lamella
     /// On surfaces, n . u with the outward normal n: 0 is symmetry, whichever
     /// way the body is turned. Positive outwards [length].
     std::optional<double> normal = std::nullopt;
+    /// theta of a RigidTurn, which then has u for d [rad].
+    std::optional<dealii::Tensor<1, 3>> rotation = std::nullopt;
+    /// Its c; the middle of the box around all that is held without.
+    std::optional<dealii::Point<3>> about = std::nullopt;
     /// Of a hold, which has no regions and no values.
     std::optional<Hold> hold = std::nullopt;
     /// Of its load factors (LoadFactor::of()).
@@ -76,7 +99,7 @@ namespace lamella
   {
     /// Compressed, with no constant part and no entries that are rounding.
     BodyRow row;
-    /// At load factor 1 [length].
+    /// At load factor 1, of small rotations [length].
     double value = 0.;
     /// Its number in the list of supports.
     unsigned int support = 0;
@@ -91,10 +114,30 @@ namespace lamella
     /// That of its support.
     unsigned int history = 0;
     /// The same place in its body; none of a hold, and none on an end of a
-    /// body: what is held there are the numbers of its section, whatever its
-    /// state.
+    /// body that does not turn: what is held there are the numbers of its
+    /// section, whatever its state.
     std::optional<Location> location = {};
+    /// Where its support turns the place.
+    std::optional<RigidTurn> turn = {};
+
+    /// What a body that turns by any angle is to have it measure at load factor
+    /// @p s [length].
+    double
+    value_at(const double s) const
+    {
+      return turn ? direction * turn->displacement(s, position) : s * value;
+    }
+    /// The derivative of what its place does along its direction.
+    double
+    rate_at(const double s) const
+    {
+      return turn ? direction * turn->rate(s, position) : value;
+    }
   };
+
+  /// The turn of @p support, which has one, of places on @p bodies.
+  RigidTurn
+  rigid_turn(const Support &support, const Bodies &bodies);
 
   /// The unit vector along the scene's axis @p c, 0, 1 or 2 for x, y, z.
   dealii::Tensor<1, 3>
@@ -114,9 +157,11 @@ namespace lamella
 
   /// The row @p prescribed of @p body where @p u has moved it, a functional of
   /// changes of that state (Body::rows_at()), and what it measures there. One
-  /// without a location stays as it is.
-  std::pair<Row, double>
-  row_at(const PrescribedRow &prescribed, const Body &body, const Vector &u);
+  /// without a location stays as it is; one of a turn measures along a
+  /// direction that turns with the section, so that rows which are independent
+  /// at rest stay so.
+  std::pair<PrescribedRow, double>
+  row_at(PrescribedRow prescribed, const Body &body, const Vector &u);
 
   /**
    * The rigid motions of @p body, number @p index, that @p rows leave free;

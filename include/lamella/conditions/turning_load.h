@@ -85,6 +85,10 @@ namespace lamella
   std::unique_ptr<TurningLoad>
   turning_load(const Load &load, const Region &region, const Body &body);
 
+  /// What heat does to @p body (Body::add_heat_at()).
+  std::unique_ptr<TurningLoad>
+  turning_heat(const Body &body);
+
   /// The weight of @p body under @p acceleration, likewise.
   std::unique_ptr<TurningLoad>
   turning_weight(const dealii::Tensor<1, 3> &acceleration, const Body &body);

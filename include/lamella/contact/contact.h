@@ -110,6 +110,16 @@ namespace lamella
       return interface.rows;
     }
 
+    /// f += B^T lambda with the rows that move() would leave in the state @p u
+    /// at @p factor, and their forces @p lambda; rows and points stay where
+    /// they are. What rows without a force would be is not looked at. Whether
+    /// all others have a foot.
+    bool
+    add_forces_at(const BlockVector                     &u,
+                  const LoadFactor                      &factor,
+                  const dealii::ArrayView<const double> &lambda,
+                  BlockVector                           &f) const;
+
     /**
      * For each row the two rows of its slip at the state of the last move(),
      *   s_a = sum_k t_a . P_k . (v_2(X_k) - v_1(X_k)),
@@ -160,6 +170,21 @@ namespace lamella
     integrate(const ContactSides    &sides,
               const Feet             feet,
               std::vector<GapPoint> &on) const;
+    /// f += what @p forces on trace nodes of the carrying and of the opposing
+    /// surface do where @p at has them.
+    void
+    add_forces_of_nodes(
+      const ContactSides                                                &at,
+      const std::array<std::map<unsigned int, dealii::Tensor<1, 3>>, 2> &forces,
+      BlockVector &f) const;
+    /// How feet are found in a state.
+    Feet
+    feet() const
+    {
+      return interface.discretisation == Discretisation::node_to_node ?
+               Feet::kept :
+               Feet::found;
+    }
     /// Those of the rows; null where one point is a row.
     const CarryingSurface *
     functions() const;

@@ -85,6 +85,10 @@ namespace lamella
     trace_places(const bool second) const;
     const std::vector<std::vector<Row>> &
     trace_rows(const bool second) const;
+    /// Those of the nodes @p numbers alone.
+    std::vector<std::vector<Row>>
+    trace_rows(const bool                       second,
+               const std::vector<unsigned int> &numbers) const;
 
   private:
     const Region &

@@ -67,7 +67,9 @@ namespace lamella
    *   same elements, as on a surface, takes the polynomial of the latter that
    *   shares most of its elements.
    * - A ply of one element through its thickness fixes degree p - 1 there:
-   *   values are extrapolated from the reduced Gauss points.
+   *   values are extrapolated from the reduced Gauss points. Where p = 1 these
+   *   would be the middle alone, which knows no bending: two points are taken,
+   *   along any coordinate with one element, and what the element locks by.
    * - A corner on the edge of a larger element takes what that one has there.
    * - Where degrees differ from element to element (nodes of LE-1 beside LE-2)
    *   each has its own Gauss points, and a patch the least degree of its
@@ -160,6 +162,13 @@ namespace lamella
     /// their mean where several do.
     Source
     best_fits(const unsigned int ply, const Place &node);
+
+    /// Whether @p element, linear along its coordinate @p d, has no neighbour
+    /// there in its ply.
+    bool
+    is_one_linear_layer(const unsigned int ply,
+                        Place              element,
+                        const unsigned int d);
 
     /// The values at the reduced Gauss points of @p elements: as many a
     /// coordinate as its degree, the superconvergent points.

@@ -14,12 +14,16 @@ namespace lamella
    *
    * Throws InputError for what large rotations are not made for, entry by
    * entry: theories that cannot deform as a turned one does, axes that lock,
-   * solid-1, node-dependent theories, Stabilisation and Hold, Temperature,
-   * friction, pairs of nodes, the full strategy, Find, error bars and
-   * tolerances, stresses by equilibrium, several processes.
+   * solid-1, node-dependent theories, Stabilisation and Hold, friction, pairs
+   * of nodes, the full strategy, error bars and tolerances, stresses by
+   * equilibrium, several processes.
    */
   Scene
   turning(Scene scene);
+
+  /// Whether bodies of @p theory turn by any angle.
+  bool
+  can_turn(const Theory &theory);
 
   /// Whether @p scene has what is of large rotations alone: loads that follow.
   bool

@@ -52,6 +52,11 @@ namespace lamella
   dealii::Tensor<2, 9>
   green_tangent(const Gradient &H, const Gradient &dH, const ElasticLaw &law);
 
+  /// S_ij delta_cd of the second stress @p second, in the same order: what a
+  /// stress that does not change adds where H does.
+  dealii::Tensor<2, 9>
+  stress_tangent(const Voigt &second);
+
   /// The numbers of green_strain() as a tensor, E_ij.
   dealii::SymmetricTensor<2, 3>
   strain_tensor(const Voigt &strain);

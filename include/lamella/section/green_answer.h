@@ -62,11 +62,22 @@ namespace lamella
                   const unsigned int                              k,
                   const std::function<void(const CellTangent &)> &use) const;
 
+    /// Calls @p use with what a stress that does not change adds to the tangent
+    /// of each cell, int S_ij (dH_i/dq)^T dH_j/dq dA, where @p stress gives S
+    /// at a point of a cell.
+    void
+    for_each_cell_of_stress(
+      const std::function<Voigt(const unsigned int, const dealii::Point<2> &)>
+                                                     &stress,
+      const std::function<void(const CellTangent &)> &use) const;
+
   private:
     struct Point
     {
-      double     weight;
-      ElasticLaw law;
+      double           weight;
+      ElasticLaw       law;
+      unsigned int     cell;
+      dealii::Point<2> position;
     };
     /// Points that have the same fields, with the matrix G of H at them, nine
     /// rows each, H_x, H_y, H_z: of a unit of the value of each field and then
@@ -77,6 +88,12 @@ namespace lamella
       std::vector<Point>               points;
       dealii::LAPACKFullMatrix<double> G;
     };
+
+    /// int (dH/dq)^T D dH/dq dA over @p cell, D of its points.
+    static CellTangent
+    tangent_of(
+      const Cell                                                    &cell,
+      const std::function<dealii::Tensor<2, 9>(const unsigned int)> &D);
 
     /// H at the points of @p cell at station @p k of @p q.
     std::vector<Gradient>

@@ -39,8 +39,14 @@ namespace lamella
           const bool        last = true) override;
 
   private:
-    const Structure       &structure;
-    Newton                 newton;
+    /// Where the path from @p before, at @p from, to @p to begins.
+    Equilibrium
+    start_at(const State &before, const LoadFactor &from, const LoadFactor &to);
+
+    const Structure &structure;
+    Newton           newton;
+    /// The displacements of the last state, which the rows are of.
+    BlockVector            reached;
     const unsigned int     n_supports;
     const SolveParameters &parameters;
     dealii::TimerOutput   &timer;

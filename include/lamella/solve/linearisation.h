@@ -84,8 +84,9 @@ namespace lamella
     condense(BlockVector &r) const;
 
     /// What supports move bodies by from load factor @p from, that of the
-    /// state, to @p to. Where rows turn it is what takes the state to where the
-    /// supports are then, to the first order.
+    /// state, to @p to. Where rows turn, or supports do (RigidTurn), it is what
+    /// takes the state to where the supports are then, to the first order: what
+    /// is of second order compresses a beam that has not bent yet.
     BlockVector
     way_to_supports(const LoadFactor &from, const LoadFactor &to) const;
 

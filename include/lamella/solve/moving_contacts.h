@@ -77,6 +77,14 @@ namespace lamella
     void
     add_forces(const State &state, BlockVector &f) const;
 
+    /// The same with the rows that bear the forces of @p state where @p u is
+    /// and not it; rows stay. Whether all of them face something there.
+    bool
+    add_forces_at(const State       &state,
+                  const BlockVector &u,
+                  const LoadFactor  &factor,
+                  BlockVector       &f) const;
+
     /// The largest |g + a lambda| of an active row of @p state and -g of any
     /// other at @p factor, a length; rows are those of the state.
     double
@@ -91,7 +99,16 @@ namespace lamella
     bool
     see_what_touches(State &state, const LoadFactor &factor);
 
+    /// Pairs all contacts anew in @p state, at @p factor, which rows were not
+    /// of: it is left without contact forces. Throws as see_what_touches().
+    void
+    pair(State &state, const LoadFactor &factor);
+
   private:
+    /// Pairs contact @p c anew.
+    void
+    pair(const unsigned int c, const State &state, const LoadFactor &factor);
+
     const std::vector<ContactInterface> &all;
     const Contacts                      &lives;
     GapRows                              numbered;

@@ -35,12 +35,20 @@ namespace lamella
     /// surfaces can follow it is less than their forces are known to: below
     /// `floor` of the displacement they end as forces do.
     double law = arithmetic::negligible, touching = arithmetic::rounding;
+    /// How rows turn (Newton::turn_of_rows()) is found from a way of
+    /// `difference` of the size of the scene. It is followed until this share
+    /// of a correction is left, in at most so many back substitutions.
+    double       difference = arithmetic::alike, follows = 1e-3;
+    unsigned int max_follows = 20;
     /// How often contacts pair anew in a step.
     unsigned int max_pairings = 3;
     /// The largest spin of an iteration [rad]: a longer change is shortened.
     double spin = 1.;
     /// How often a step is halved.
     unsigned int max_cuts = 6;
+    /// How far supports turn at most in a step [rad]: a place knows nothing of
+    /// how often it has been round.
+    double turn = 2.;
   };
 
   /// A state that bodies which turn are in equilibrium in, with what presses
@@ -59,8 +67,8 @@ namespace lamella
   };
 
   /**
-   * Newton's method for structures whose internal forces are not linear, cold
-   * and without stabilising springs,
+   * Newton's method for structures whose internal forces are not linear,
+   * without stabilising springs,
    *   f_int(u) = f(t) + B(u)^T lambda,   u = G v + u_p(t),
    * with the contact law of the gaps g(u, t) >= 0 of surfaces that have moved,
    * B their gradient, from one load factor to the next.
@@ -94,8 +102,7 @@ namespace lamella
     /// Takes a line of text.
     using Progress = std::function<void(const std::string &)>;
 
-    /// Without contact. Throws InputError if @p structure is heated or has
-    /// springs.
+    /// Without contact. Throws InputError if @p structure has springs.
     explicit Newton(const Structure        &structure,
                     const SolverKind        asked      = SolverKind::automatic,
                     const NewtonParameters &parameters = NewtonParameters());
@@ -114,6 +121,11 @@ namespace lamella
     /// The state without loads, of a path to @p factor.
     Equilibrium
     at_rest(const LoadFactor &factor = 1.) const;
+
+    /// @p state at load factor @p factor, where the path has been before:
+    /// contacts are paired anew there, and what they press is found again.
+    Equilibrium
+    back_at(State state, const LoadFactor &factor);
 
     /// That at load factor @p to, on from @p start, whose rows are those that
     /// the contacts have now. Throws NumericsError with the last factor that
@@ -140,6 +152,10 @@ namespace lamella
     Beginning
     beginning(const LoadFactor &to, const Equilibrium &at) const;
 
+    /// The largest angle by which a support turns what it holds on the way.
+    double
+    largest_turn(const LoadFactor &from, const LoadFactor &to) const;
+
     /// One step, with the stress that corrections predict or without; whether
     /// it ended. Counts its iterations in @p at.
     bool
@@ -160,10 +176,31 @@ namespace lamella
             const LoadFactor  &to,
             State             &state) const;
 
-    /// Presses the gaps of @p state at @p to about it: its forces and active
-    /// rows, and what that moves bodies by, which is returned.
+    /// Presses the gaps of @p state at @p to by the @p strategy: its forces and
+    /// active rows, and what that moves bodies by, which is returned.
     BlockVector
-    press(const Linearisation &about, const LoadFactor &to, State &state) const;
+    press(ContactStrategy &strategy, const LoadFactor &to, State &state) const;
+
+    /// What the correction @p du of the state @p u becomes where rows turn as
+    /// bodies move: with H = sum lambda Hess g of the forces of @p state, which
+    /// come along,
+    ///   K du - B^T dlambda = r + H du,
+    /// for the rows that are active, by GMRES; @p du itself where that does not
+    /// end.
+    BlockVector
+    follow_rows(ContactStrategy   &strategy,
+                const BlockVector &u,
+                const BlockVector &du,
+                const LoadFactor  &to,
+                State             &state) const;
+
+    /// H @p w about the state @p u, by central differences of B^T lambda; zero
+    /// where a row is lost on the way.
+    BlockVector
+    turn_of_rows(const State       &state,
+                 const BlockVector &u,
+                 const BlockVector &w,
+                 const LoadFactor  &to) const;
 
     /// The largest displacement that the numbers of @p u make, of bodies whose
     /// rows turn by the sizes of their DoFs: warpings are no lengths.

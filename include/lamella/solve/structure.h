@@ -15,6 +15,7 @@
 #include <lamella/conditions/support.h>
 #include <lamella/conditions/turning_load.h>
 
+#include <algorithm>
 #include <memory>
 #include <numeric>
 #include <string>
@@ -90,6 +91,15 @@ namespace lamella
       return rows;
     }
 
+    /// Whether a support turns places of @p body.
+    bool
+    is_turned(const unsigned int body) const
+    {
+      return std::any_of(rows.begin(), rows.end(), [&](const auto &row) {
+        return row.row.body == body && row.turn;
+      });
+    }
+
     /// The stabilising springs of @p body, one for each rigid motion that its
     /// supports leave free; none without a Stabilisation.
     const std::vector<Spring> &
@@ -157,7 +167,8 @@ namespace lamella
       const std::function<void(const StiffnessBlock &)> &use) const;
 
     /// The load vector f_0 of heat (Body::add_heat()), which no load factor
-    /// multiplies; zero where nothing is heated.
+    /// multiplies; zero where nothing is heated, and of bodies that turn, where
+    /// load() has it.
     const BlockVector &
     heat_load() const
     {
@@ -210,7 +221,8 @@ namespace lamella
     zero() const;
 
     /// u_p(t) at load factor t = @p factor: the values that supports prescribe,
-    /// and zero in the free DoFs.
+    /// and zero in the free DoFs. Of small rotations:
+    /// Linearisation::way_to_supports() has those of bodies that turn.
     BlockVector
     particular(const LoadFactor &factor) const;
 
@@ -270,6 +282,14 @@ namespace lamella
     take(const Load &load);
     void
     take_weight(const dealii::Tensor<1, 3> &gravity);
+    /// What heat does to bodies, which know their temperatures.
+    void
+    take_heat();
+
+    /// Throws InputError, with the @p names of supports, where one turns places
+    /// by any angle that another holds elsewhere.
+    void
+    check_turns(const std::vector<std::string> &names) const;
 
     /// Throws InputError for the first body with a rigid motion that supports
     /// leave free and no stabilisation holds.
