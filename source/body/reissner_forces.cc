@@ -117,11 +117,12 @@ namespace lamella
   {
     for (unsigned int cell = 0; cell < axis().n_cells() && is_heated(); ++cell)
       {
+        const Element               at      = element(cell, u);
         const std::vector<LocalDof> numbers = local_dofs(cell);
         const std::vector<Vector>   s       = heat_stresses(cell);
         std::vector<double>         local(numbers.size(), 0.);
         for (unsigned int k = 0; k < s.size(); ++k)
-          add_forces(stations[cell][k], element(cell, u), s[k], local);
+          add_forces(stations[cell][k], at, s[k], local);
         add_local(numbers, local, f);
       }
   }
@@ -135,16 +136,22 @@ namespace lamella
   {
     for (unsigned int cell = 0; cell < axis().n_cells() && is_heated(); ++cell)
       {
+        const Element               at      = element(cell, u);
         const std::vector<LocalDof> numbers = local_dofs(cell);
         const std::vector<Vector>   s       = heat_stresses(cell);
         LAPACKFullMatrix<double>    K(numbers.size(), numbers.size());
         for (unsigned int k = 0; k < s.size(); ++k)
           {
+            const Station                &station = stations[cell][k];
+            const Frame                   frame   = frame_at(station.point, at);
             std::array<double, n_strains> of_frame{};
             std::copy_n(s[k].begin(), n_strains, of_frame.begin());
-            add_stress_tangent(stations[cell][k],
-                               element(cell, u),
+            add_stress_tangent(station,
+                               at,
+                               frame_strains(frame.Q, frame.dQ, frame.dr),
+                               by_nodes(station, at),
                                of_frame,
+                               Tensor<2, 11>(),
                                K);
           }
         use(block_of(numbers, K));
@@ -197,18 +204,12 @@ namespace lamella
                                   const std::array<double, 6> &s,
                                   LAPACKFullMatrix<double>    &K)
   {
-    const Frame        frame = frame_at(station.point, element);
-    const FrameStrains of    = frame_strains(frame.Q, frame.dQ, frame.dr);
-    const unsigned int m = law.warpings.size(), n = n_of_node + m,
-                       n_nodes = element.q.size();
-    std::vector<ByNode> by;
-    for (unsigned int i = 0; i < n_nodes; ++i)
-      by.push_back(by_node(element, station.point, i));
-    const Tensor<2, 11> by_measures =
-      station.weight * square_of_strains(law, of);
-    for (unsigned int j = 0; j < n_nodes; ++j)
-      add_rigid_tangent(by_measures, by, j, n, K);
-    add_stress_tangent(station, element, s, K);
+    const Frame               frame = frame_at(station.point, element);
+    const FrameStrains        of = frame_strains(frame.Q, frame.dQ, frame.dr);
+    const unsigned int        m = law.warpings.size(), n = n_of_node + m;
+    const std::vector<ByNode> by = by_nodes(station, element);
+    add_stress_tangent(
+      station, element, of, by, s, square_of_strains(law, of), K);
     for (unsigned int a = 0; a < 2 * m; ++a)
       {
         Tensor<1, 11> coupled;
@@ -221,29 +222,37 @@ namespace lamella
 
 
 
+  std::vector<ReissnerBeam::ByNode>
+  ReissnerBeam::by_nodes(const Station &station, const Element &element)
+  {
+    std::vector<ByNode> by;
+    for (unsigned int i = 0; i < element.q.size(); ++i)
+      by.push_back(by_node(element, station.point, i));
+    return by;
+  }
+
+
+
   void
   ReissnerBeam::add_stress_tangent(const Station               &station,
                                    const Element               &element,
+                                   const FrameStrains          &of,
+                                   const std::vector<ByNode>   &by,
                                    const std::array<double, 6> &s,
+                                   Tensor<2, 11>                by_measures,
                                    LAPACKFullMatrix<double>    &K)
   {
-    const Frame        frame   = frame_at(station.point, element);
-    const FrameStrains of      = frame_strains(frame.Q, frame.dQ, frame.dr);
-    const unsigned int n       = n_of_node + element.a.front().size(),
-                       n_nodes = element.q.size();
-    std::vector<ByNode> by;
-    for (unsigned int i = 0; i < n_nodes; ++i)
-      by.push_back(by_node(element, station.point, i));
-    Tensor<2, 11> turned;
-    Tensor<1, 11> stress;
+    const unsigned int n = n_of_node + element.a.front().size();
+    Tensor<1, 11>      stress;
     for (unsigned int c = 0; c < n_strains; ++c)
       {
-        turned += station.weight * s[c] * of.second[c];
+        by_measures += s[c] * of.second[c];
         stress += station.weight * s[c] * of.first[c];
       }
-    for (unsigned int j = 0; j < n_nodes; ++j)
+    by_measures *= station.weight;
+    for (unsigned int j = 0; j < by.size(); ++j)
       {
-        add_rigid_tangent(turned, by, j, n, K);
+        add_rigid_tangent(by_measures, by, j, n, K);
         Quaternion by_q;
         for (unsigned int a = 0; a < 4; ++a)
           by_q[a] = station.point.N[j] * stress[a] +

@@ -179,12 +179,14 @@ namespace lamella
   void
   Structure::check_turns(const std::vector<std::string> &names) const
   {
-    std::vector<PrescribedRow> whole = rows;
-    for (PrescribedRow &row : whole)
-      row.value = row.value_at(1.);
     for (unsigned int b = 0; b < all_bodies.size(); ++b)
       if (is_turned(b) && all_bodies[b]->turns() && !all_bodies[b]->rows_turn())
-        RowReduction(*all_bodies[b], b, whole, names);
+        {
+          std::vector<PrescribedRow> whole = rows;
+          for (PrescribedRow &row : whole)
+            row.value = row.value_at(1.);
+          RowReduction(*all_bodies[b], b, whole, names);
+        }
   }
 
 

@@ -262,10 +262,10 @@ namespace lamella
               const Element             &before,
               const std::vector<double> &change);
     /// Add to the local matrix @p K: all of a station with the stresses @p s of
-    /// Gamma and kappa; what these do alone, as r and spins turn e; the
+    /// Gamma and kappa; what these do as r and spins turn e, on top of the
+    /// second derivative @p by_measures of the energy by (Q, Q', r'); the
     /// products of r and spins with those of node @p j; those with a warping. A
-    /// node has
-    /// @p n numbers.
+    /// node has @p n numbers.
     static void
     add_frame_tangent(const Station                    &station,
                       const Law                        &law,
@@ -275,8 +275,14 @@ namespace lamella
     static void
     add_stress_tangent(const Station                    &station,
                        const Element                    &element,
+                       const FrameStrains               &of,
+                       const std::vector<ByNode>        &by,
                        const std::array<double, 6>      &s,
+                       dealii::Tensor<2, 11>             by_measures,
                        dealii::LAPACKFullMatrix<double> &K);
+    /// by_node() of all nodes at @p station.
+    static std::vector<ByNode>
+    by_nodes(const Station &station, const Element &element);
     /// What the second derivative of a unit quaternion @p q as spins go on adds
     /// to a spin, where the energy has the derivative @p by_q.
     static double
