@@ -4,6 +4,8 @@
 
 import math
 import statistics
+import subprocess
+import tempfile
 
 import numpy as np
 import peers
@@ -13,6 +15,7 @@ from measure_tolerances import Timed
 from measure_tools import ROOT, table
 
 PUNCH = ROOT / "tests/scenes/friction_punch.prm"
+CATTANEO = ROOT / "tests/scenes/friction_cattaneo.prm"
 CROSSED = ROOT / "tests/scenes/friction_crossed.prm"
 RUBBED = ROOT / "tests/calculix/rubbed.prm"
 # Of all of them.
@@ -92,6 +95,42 @@ def punch():
     table(["mu", "Spence, uncoupled", "boundary elements, to h = 0", "run"], rows)
 
 
+def cattaneo():
+    """doc/friction.md: round bodies pressed and pushed to and fro, beside Cattaneo's shear."""
+    e_star, radius, friction = 200. / (1. - POISSON ** 2) / 2., 4., 0.4
+    lines = []
+    for fine in (1, 2, 4):
+        with tempfile.TemporaryDirectory() as folder:
+            mesh = f"{folder}/half.msh"
+            subprocess.run(["gmsh", "-2", "-setnumber", "fine", str(fine), CATTANEO.with_suffix(".geo"),
+                            "-o", mesh, "-format", "msh41"], check=True, capture_output=True)
+            run = BarRun(CATTANEO, [f"Section half/File={mesh}"])
+        rows = {step: [row for row in run.tables["contact_nip.csv"] if row["step"] == str(step)]
+                for step in (2, 4)}
+        x, area, shear, force, lost = (
+            np.array([float(row[column]) for row in rows[2]])
+            for column in ("x", "area", "shear_x", "force", "dissipated"))
+        a = math.sqrt(4. * force.sum() * radius / math.pi / e_star)
+        left = 1. - shear.sum() / friction / force.sum()
+        c = a * math.sqrt(left)
+
+        def root(half, x=x, a=a, force=force):
+            return (friction * 2. * force.sum() / math.pi / a ** 2
+                    * np.sqrt(np.maximum(0., half ** 2 - x ** 2)))
+
+        exact, found = root(a) - root(c), np.where(area > 0., shear / np.where(area > 0., area, 1.), 0.)
+        off = math.sqrt((area * (found - exact) ** 2).sum() / (area * exact ** 2).sum())
+        stuck = max(float(row["x"]) for row in rows[2] if row["state"] == "stick")
+        cycle = ((friction * force.sum()) ** 2 / math.pi / e_star
+                 * (4. * left * math.log(left) + 2. * (1. - left ** 2)))
+        after = sum(float(row["dissipated"]) * float(row["area"]) for row in rows[4])
+        lines.append([f"{0.02 / 13. / fine:.6f}", f"{1. - left:.4f}", f"{c:.5f}", f"{stuck:.5f}",
+                      f"{100. * off:.2f} %", f"{(after - (lost * area).sum()) / cycle:.4f}",
+                      run.summary["dofs"], f"{run.wall:.0f}"])
+    table(["nodes apart", "Q / (mu P)", "c, Cattaneo", "sticks to", "shear, L2",
+           "energy of a cycle over the closed form", "DoFs", "s"], lines)
+
+
 def mindlin(rows, force, pushed, friction=0.4, radius=8., young=200.):
     """Stick radius, tractions and energy of a cycle of spheres (Mindlin 1949, Mindlin and
     Deresiewicz 1953), with those of the @p rows of a contact pushed by the force @p pushed."""
@@ -123,9 +162,10 @@ def mindlin(rows, force, pushed, friction=0.4, radius=8., young=200.):
 def crossed_cylinders():
     """doc/friction.md: crossed cylinders as solids, a cycle beside Mindlin's closed forms."""
     lines = []
-    ball = "0, 0, 8: 1.5: 1 | 0, 0, 8: 1: 1 | "
-    for name, balls in (("h / a = 0.10", "0, 0, 8: 0.6: 1"),
-                        ("h / a = 0.05", "0, 0, 8: 0.7: 1 | 0, 0, 8: 0.5: 1")):
+    ball = "0, 0, 8: 1.5: 1 | 0, 0, 8: 1: 1 | 0, 0, 8: 0.6: 1 | "
+    for name, balls in (("h / a = 0.10", "0, 0, 8: 0.3: 1 | 0, 0, 8: 0.15: 1"),
+                        ("h / a = 0.05", "0, 0, 8: 0.35: 1 | 0, 0, 8: 0.175: 1 | "
+                                         "0, 0, 8: 0.125: 1")):
         run = BarRun(CROSSED, [f"Body {body}/Kinematics/Refine near={ball}{balls}"
                                for body in ("upper", "lower")])
         rows = run.tables["contact_nip.csv"]

@@ -77,12 +77,12 @@ namespace lamella
 
 
   void
-  FirstFailureSearch::attempt(const double factor)
+  FirstFailureSearch::attempt(const double factor, const unsigned int leg)
   {
     try
       {
         std::vector<PlyReserve> plies;
-        result.trials.push_back(try_load(factor, plies));
+        result.trials.push_back(try_load(factor, leg, plies));
         judge(factor, plies);
       }
     catch (const NumericsError &error)
@@ -124,17 +124,19 @@ namespace lamella
   FirstFailureSearch::find(const std::vector<StepResults> &steps)
   {
     out << "First failure:" << std::endl;
-    for (const StepResults &step : steps)
-      if (judge(step.load_factor.of_scene(), step.plies))
-        break;
+    // Of the first step that fails, which the search stays on the way of.
+    unsigned int leg = 0;
+    while (leg < steps.size() &&
+           !judge(steps[leg].load_factor.of_scene(), steps[leg].plies))
+      ++leg;
     if (!result.where)
       for (const StepResults &step : steps)
         if (std::abs(step.load_factor.of_scene()) > std::abs(result.safe))
           result.safe = step.load_factor.of_scene();
     for (unsigned int k = 0; k < n_doublings && !upper(); ++k)
-      attempt(result.safe == 0. ? 1. : 2. * result.safe);
+      attempt(result.safe == 0. ? 1. : 2. * result.safe, leg);
     for (unsigned int k = 0; k < most_halvings && upper() && !is_narrow(); ++k)
-      attempt(0.5 * (result.safe + *upper()));
+      attempt(0.5 * (result.safe + *upper()), leg);
     return result;
   }
 

@@ -324,8 +324,10 @@ namespace lamella
   {
     const Progress::Part part(out, "first failure");
     FirstFailureSearch   search(
-      [this](const double factor, std::vector<PlyReserve> &plies) {
-        return recorder->trial(path->branch(factor), plies);
+      [this](const double             factor,
+             const unsigned int       leg,
+             std::vector<PlyReserve> &plies) {
+        return recorder->trial(path->branch(factor, leg), plies);
       },
       out);
     found.first_failure = search.find(found.steps);

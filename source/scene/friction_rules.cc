@@ -46,10 +46,6 @@ namespace lamella
     if (scene.solve.strategy == Strategy::full)
       in["Contact strategy"].refuse(rule,
                                     "Take condensed, or Friction = none.");
-    if (scene.find_first_failure)
-      in["Find"].refuse(
-        rule + ", and what a load does depends on those before it",
-        "Leave Find out, and give the Load factors of the path.");
     if (!scene.goals.tolerances.empty())
       throw InputError(
         "Goals/Tolerance",

@@ -85,12 +85,11 @@ namespace lamella
   LargeStep::check(const State &state, const LoadFactor &factor, const bool)
   {
     TimerOutput::Scope scope(timer, name_of(Phase::solve));
-    const Checks       checks = check_state(Linearisation(structure, state.u),
-                                      newton.moving().interfaces(),
-                                      n_supports,
-                                      state,
-                                      factor);
+    const Linearisation here(structure, state.u);
+    const Checks        checks = check_state(
+      here, newton.moving().interfaces(), n_supports, state, factor);
     require_sound(state, checks, parameters.rotation_limit);
+    require_followed(here, factor);
     return checks;
   }
 } // namespace lamella

@@ -98,6 +98,41 @@ namespace lamella
 
 
 
+  Linearisation::Missed
+  Linearisation::missed_most(const LoadFactor &at) const
+  {
+    Missed                            worst;
+    const std::vector<PrescribedRow> &rows = structure.prescribed();
+    for (unsigned int b = 0; b < moved_reductions.size(); ++b)
+      {
+        if (moved_reductions[b] == nullptr)
+          continue;
+        std::vector<bool> is_followed(rows.size(), false);
+        for (const auto &[k, force] :
+             structure.reduction(b).multipliers(Vector(state.block(b).size())))
+          is_followed[k] = true;
+        const auto is_to_be = [&](const PrescribedRow &row) {
+          return row.value_at(at.of(row.history));
+        };
+        double largest = 0.;
+        for (const PrescribedRow &row : rows)
+          if (row.row.body == b)
+            largest = std::max(largest, std::abs(is_to_be(row)));
+        for (unsigned int k = 0; k < rows.size() && largest > 0.; ++k)
+          if (rows[k].row.body == b && !is_followed[k])
+            {
+              const auto [row, is] =
+                row_at(rows[k], *structure.bodies()[b], state.block(b));
+              const double share = std::abs(is - is_to_be(row)) / largest;
+              if (share > worst.share)
+                worst = {row.position, share};
+            }
+      }
+    return worst;
+  }
+
+
+
   Linearisation::Linearisation(const Structure   &structure,
                                const BlockVector &u,
                                const SolverKind   asked,

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace lamella
 {
@@ -235,17 +236,18 @@ namespace lamella
     done       = n_done;
     last       = std::move(state);
     last_force = largest_force(step->check(last, factors[done - 1], false));
-    store(factors[done - 1].of_scene(), last);
+    store(factors[done - 1].of_scene(), done - 1, last);
   }
 
 
 
   SolvedStep
-  LoadPath::next_in(const unsigned int n) const
+  LoadPath::in_parts(const State       &before,
+                     const LoadFactor  &from,
+                     const LoadFactor  &to,
+                     const unsigned int n) const
   {
-    const LoadFactor &to  = factors[done],
-                     from = done == 0 ? to.without_loads() : factors[done - 1];
-    const auto part       = [&](const unsigned int k) {
+    const auto part = [&](const unsigned int k) {
       return k == 0 ? from : k == n ? to : to.after(from, 1. * k / n);
     };
     SolvedStep   solved;
@@ -253,7 +255,7 @@ namespace lamella
     for (unsigned int k = 1; k <= n; ++k)
       {
         solved =
-          (*step)(k == 1 ? last : solved.state, part(k - 1), part(k), k == n);
+          (*step)(k == 1 ? before : solved.state, part(k - 1), part(k), k == n);
         iterations += solved.state.iterations;
         cuts += solved.cuts;
       }
@@ -266,20 +268,20 @@ namespace lamella
 
 
   SolvedStep
-  LoadPath::next_as_wanted() const
+  LoadPath::as_wanted(const State      &before,
+                      const LoadFactor &from,
+                      const LoadFactor &to) const
   {
-    if (!substeps.each.empty())
-      return next_in(substeps.each[done]);
     if (substeps.number > 0)
-      return next_in(substeps.number);
-    SolvedStep before = next_in(1);
+      return in_parts(before, from, to, substeps.number);
+    SolvedStep coarser = in_parts(before, from, to, 1);
     for (unsigned int n = 2;; n *= 2)
       {
-        SolvedStep solved = next_in(n);
-        solved.change     = change_of(solved, before, last, last_force);
+        SolvedStep solved = in_parts(before, from, to, n);
+        solved.change     = change_of(solved, coarser, before, last_force);
         if (n == Substeps::most || *solved.change <= substeps.tolerance)
           return solved;
-        before = std::move(solved);
+        coarser = std::move(solved);
       }
   }
 
@@ -288,44 +290,95 @@ namespace lamella
   SolvedStep
   LoadPath::advance()
   {
-    SolvedStep solved = next_as_wanted();
+    const LoadFactor &to = factors[done],
+                     from =
+                       done == 0 ? to.without_loads() : factors[done - 1];
+    SolvedStep solved = substeps.each.empty() ?
+                          as_wanted(last, from, to) :
+                          in_parts(last, from, to, substeps.each[done]);
     last_force        = largest_force(solved.checks);
     last              = solved.state;
-    store(factors[done].of_scene(), last);
+    store(to.of_scene(), done, last);
     ++done;
     return solved;
   }
 
 
 
-  SolvedStep
-  LoadPath::branch(const double factor)
+  LoadPath::Stored
+  LoadPath::nearest(const double factor) const
   {
-    // Of two that are as near the newer one: its rows are known.
-    const State *from    = nullptr;
-    double       nearest = 0., nearest_factor = 0.;
-    for (const auto &[at, state] : stored)
-      if (from == nullptr || std::abs(at - factor) <= nearest)
+    Stored found;
+    double distance = std::numeric_limits<double>::infinity();
+    for (const Stored &one : stored)
+      if (std::abs(one.factor - factor) <= distance)
         {
-          from           = &state;
-          nearest        = std::abs(at - factor);
-          nearest_factor = at;
+          found    = one;
+          distance = std::abs(one.factor - factor);
         }
-    SolvedStep solved =
-      (*step)(from == nullptr ? State() : *from, nearest_factor, factor);
-    store(factor, solved.state);
+    return found;
+  }
+
+
+
+  LoadPath::Stored
+  LoadPath::end_of(const unsigned int leg)
+  {
+    const auto found =
+      std::find_if(stored.begin(), stored.end(), [&](const Stored &one) {
+        return one.leg == leg && one.factor == factors[leg].of_scene();
+      });
+    if (found != stored.end())
+      return *found;
+    LoadPath again(step, factors, substeps);
+    while (again.done <= leg)
+      again.advance();
+    const Stored end{factors[leg].of_scene(), leg, again.last};
+    store(end.factor, leg, end.state);
+    return end;
+  }
+
+
+
+  LoadPath::Stored
+  LoadPath::passed(const double factor, const unsigned int leg)
+  {
+    Stored       found = leg == 0 ? Stored() : end_of(leg - 1);
+    const double start = found.factor;
+    for (const Stored &one : stored)
+      {
+        // Of the way to here, where one and found are.
+        const double share = (one.factor - start) / (factor - start);
+        if (one.leg == leg && share > 0. && share < 1. &&
+            share > (found.factor - start) / (factor - start))
+          found = one;
+      }
+    return found;
+  }
+
+
+
+  SolvedStep
+  LoadPath::branch(const double factor, const unsigned int leg)
+  {
+    const Stored from =
+      last.friction.empty() ? nearest(factor) : passed(factor, leg);
+    SolvedStep solved = as_wanted(from.state, from.factor, factor);
+    store(factor, leg, solved.state);
     return solved;
   }
 
 
 
   void
-  LoadPath::store(const double factor, const State &state)
+  LoadPath::store(const double       factor,
+                  const unsigned int leg,
+                  const State       &state)
   {
-    const auto is_here = [factor](const auto &known) {
-      return known.first == factor;
+    const auto is_here = [&](const Stored &known) {
+      return known.factor == factor && known.leg == leg;
     };
     if (branches && std::none_of(stored.begin(), stored.end(), is_here))
-      stored.emplace_back(factor, state);
+      stored.push_back({factor, leg, state});
   }
 } // namespace lamella

@@ -256,6 +256,22 @@ namespace lamella
 
 
 
+  void
+  require_followed(const Linearisation &here, const LoadFactor &at)
+  {
+    constexpr double                  agreement = 0.01;
+    const Linearisation::Missed missed = here.missed_most(at);
+    if (missed.share > agreement)
+      throw NumericsError(
+        "Supports contradict each other at " + to_text(missed.place) +
+        ": one is off what it prescribes by " +
+        to_text(100. * missed.share, 3) +
+        " % of what they move the body by. They agree while turns are small "
+        "only: turn all of these places by one Rotation about one place.");
+  }
+
+
+
   std::vector<std::string>
   warnings_of(const State                         &state,
               const Checks                        &checks,

@@ -43,7 +43,7 @@ def main():
         there = force(lamella, scene, folder, theory, "0.1, 1, 0.106")
         if isinstance(there, str):
             sys.exit(f"{theory}, in place: {there}")
-        exponents = range(13, 1, -1) if theory == "LE-2" else (12, 8, 7, 5, 2)
+        exponents = (13, 11, 9, 8, 7, 6, 4, 2) if theory == "LE-2" else (12, 7, 2)
         along = [10.0 ** -e for e in exponents] + [0.9 * ON_THE_LINE]
         points = [(d, f"0.1, {1.0 + d:.16g}, 0.106") for d in along]
         points += [(d, f"0.1, 1, {0.106 - d:.16g}") for d in (1e-12, 2e-9)]

@@ -224,36 +224,38 @@ BOOST_AUTO_TEST_CASE(substeps_are_steps_between)
   BOOST_TEST(solved.state.friction.dissipated == last.friction.dissipated,
              boost::test_tools::per_element());
 
-  // As many as a tolerance wants, and no more than there may be.
-  for (const double tolerance : {0.02, 1e-14})
+  // As many as a tolerance wants, ...
+  const double     tolerance = 0.02;
+  LoadPath         path(blocks.step, {1., 0.4}, {0, tolerance});
+  const SolvedStep first  = path.advance();
+  const State      before = path.state();
+  const SolvedStep found  = path.advance();
+  // More than any force of the way back.
+  const double force = first.checks.contacts[0].force.norm();
+  BOOST_REQUIRE(found.change.has_value());
+  BOOST_TEST(*found.change <= tolerance);
+  std::vector<SolvedStep> ways;
+  for (const unsigned int n : {found.substeps / 2, found.substeps})
     {
-      LoadPath         path(blocks.step, {1., 0.4}, {0, tolerance});
-      const SolvedStep first  = path.advance();
-      const State      before = path.state();
-      const SolvedStep found  = path.advance();
-      // More than any force of the way back.
-      const double force = first.checks.contacts[0].force.norm();
-      BOOST_REQUIRE(found.change.has_value());
-      if (tolerance > 1e-3)
-        BOOST_TEST(*found.change <= tolerance);
-      else
-        BOOST_TEST(found.substeps == Substeps::most);
-      std::vector<SolvedStep> ways;
-      for (const unsigned int n : {found.substeps / 2, found.substeps})
-        {
-          LoadPath way(blocks.step, {1., 0.4}, {n});
-          way.resume(1, before);
-          ways.push_back(way.advance());
-        }
-      BOOST_TEST(std::abs(change_of(ways[1], ways[0], before, force) -
-                          *found.change) < 1e-9);
-      // A path that goes on measures by the same largest force.
-      LoadPath resumed(blocks.step, {1., 0.4}, {0, tolerance});
-      resumed.resume(1, before);
-      const SolvedStep again = resumed.advance();
-      BOOST_TEST(again.substeps == found.substeps);
-      BOOST_TEST(std::abs(*again.change - *found.change) < 1e-9);
+      LoadPath way(blocks.step, {1., 0.4}, {n});
+      way.resume(1, before);
+      ways.push_back(way.advance());
     }
+  BOOST_TEST(std::abs(change_of(ways[1], ways[0], before, force) -
+                      *found.change) < 1e-9);
+  // A path that goes on measures by the same largest force.
+  LoadPath resumed(blocks.step, {1., 0.4}, {0, tolerance});
+  resumed.resume(1, before);
+  const SolvedStep again = resumed.advance();
+  BOOST_TEST(again.substeps == found.substeps);
+  BOOST_TEST(std::abs(*again.change - *found.change) < 1e-9);
+
+  // ... and no more than there may be.
+  LoadPath endless(blocks.step, {1., 0.4}, {0, 1e-14});
+  endless.resume(1, before);
+  const SolvedStep most = endless.advance();
+  BOOST_TEST(most.substeps == Substeps::most);
+  BOOST_TEST(*most.change > 1e-14);
 }
 
 
@@ -307,8 +309,8 @@ BOOST_AUTO_TEST_CASE(branches_leave_the_path_where_it_is)
   path.advance();
   const State at = path.state();
   // Between the stored ones, before the first, beyond the last, and back.
-  const State far = path.branch(2.).state, near = path.branch(0.25).state,
-              between = path.branch(0.75).state;
+  const State far = path.branch(2., 1).state, near = path.branch(0.25, 1).state,
+              between = path.branch(0.75, 1).state;
   BOOST_TEST(difference(path.state(), at) == 0.);
   BOOST_TEST(path.n_done() == 1u);
   const auto straight = [&](const double factor) {
@@ -317,6 +319,38 @@ BOOST_AUTO_TEST_CASE(branches_leave_the_path_where_it_is)
   BOOST_TEST(difference(far, straight(2.)) < 1e-11);
   BOOST_TEST(difference(near, straight(0.25)) < 1e-11);
   BOOST_TEST(difference(between, straight(0.75)) < 1e-11);
+}
+
+
+
+BOOST_AUTO_TEST_CASE(branches_go_the_path_where_bodies_rub)
+{
+  PressedBlocks blocks({"Contact faces/Friction=0.05"});
+  const auto    by_path = [&](const std::vector<LoadFactor> &factors) {
+    LoadPath way(blocks.step, factors);
+    while (way.has_more())
+      way.advance();
+    return way.state();
+  };
+  LoadPath path(blocks.step, {1., 0.4, 0.8}, {}, true);
+  while (path.has_more())
+    path.advance();
+  // On the way back, from its start; then from what it has passed, and no more
+  // from what is ahead; and on the way after the last step.
+  BOOST_TEST(difference(path.branch(0.6, 1).state, by_path({1., 0.6})) < 1e-12);
+  BOOST_TEST(difference(path.branch(0.8, 1).state, by_path({1., 0.8})) < 1e-12);
+  BOOST_TEST(difference(path.branch(0.5, 1).state, by_path({1., 0.6, 0.5})) <
+             1e-12);
+  BOOST_TEST(difference(path.branch(1.2, 3).state,
+                        by_path({1., 0.4, 0.8, 1.2})) < 1e-12);
+  // The way matters: loaded straight to 0.6, or unloaded to it.
+  BOOST_TEST(difference(path.branch(0.6, 1).state, by_path({0.6})) > 1e-4);
+
+  // A path that has been resumed does not know the ways before.
+  LoadPath resumed(blocks.step, {1., 0.4, 0.8}, {}, true);
+  resumed.resume(3, path.state());
+  BOOST_TEST(difference(resumed.branch(0.6, 1).state, by_path({1., 0.6})) <
+             1e-12);
 }
 
 

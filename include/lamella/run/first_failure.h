@@ -36,10 +36,12 @@ namespace lamella
   class FirstFailureSearch
   {
   public:
-    /// Solves at a load factor, and puts the reserve factors there into the
-    /// second argument. Throws NumericsError where there is no state.
-    using Try =
-      std::function<FailureTrial(const double, std::vector<PlyReserve> &)>;
+    /// Solves at a load factor on the way of a load step, beyond the last one
+    /// where there is none of that number, and puts the reserve factors there
+    /// into the third argument. Throws NumericsError where there is no state.
+    using Try = std::function<FailureTrial(const double,
+                                           const unsigned int,
+                                           std::vector<PlyReserve> &)>;
 
     /// @p out is told of each trial, a line each, and referred to.
     FirstFailureSearch(const Try &try_load, std::ostream &out);
@@ -57,9 +59,10 @@ namespace lamella
     /// Whether a ply fails at @p factor, where the plies have @p plies.
     bool
     judge(const double factor, const std::vector<PlyReserve> &plies);
-    /// Solves at @p factor and judges; without a state that is an upper end.
+    /// Solves at @p factor on the way of load step @p leg and judges; without a
+    /// state that is an upper end.
     void
-    attempt(const double factor);
+    attempt(const double factor, const unsigned int leg);
     /// The nearer one of the two upper ends; none where there is no such end.
     std::optional<double>
     upper() const;

@@ -90,6 +90,18 @@ namespace lamella
     BlockVector
     way_to_supports(const LoadFactor &from, const LoadFactor &to) const;
 
+    /// The place of a support that is off what it prescribes, and by what share
+    /// of the largest displacement that supports of its body prescribe.
+    struct Missed
+    {
+      dealii::Point<3> place;
+      double   share = 0.;
+    };
+    /// Of the rows that no correction follows, as they depend on others at rest,
+    /// the one that is off the most at load factor @p at.
+    Missed
+    missed_most(const LoadFactor &at) const;
+
     /// What K(u) of @p body is assembled from, its springs among it.
     StiffnessTerms
     terms(const unsigned int body) const;

@@ -122,8 +122,8 @@ namespace lamella
   /**
    * The load factors that a scene goes through, up and down, and how far it has
    * come: each step starts from the state of the one before. Beside the path
-   * branches end at other factors; they start from a state that is stored and
-   * leave the path where it is.
+   * branches end at other factors, on the way of a step or beyond the last; they
+   * start from a state that is stored and leave the path where it is.
    */
   class LoadPath
   {
@@ -169,11 +169,13 @@ namespace lamella
     SolvedStep
     advance();
 
-    /// The state at @p factor, from the stored one nearest to it, and is stored
-    /// itself. (Contact that remembers will have to start between zero and it;
-    /// the nearest one takes fewest rounds.)
+    /// The state at @p factor on the way of step @p leg, of that after the last
+    /// one on the way on; is stored. It starts from the stored state nearest to
+    /// it, and where bodies rub from the nearest one that the way has passed,
+    /// in as many parts as a step. What of these is not stored, since the path
+    /// has been resumed behind it, is solved for again.
     SolvedStep
-    branch(const double factor);
+    branch(const double factor, const unsigned int leg);
 
     /// The checks of the last step that is done, once more.
     Checks
@@ -183,16 +185,41 @@ namespace lamella
     }
 
   private:
-    /// The next step from where the path is, in @p n parts.
+    /// From @p before, at @p from, to @p to in @p n parts.
     SolvedStep
-    next_in(const unsigned int n) const;
-    /// The next step in as many parts as it takes.
+    in_parts(const State       &before,
+             const LoadFactor  &from,
+             const LoadFactor  &to,
+             const unsigned int n) const;
+    /// The same in as many parts as the scene wants.
     SolvedStep
-    next_as_wanted() const;
+    as_wanted(const State      &before,
+              const LoadFactor &from,
+              const LoadFactor &to) const;
 
-    /// Where branches are, keeps @p state; of one factor the first.
+    /// A state that branches start from: at a factor, the first one on the way
+    /// of a step.
+    struct Stored
+    {
+      double       factor = 0.;
+      unsigned int leg    = 0;
+      State        state;
+    };
+
+    /// Where branches are, keeps @p state; of one factor on a way the first.
     void
-    store(const double factor, const State &state);
+    store(const double factor, const unsigned int leg, const State &state);
+    /// The one nearest to @p factor; of two that are as near the newer one, whose
+    /// rows are known.
+    Stored
+    nearest(const double factor) const;
+    /// The one nearest to @p factor of those that the way of step @p leg has
+    /// passed there.
+    Stored
+    passed(const double factor, const unsigned int leg);
+    /// The end of step @p leg.
+    Stored
+    end_of(const unsigned int leg);
 
     const std::shared_ptr<Step>   step;
     const std::vector<LoadFactor> factors;
@@ -203,7 +230,7 @@ namespace lamella
     /// The largest of supports and contacts there.
     double last_force = 0.;
 
-    std::vector<std::pair<double, State>> stored;
+    std::vector<Stored> stored;
   };
 } // namespace lamella
 

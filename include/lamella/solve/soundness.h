@@ -4,6 +4,7 @@
 #define lamella_solve_soundness_h
 
 #include <lamella/solve/checks.h>
+#include <lamella/solve/linearisation.h>
 
 #include <string>
 #include <vector>
@@ -23,6 +24,16 @@ namespace lamella
   require_sound(const State  &state,
                 const Checks &checks,
                 const double  rotation_limit);
+
+  /**
+   * Throws NumericsError where a support of sections that turn, at load factor
+   * @p at and the state of @p here, is off its place by more than 1 % of what
+   * supports prescribe: others hold the same places, and they agree with it to
+   * first order only. (What sections warp by puts rows that depend on others
+   * off to second order, far less than that.)
+   */
+  void
+  require_followed(const Linearisation &here, const LoadFactor &at);
 
   /**
    * What the user should know of a state that is sound, a sentence each without
