@@ -33,20 +33,24 @@ namespace lamella
   void
   GaussLobattoBasis::evaluate(const double x,
                               double      *values,
-                              double      *derivatives) const
+                              double      *derivatives,
+                              double      *second_derivatives) const
   {
     for (unsigned int i = 0; i < size(); ++i)
       {
-        double value = scales[i], derivative = 0.;
+        double value = scales[i], derivative = 0., second = 0.;
         for (unsigned int j = 0; j < size(); ++j)
           if (j != i)
             {
+              second     = second * (x - points[j]) + 2. * derivative;
               derivative = derivative * (x - points[j]) + value;
               value *= x - points[j];
             }
         values[i] = value;
         if (derivatives != nullptr)
           derivatives[i] = derivative;
+        if (second_derivatives != nullptr)
+          second_derivatives[i] = second;
       }
   }
 

@@ -136,14 +136,14 @@ namespace lamella
 
 
   std::unique_ptr<LinearSolver>
-  Beam::make_solver(const Constraints             &constraints,
-                    const std::vector<SpringTerm> &springs,
-                    const SolverKind               asked,
-                    const SolverMonitor           &monitor) const
+  Beam::solver_of(const StiffnessTerms &terms,
+                  const Constraints    &constraints,
+                  const SolverKind      asked,
+                  const SolverMonitor  &monitor) const
   {
     if (asked != SolverKind::automatic || n_processes() > 1 ||
         !is_dense(*space, *beam_axis, dof_map))
-      return Body::make_solver(constraints, springs, asked, monitor);
+      return Body::solver_of(terms, constraints, asked, monitor);
     DenseBlocks blocks;
     for (unsigned int node = 0; node < dof_map.n_nodes(); ++node)
       blocks.first.push_back(dof_map.first(node));
@@ -152,11 +152,8 @@ namespace lamella
       blocks.cliques.push_back(beam_axis->nodes_of_cell(cell));
     try
       {
-        return factorise_blocks(stiffness_terms(springs),
-                                blocks,
-                                constraints,
-                                "body '" + name() + "'",
-                                monitor);
+        return factorise_blocks(
+          terms, blocks, constraints, "body '" + name() + "'", monitor);
       }
     catch (const NotPositiveDefinite &error)
       {

@@ -137,4 +137,27 @@ namespace lamella
           }
     return place;
   }
+
+
+
+  FacetMap::Curvature
+  FacetMap::curvature(const Point<2> &st) const
+  {
+    Curvature curvature;
+    if (affine)
+      return curvature;
+    std::array<double, GaussLobattoBasis::max_size> s, d_s, d_ss, t, d_t, d_tt;
+    along_s->evaluate(st[0], s.data(), d_s.data(), d_ss.data());
+    along_t->evaluate(st[1], t.data(), d_t.data(), d_tt.data());
+    const Point<3> *node = nodes.data();
+    for (unsigned int j = 0; j < along_t->size(); ++j)
+      for (unsigned int i = 0; i < along_s->size(); ++i, ++node)
+        for (unsigned int c = 0; c < 3; ++c)
+          {
+            curvature.d_ss[c] += d_ss[i] * t[j] * (*node)[c];
+            curvature.d_st[c] += d_s[i] * d_t[j] * (*node)[c];
+            curvature.d_tt[c] += s[i] * d_tt[j] * (*node)[c];
+          }
+    return curvature;
+  }
 } // namespace lamella

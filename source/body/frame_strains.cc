@@ -115,6 +115,22 @@ namespace lamella
           of.second[k] /= square;
         }
     }
+
+
+
+    /// With half the squares of Gamma_x and Gamma_z in Gamma_y.
+    FrameStrains
+    stretched_by_shear(FrameStrains e)
+    {
+      for (const unsigned int shear : {0, 2})
+        {
+          e.value[1] += 0.5 * e.value[shear] * e.value[shear];
+          e.first[1] += e.value[shear] * e.first[shear];
+          e.second[1] += e.value[shear] * e.second[shear] +
+                         outer_product(e.first[shear], e.first[shear]);
+        }
+      return e;
+    }
   } // namespace
 
 
@@ -214,7 +230,7 @@ namespace lamella
           }
       }
     divide_by_square(Q, e);
-    return e;
+    return stretched_by_shear(e);
   }
 
 

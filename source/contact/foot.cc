@@ -30,16 +30,11 @@ namespace lamella
       matrix[1][1]                = place.d_t * place.d_t;
       if (map.is_affine())
         return matrix;
-      constexpr double step = arithmetic::same_in_element;
-      for (unsigned int a = 0; a < 2; ++a)
-        {
-          Point<2> ahead = st, behind = st;
-          ahead[a] += step;
-          behind[a] -= step;
-          const auto next = map(ahead), last = map(behind);
-          matrix[0][a] -= r * (next.d_s - last.d_s) / (2. * step);
-          matrix[1][a] -= r * (next.d_t - last.d_t) / (2. * step);
-        }
+      const auto second = map.curvature(st);
+      matrix[0][0] -= r * second.d_ss;
+      matrix[0][1] -= r * second.d_st;
+      matrix[1][0] -= r * second.d_st;
+      matrix[1][1] -= r * second.d_tt;
       return matrix;
     }
 
@@ -63,28 +58,54 @@ namespace lamella
 
 
 
+    /// The place @p st of facet @p number as the foot of @p x, where the normal
+    /// @p n1 is; none where they do not face each other.
     std::optional<SurfaceHit>
-    foot_on_facet(const MeshSurface  &surface,
-                  const unsigned int  number,
-                  const Point<3>     &x,
-                  const Tensor<1, 3> &n1,
-                  const Point<2>     &start,
-                  const double        slack)
+    hit_at(const MeshSurface  &surface,
+           const unsigned int  number,
+           const Point<2>     &st,
+           const Point<3>     &x,
+           const Tensor<1, 3> &n1)
     {
       const MeshSurface::Facet &facet = surface.facets()[number];
-      const auto                st    = foot_on(facet.map, x, start);
-      if (!st || !is_on(facet, *st, slack))
-        return {};
-      const auto place = facet.map(*st);
-      SurfaceHit hit;
+      const auto                place = facet.map(st);
+      SurfaceHit                hit;
       hit.position = place.position;
       hit.normal   = surface.outward_normal(facet, place);
       hit.distance = hit.normal * (x - hit.position);
       hit.facet    = number;
-      hit.st       = *st;
+      hit.st       = st;
       if (n1 * hit.normal > -faces_from_60)
         return {};
       return hit;
+    }
+
+
+
+    /// The nearest foot of @p x on the facets within @p reach. Between two
+    /// facets that bulge a foot is on the continuation of either.
+    std::optional<SurfaceHit>
+    nearest_foot(const MeshSurface  &surface,
+                 const Point<3>     &x,
+                 const Tensor<1, 3> &n1,
+                 const double        reach)
+    {
+      const Tensor<1, 3>        around({reach, reach, reach});
+      std::optional<SurfaceHit> on, continued;
+      for (const unsigned int number :
+           surface.facets_near({x - around, x + around}))
+        {
+          const MeshSurface::Facet &facet = surface.facets()[number];
+          const auto                st    = foot_on(facet.map, x, {0.5, 0.5});
+          if (!st || !is_on(facet, *st, beyond))
+            continue;
+          auto &nearest = is_on(facet, *st, 0.) ? on : continued;
+          if (const auto hit = hit_at(surface, number, *st, x, n1);
+              hit && std::abs(hit->distance) <=
+                       (nearest ? std::abs(nearest->distance) : reach))
+            nearest = hit;
+        }
+      return on ? on : continued;
     }
   } // namespace
 
@@ -120,26 +141,17 @@ namespace lamella
             const double                   reach,
             const MeshSurface::FacetPlace &last)
   {
-    if (const auto hit =
-          foot_on_facet(surface, last.facet, x, n1, last.st, beyond);
-        hit && std::abs(hit->distance) <= reach)
-      return hit;
-    const Tensor<1, 3> around({reach, reach, reach});
-    const auto         near = surface.facets_near({x - around, x + around});
-    std::optional<SurfaceHit> nearest;
-    // Between two facets that bulge a foot is on the continuation of either.
-    for (const double slack : {0., beyond})
-      {
-        for (const unsigned int facet : near)
-          if (const auto hit =
-                foot_on_facet(surface, facet, x, n1, {0.5, 0.5}, slack);
-              hit && std::abs(hit->distance) <=
-                       (nearest ? std::abs(nearest->distance) : reach))
-            nearest = hit;
-        if (nearest)
-          break;
-      }
-    return nearest;
+    const MeshSurface::Facet &facet = surface.facets()[last.facet];
+    if (const auto st = foot_on(facet.map, x, last.st);
+        st && is_on(facet, *st, beyond))
+      if (const auto hit = hit_at(surface, last.facet, *st, x, n1);
+          hit && std::abs(hit->distance) <= reach)
+        return hit;
+    // What is near is among few facets.
+    for (const double share : {1. / 64., 1. / 8., 1.})
+      if (const auto hit = nearest_foot(surface, x, n1, share * reach))
+        return hit;
+    return {};
   }
 
 

@@ -84,7 +84,7 @@ namespace lamella
   Checks
   LargeStep::check(const State &state, const LoadFactor &factor, const bool)
   {
-    TimerOutput::Scope scope(timer, name_of(Phase::solve));
+    TimerOutput::Scope  scope(timer, name_of(Phase::solve));
     const Linearisation here(structure, state.u);
     const Checks        checks = check_state(
       here, newton.moving().interfaces(), n_supports, state, factor);

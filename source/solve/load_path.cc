@@ -290,14 +290,13 @@ namespace lamella
   SolvedStep
   LoadPath::advance()
   {
-    const LoadFactor &to = factors[done],
-                     from =
-                       done == 0 ? to.without_loads() : factors[done - 1];
-    SolvedStep solved = substeps.each.empty() ?
-                          as_wanted(last, from, to) :
-                          in_parts(last, from, to, substeps.each[done]);
-    last_force        = largest_force(solved.checks);
-    last              = solved.state;
+    const LoadFactor &to  = factors[done],
+                     from = done == 0 ? to.without_loads() : factors[done - 1];
+    SolvedStep solved     = substeps.each.empty() ?
+                              as_wanted(last, from, to) :
+                              in_parts(last, from, to, substeps.each[done]);
+    last_force            = largest_force(solved.checks);
+    last                  = solved.state;
     store(to.of_scene(), done, last);
     ++done;
     return solved;

@@ -259,8 +259,8 @@ namespace lamella
   void
   require_followed(const Linearisation &here, const LoadFactor &at)
   {
-    constexpr double                  agreement = 0.01;
-    const Linearisation::Missed missed = here.missed_most(at);
+    constexpr double            agreement = 0.01;
+    const Linearisation::Missed missed    = here.missed_most(at);
     if (missed.share > agreement)
       throw NumericsError(
         "Supports contradict each other at " + to_text(missed.place) +

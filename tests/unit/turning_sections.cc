@@ -125,12 +125,13 @@ BOOST_AUTO_TEST_CASE(strains_of_a_frame)
                          vector_in(x, 8));
   };
   check_derivatives<11>(at, z);
-  // Gamma = R^T (e_y + r') - e_y; R' = R [kappa].
+  // Gamma = R^T (e_y + r') - e_y, stretched by shear; R' = R [kappa].
   const Quaternion   Q = quaternion_in(z, 0), dQ = quaternion_in(z, 4);
   const Tensor<2, 3> R = rotation_of(Q);
   const Tensor<1, 3> e_y({0., 1., 0.});
-  const Tensor<1, 3> gamma = transpose(R) * (e_y + vector_in(z, 8)) - e_y;
-  constexpr double   h     = 1e-6;
+  Tensor<1, 3>       gamma = transpose(R) * (e_y + vector_in(z, 8)) - e_y;
+  gamma[1] += 0.5 * (gamma[0] * gamma[0] + gamma[2] * gamma[2]);
+  constexpr double   h = 1e-6;
   const Tensor<2, 3> dR =
     (rotation_of(Q + h * dQ) - rotation_of(Q - h * dQ)) / (2. * h);
   const Tensor<2, 3> kappa = transpose(R) * dR;

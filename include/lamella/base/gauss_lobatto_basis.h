@@ -49,13 +49,17 @@ namespace lamella
       return points[i];
     }
 
-    /// The functions at @p x in @p values and, unless null, their derivatives.
-    /// Both arrays have room for size() numbers; @p x is in [0, 1] as a rule.
+    /// The functions at @p x in @p values and, unless null, their first and
+    /// second derivatives. All have room for size() numbers; @p x is in [0, 1]
+    /// as a rule.
     /// Products of differences and no barycentric quotient: nothing is divided
     /// by zero at a node, and outside of [0, 1] the polynomials go on. n^2
     /// operations for n functions.
     void
-    evaluate(const double x, double *values, double *derivatives) const;
+    evaluate(const double x,
+             double      *values,
+             double      *derivatives,
+             double      *second_derivatives = nullptr) const;
 
   private:
     std::vector<double> points;

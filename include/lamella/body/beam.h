@@ -148,10 +148,10 @@ namespace lamella
     /// each node of the axis, if all of them carry
     /// dense lists (FieldSpace).
     std::unique_ptr<LinearSolver>
-    make_solver(const Constraints             &constraints,
-                const std::vector<SpringTerm> &springs = {},
-                const SolverKind               asked   = SolverKind::automatic,
-                const SolverMonitor           &monitor = {}) const override;
+    solver_of(const StiffnessTerms &terms,
+              const Constraints    &constraints,
+              const SolverKind      asked,
+              const SolverMonitor  &monitor) const override;
     /// The energy likewise. Rotations are looked at in the section's points
     /// (SectionAnswer::largest_rotation()).
     Deformation

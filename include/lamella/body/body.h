@@ -781,7 +781,7 @@ namespace lamella
      * `automatic`: that one is `cg` for nodal bodies of more than 300000 DoFs,
      * whose factor would take tens of gigabytes, else CHOLMOD on one process
      * and MUMPS on several. (A beam of dense lists has a way of its own on one
-     * process: Beam::make_solver().) Throws InputError where it is not offered:
+     * process: Beam::solver_of().) Throws InputError where it is not offered:
      * `cholmod` on several processes, `cg` for a body that is not nodal.
      */
     SolverKind
@@ -808,15 +808,16 @@ namespace lamella
                         const SolverKind asked = SolverKind::automatic) const;
 
     /**
-     * What solves with that matrix. Here it is assembled, factorised (or
-     * prepared for iterations), and dropped where its solver does without; a
-     * body that knows the structure of its matrix may never assemble it.
+     * What solves with that matrix, solver_of(). Here it is assembled,
+     * factorised (or prepared for iterations), and dropped where its solver
+     * does without; a body that knows the structure of its matrix may never
+     * assemble it.
      * @p monitor is told when it is there and how large a factor becomes; what
      * it throws passes through. Throws NumericsError if the matrix is not
      * positive definite, with the place in the scene where that shows first,
      * and InputError as solver_kind() does. Collective.
      */
-    virtual std::unique_ptr<LinearSolver>
+    std::unique_ptr<LinearSolver>
     make_solver(const Constraints             &constraints,
                 const std::vector<SpringTerm> &springs = {},
                 const SolverKind               asked   = SolverKind::automatic,
@@ -844,7 +845,7 @@ namespace lamella
 
     /// What solves with the matrix of @p terms, condensed by @p constraints:
     /// assembled, factorised and dropped as make_solver() says.
-    std::unique_ptr<LinearSolver>
+    virtual std::unique_ptr<LinearSolver>
     solver_of(const StiffnessTerms &terms,
               const Constraints    &constraints,
               const SolverKind      asked,

@@ -69,6 +69,16 @@ namespace lamella
     Place
     operator()(const dealii::Point<2> &st) const;
 
+    /// The second derivatives of the map [length], zero of an affine one.
+    struct Curvature
+    {
+      dealii::Tensor<1, 3> d_ss, d_st, d_tt;
+    };
+
+    /// Those at (s, t) = @p st.
+    Curvature
+    curvature(const dealii::Point<2> &st) const;
+
     /// Whether the facet is a plane parallelogram under an affine map: normal
     /// and area per unit of the square are then constant, and points have their
     /// (s, t) without iteration. To 1e-12 of its size.

@@ -56,10 +56,13 @@ namespace lamella
    * centre:
    *   Gamma = R^T (e_y + r') - e_y,
    *   kappa = vec(R^T R') = 2 vec(Q* Q') / |Q|^2,
-   * Gamma_y the stretch, Gamma_x, Gamma_z the shears [no unit], kappa_x and
-   * kappa_z the curvatures and kappa_y the twist [1 / length]. As functions of
-   * (Q, Q', r'), in this order. Nothing cancels where the section does not
-   * turn much.
+   * Gamma_x, Gamma_z the shears [no unit], kappa_x and kappa_z the curvatures
+   * and kappa_y the twist [1 / length]; and in the place of Gamma_y the stretch
+   *   Gamma_y + (Gamma_x^2 + Gamma_z^2) / 2
+   * of fibres along the axis, which shear tilts against the section's normal:
+   * nothing beside Gamma_y in a section of one stiffness, but what stretches
+   * the faces of a sandwich whose core shears. As functions of (Q, Q', r'), in
+   * this order. Nothing cancels where the section does not turn much.
    */
   using FrameStrains = Derivatives<6, 11>;
   FrameStrains

@@ -95,10 +95,10 @@ namespace lamella
     struct Missed
     {
       dealii::Point<3> place;
-      double   share = 0.;
+      double           share = 0.;
     };
-    /// Of the rows that no correction follows, as they depend on others at rest,
-    /// the one that is off the most at load factor @p at.
+    /// Of the rows that no correction follows, as they depend on others at
+    /// rest, the one that is off the most at load factor @p at.
     Missed
     missed_most(const LoadFactor &at) const;
 

@@ -122,8 +122,8 @@ namespace lamella
   /**
    * The load factors that a scene goes through, up and down, and how far it has
    * come: each step starts from the state of the one before. Beside the path
-   * branches end at other factors, on the way of a step or beyond the last; they
-   * start from a state that is stored and leave the path where it is.
+   * branches end at other factors, on the way of a step or beyond the last;
+   * they start from a state that is stored and leave the path where it is.
    */
   class LoadPath
   {
@@ -209,8 +209,8 @@ namespace lamella
     /// Where branches are, keeps @p state; of one factor on a way the first.
     void
     store(const double factor, const unsigned int leg, const State &state);
-    /// The one nearest to @p factor; of two that are as near the newer one, whose
-    /// rows are known.
+    /// The one nearest to @p factor; of two that are as near the newer one,
+    /// whose rows are known.
     Stored
     nearest(const double factor) const;
     /// The one nearest to @p factor of those that the way of step @p leg has
