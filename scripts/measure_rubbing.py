@@ -16,6 +16,7 @@ from measure_tools import ROOT, table
 
 PUNCH = ROOT / "tests/scenes/friction_punch.prm"
 CATTANEO = ROOT / "tests/scenes/friction_cattaneo.prm"
+FLEXURE = ROOT / "prm/flexure_test.prm"
 CROSSED = ROOT / "tests/scenes/friction_crossed.prm"
 RUBBED = ROOT / "tests/calculix/rubbed.prm"
 # Of all of them.
@@ -187,6 +188,30 @@ def crossed_cylinders():
     table(["nodes apart", "rows that touch", "Q / (mu P)", "c, Mindlin", "c, run",
            "direction (28.369)", "shear, L2", "energy of a cycle over the closed form", "DoFs",
            "s"], lines)
+
+
+def coupon():
+    """doc/friction.md: what rollers that rub do to a bending test, loading and unloading."""
+    slenderness, rows = 4. / 128., []
+    for theory in ("SV-6", "LE-2"):
+        forces = {}
+        for mu in (0., 0.1, 0.3, 0.5):
+            rubs = [f"Contact {name}/Friction={mu or 'none'}"
+                    for name in ("c_nose", "c_left", "c_right")]
+            run = BarRun(FLEXURE, rubs + [
+                f"Theory={theory}", "Load factors=0.5, 1, 0.95, 0.6", "Supports=guide",
+                "Support guide/u=0, free, free", "Goals/Error bars=false"])
+            steps = run.tables["history.csv"]
+            forces[mu] = [float(steps[k]["contact:c_nose:fz"]) for k in (1, 3)]
+        for mu in (0.1, 0.3, 0.5):
+            cells = []
+            for k, sign in ((0, -1.), (1, 1.)):
+                known = 1. / (1. + sign * 1.5 * mu * slenderness)
+                found = forces[mu][k] / forces[0.][k]
+                cells += [f"{known:.5f}", f"{found:.5f}", f"{100. * (found / known - 1.):+.3f} %"]
+            rows.append([theory, mu, *cells])
+    table(["theory", "mu", "loading, beam theory", "run", "off", "unloading, beam theory", "run",
+           "off"], rows)
 
 
 # Scenes that come with the program, in one load step, with their contacts; the short beam

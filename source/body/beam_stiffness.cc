@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <array>
 #include <map>
+#include <set>
 
 namespace lamella
 {
@@ -150,6 +151,14 @@ namespace lamella
     blocks.first.push_back(dof_map.n_dofs());
     for (unsigned int cell = 0; cell < beam_axis->n_cells(); ++cell)
       blocks.cliques.push_back(beam_axis->nodes_of_cell(cell));
+    // Loads that turn along couple all nodes that they act on.
+    if (turns())
+      terms.for_each_block(false, [&](const StiffnessBlock &block) {
+        std::set<unsigned int> nodes;
+        for (const DofIndex dof : block.columns)
+          nodes.insert(dof_map.node_of(dof));
+        blocks.cliques.emplace_back(nodes.begin(), nodes.end());
+      });
     try
       {
         return factorise_blocks(

@@ -175,6 +175,8 @@ namespace lamella
       entries(s) + std::size_t(dof - pattern.first_dof[s]) * pattern.height(s);
     if (block == s)
       return begin - pattern.first_dof[s];
+    if (block < s)
+      return nullptr;
     const auto part =
       std::lower_bound(pattern.parts[s].begin(),
                        pattern.parts[s].end(),
@@ -182,10 +184,9 @@ namespace lamella
                        [](const BlockPattern::Part &a, const unsigned b) {
                          return a.block < b;
                        });
-    Assert(block < s ||
-             (part != pattern.parts[s].end() && part->block == block),
-           dealii::ExcMessage("These blocks do not couple."));
-    return block < s ? nullptr : begin + part->row - pattern.first_dof[block];
+    AssertThrow(part != pattern.parts[s].end() && part->block == block,
+                dealii::ExcMessage("These blocks do not couple."));
+    return begin + part->row - pattern.first_dof[block];
   }
 
 

@@ -13,6 +13,8 @@
 
 namespace lamella
 {
+  using dealii::Tensor;
+
   Linearisation::Linearisation(const Structure   &structure,
                                const BlockVector &u,
                                const LoadFactor  &factor)
@@ -98,6 +100,76 @@ namespace lamella
 
 
 
+  namespace
+  {
+    /// @p u of the DoFs that are in no rigid motion of @p body.
+    Vector
+    warpings_in(const Body &body, const Vector &u)
+    {
+      Vector warpings = u;
+      for (const Vector &motion : body.rigid_motions_at(u))
+        for (DofIndex dof = 0; dof < u.size(); ++dof)
+          if (motion[dof] != 0.)
+            warpings[dof] = 0.;
+      return warpings;
+    }
+
+
+
+    /// What turning them with the section does to the displacement that the
+    /// @p warpings of @p u are at @p location, |(R - 1) Phi a|.
+    double
+    turned_warping(const Body     &body,
+                   const Location &location,
+                   const Vector   &u,
+                   const Vector   &warpings)
+    {
+      Tensor<1, 3>           turned;
+      const std::vector<Row> rows = body.rows_at({location}, u)[0];
+      for (unsigned int c = 0; c < 3; ++c)
+        turned[c] = rows[c](warpings);
+      return (turned - transpose(body.turn_at(location, u)) * turned).norm();
+    }
+
+
+    /// missed_most() of body number @p b, whose state is @p u, in a structure
+    /// of the size @p size.
+    Linearisation::Missed
+    missed_of(const Body                       &body,
+              const unsigned int                b,
+              const Vector                     &u,
+              const std::vector<PrescribedRow> &rows,
+              const std::vector<bool>          &is_followed,
+              const LoadFactor                 &at,
+              const double                      size)
+    {
+      // Rows that depend on others are combinations of these.
+      constexpr double combined     = 10.;
+      const Vector     warpings     = warpings_in(body, u);
+      double           second_order = 0., off = 0.;
+      dealii::Point<3> place;
+      for (unsigned int k = 0; k < rows.size(); ++k)
+        if (rows[k].row.body == b && rows[k].location)
+          {
+            second_order =
+              std::max(second_order,
+                       turned_warping(body, *rows[k].location, u, warpings));
+            const auto [row, is] = row_at(rows[k], body, u);
+            const double by = std::abs(is - row.value_at(at.of(row.history)));
+            if (!is_followed[k] && by > off)
+              {
+                off   = by;
+                place = row.position;
+              }
+          }
+      return {place,
+              off /
+                (combined * (second_order + arithmetic::same_place * size))};
+    }
+  } // namespace
+
+
+
   Linearisation::Missed
   Linearisation::missed_most(const LoadFactor &at) const
   {
@@ -107,26 +179,15 @@ namespace lamella
       {
         if (moved_reductions[b] == nullptr)
           continue;
+        const Body       &body = *structure.bodies()[b];
         std::vector<bool> is_followed(rows.size(), false);
         for (const auto &[k, force] :
-             structure.reduction(b).multipliers(Vector(state.block(b).size())))
+             structure.reduction(b).multipliers(Vector(body.n_dofs())))
           is_followed[k] = true;
-        const auto is_to_be = [&](const PrescribedRow &row) {
-          return row.value_at(at.of(row.history));
-        };
-        double largest = 0.;
-        for (const PrescribedRow &row : rows)
-          if (row.row.body == b)
-            largest = std::max(largest, std::abs(is_to_be(row)));
-        for (unsigned int k = 0; k < rows.size() && largest > 0.; ++k)
-          if (rows[k].row.body == b && !is_followed[k])
-            {
-              const auto [row, is] =
-                row_at(rows[k], *structure.bodies()[b], state.block(b));
-              const double share = std::abs(is - is_to_be(row)) / largest;
-              if (share > worst.share)
-                worst = {row.position, share};
-            }
+        const Missed here = missed_of(
+          body, b, state.block(b), rows, is_followed, at, structure.size());
+        if (here.share > worst.share)
+          worst = here;
       }
     return worst;
   }

@@ -259,15 +259,14 @@ namespace lamella
   void
   require_followed(const Linearisation &here, const LoadFactor &at)
   {
-    constexpr double            agreement = 0.01;
-    const Linearisation::Missed missed    = here.missed_most(at);
-    if (missed.share > agreement)
+    if (const auto missed = here.missed_most(at); missed.share > 1.)
       throw NumericsError(
         "Supports contradict each other at " + to_text(missed.place) +
-        ": one is off what it prescribes by " +
-        to_text(100. * missed.share, 3) +
-        " % of what they move the body by. They agree while turns are small "
-        "only: turn all of these places by one Rotation about one place.");
+        ": they agree while turns are small only, and one is " +
+        to_text(missed.share, 3) +
+        " times as far off what it prescribes as sections that warp may be. "
+        "Remove one of them, or turn all of these places by one Rotation about "
+        "one place.");
   }
 
 

@@ -60,7 +60,7 @@ namespace lamella
    * and kappa_y the twist [1 / length]; and in the place of Gamma_y the stretch
    *   Gamma_y + (Gamma_x^2 + Gamma_z^2) / 2
    * of fibres along the axis, which shear tilts against the section's normal:
-   * nothing beside Gamma_y in a section of one stiffness, but what stretches
+   * little where the section has one stiffness, but it is what stretches
    * the faces of a sandwich whose core shears. As functions of (Q, Q', r'), in
    * this order. Nothing cancels where the section does not turn much.
    */

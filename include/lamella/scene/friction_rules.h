@@ -9,8 +9,8 @@
 namespace lamella
 {
   /// Throws InputError for what in @p scene, whose top level is @p in, friction
-  /// is not made for: a matrix that is not symmetric (`full`), branches of a
-  /// path (`Find`), and passes of a run to a tolerance, none of which makes
+  /// is not made for: a matrix that is not symmetric (`full`), and passes of a
+  /// run to a tolerance, which make no
   /// load steps shorter; and for what a scene without friction has not got:
   /// Substeps, and what a contact dissipates.
   void

@@ -90,15 +90,15 @@ namespace lamella
     BlockVector
     way_to_supports(const LoadFactor &from, const LoadFactor &to) const;
 
-    /// The place of a support that is off what it prescribes, and by what share
-    /// of the largest displacement that supports of its body prescribe.
+    /// The place of a support that is off what it prescribes, and how far as a
+    /// share of what it may be off by.
     struct Missed
     {
       dealii::Point<3> place;
       double           share = 0.;
     };
-    /// Of the rows that no correction follows, as they depend on others at
-    /// rest, the one that is off the most at load factor @p at.
+    /// The one that is off the most at load factor @p at of the rows that no
+    /// correction follows, which may be by what turns put warpings off.
     Missed
     missed_most(const LoadFactor &at) const;
 

@@ -27,10 +27,10 @@ namespace lamella
 
   /**
    * Throws NumericsError where a support of sections that turn, at load factor
-   * @p at and the state of @p here, is off its place by more than 1 % of what
-   * supports prescribe: others hold the same places, and they agree with it to
-   * first order only. (What sections warp by puts rows that depend on others
-   * off to second order, far less than that.)
+   * @p at and the state of @p here, is off its place: others hold the same
+   * places, and they agree with it to first order only. (Where sections warp,
+   * rows that depend on others are off to second order: ten times what turning
+   * the warpings does to their displacements is let pass.)
    */
   void
   require_followed(const Linearisation &here, const LoadFactor &at);
