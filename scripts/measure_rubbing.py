@@ -214,8 +214,8 @@ def coupon():
            "off"], rows)
 
 
-# Scenes that come with the program, in one load step, with their contacts; the short beam
-# looks for its first failure, which friction refuses.
+# Scenes that come with the program, in one load step, with their contacts; not the short
+# beam, whose search for its first failure is most of its run.
 SHIPPED = {
     "hertz": ["nip"], "hertz_plane_strain": ["nip"], "laminated_beams": ["middle"],
     "laminated_beams_shear": ["middle"], "leaf_spring": ["interleaf"],

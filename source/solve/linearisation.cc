@@ -132,6 +132,7 @@ namespace lamella
     }
 
 
+
     /// missed_most() of body number @p b, whose state is @p u, in a structure
     /// of the size @p size.
     Linearisation::Missed
