@@ -36,7 +36,8 @@ is `0.1%` (relative), `abs 1e-9`, `exact`, `below` (|result| <= VALUE), `limit`
     difference:ux,uy,uz               `run` against `again`: the largest
                                       difference in all probes and lines over
                                       the largest magnitude of these columns
-    history:COLUMN                    of history.csv at the last step
+    history:COLUMN                    of history.csv at the last step; history:COLUMN@2 at
+                                      the second
     goal:NAME                         a goal's value, as in goal:tip: uz; with the
                                       tolerance `bar` it is within the run's own
                                       bar, which is trusted, and with `no bar` it
@@ -111,8 +112,8 @@ class Run:
         self.status, self.stdout, self.stderr = (
             done.returncode, done.stdout, done.stderr)
 
-    def table(self, name):
-        """The rows of a CSV file at its last step."""
+    def table(self, name, step=None):
+        """The rows of a CSV file at a step, the last one by default."""
         path = self.folder / name
         if not path.is_file():
             raise Fault(f"{name} was not written")
@@ -120,8 +121,11 @@ class Run:
             rows = list(csv.DictReader(file))
         if not rows:
             raise Fault(f"{name} is empty")
-        last = max(int(row["step"]) for row in rows)
-        return [row for row in rows if int(row["step"]) == last]
+        step = int(step or max(int(row["step"]) for row in rows))
+        found = [row for row in rows if int(row["step"]) == step]
+        if not found:
+            raise Fault(f"{name} has no step {step}")
+        return found
 
     def lines(self):
         return sorted(path.name for path in (self.folder / "lines").glob("*.csv"))
@@ -304,7 +308,8 @@ def evaluate(key, run, again):
     if kind == "kuhn_tucker" and rest:
         return kuhn_tucker(run, rest)
     if kind == "history" and rest:
-        return number(run.table("history.csv")[-1], rest)
+        column, _, step = rest.partition("@")
+        return number(run.table("history.csv", step)[-1], column)
     if kind == "goal" and rest:
         return goal(run, rest)["value"]
     if kind == "difference" and rest:
