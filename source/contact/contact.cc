@@ -3,6 +3,7 @@
 #include <lamella/base/arithmetic.h>
 #include <lamella/base/exceptions.h>
 #include <lamella/contact/contact.h>
+#include <lamella/contact/roller_passage.h>
 
 #include <algorithm>
 #include <cmath>
@@ -508,5 +509,20 @@ namespace lamella
                          const std::vector<unsigned int> &active)
   {
     search.check(interface, u, factor, active);
+  }
+
+
+
+  bool
+  Contact::has_passed_roller(const BlockVector &before,
+                             const LoadFactor  &from,
+                             const BlockVector &u,
+                             const LoadFactor  &to) const
+  {
+    if (interface.obstacle == nullptr)
+      return false;
+    const ContactSides then(undeformed, before, from), now(undeformed, u, to);
+    return goes_through({*then.surface(false), *then.obstacle()},
+                        {*now.surface(false), *now.obstacle()});
   }
 } // namespace lamella

@@ -475,6 +475,9 @@ namespace lamella
     double size = state.u.linfty_norm();
     for (const GapRow &row : rows)
       size = std::max(size, std::abs(factor.of(row.history) * row.gap_rate));
+    // A body that springs back to where it began has come some way.
+    for (const Tensor<1, 3> &slip : state.friction.before)
+      size = std::max(size, slip.norm());
     return size;
   }
 

@@ -670,7 +670,7 @@ namespace lamella
     best.force              = start;
     best.error              = std::numeric_limits<double>::max();
     PointVectors lambda     = start;
-    unsigned int iterations = 0;
+    unsigned int iterations = 0, idle = 0;
     std::string  by;
     for (unsigned int round = 0; round < rules.max_rounds; ++round)
       {
@@ -683,9 +683,11 @@ namespace lamella
         iterations += found.iterations;
         found.force = lambda = search.unscaled(found.force);
         found.error          = exact.error(exact.scaled(lambda));
+        idle                 = found.error < best.error ? 0 : idle + 1;
         if (found.error < best.error)
           best = found;
-        if (best.error < rules.tolerance || left > rules.failed)
+        if (best.error < rules.tolerance || left > rules.failed ||
+            idle == rules.idle)
           break;
       }
     best.by         = by;

@@ -150,6 +150,21 @@ namespace lamella
 
 
   void
+  MovingContacts::require_not_through(const BlockVector &before,
+                                      const LoadFactor  &from,
+                                      const BlockVector &u,
+                                      const LoadFactor  &to) const
+  {
+    for (unsigned int c = 0; c < lives.size(); ++c)
+      if (lives[c]->has_passed_roller(before, from, u, to))
+        throw NumericsError("Contact " + all[c].name +
+                            " is lost: its body went through '" +
+                            all[c].obstacle->name + "' in one step.");
+  }
+
+
+
+  void
   MovingContacts::pair(State &state, const LoadFactor &factor)
   {
     for (unsigned int c = 0; c < all.size(); ++c)

@@ -367,7 +367,8 @@ namespace lamella
   bool
   Newton::step(const LoadFactor &to, const bool predicted, Equilibrium &at)
   {
-    State &state = at.state;
+    State            &state  = at.state;
+    const BlockVector before = state.u;
     contacts.move(state, at.factor);
     auto [moved, r, began] = beginning(to, at);
     BlockVector  correction;
@@ -398,6 +399,7 @@ namespace lamella
           {
             if (contacts.none() || !contacts.see_what_touches(state, to))
               {
+                contacts.require_not_through(before, at.factor, state.u, to);
                 at.factor = to;
                 return true;
               }

@@ -151,6 +151,14 @@ namespace lamella
                   const LoadFactor                &factor,
                   const std::vector<unsigned int> &active);
 
+    /// Whether the body went through a roller between two states, each a
+    /// displacement at a load factor (goes_through()).
+    bool
+    has_passed_roller(const BlockVector &before,
+                      const LoadFactor  &from,
+                      const BlockVector &u,
+                      const LoadFactor  &to) const;
+
   private:
     /// Sees to it that there are points: those of the pairing, and where a row
     /// is one point, its node.

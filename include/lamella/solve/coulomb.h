@@ -70,9 +70,9 @@ namespace lamella
     /// it is definite, and iterated out.
     double softness = 1e-10;
     /// Of that iteration; a step of it that is off by more than `failed` is
-    /// the last.
-    unsigned int max_rounds = 30;
-    double       failed     = 1e-6;
+    /// the last, and so are two on end that better nothing, at rounding.
+    unsigned int max_rounds = 30, idle = 2;
+    double       failed = 1e-6;
     /// Of Newton's method from the forces of before, after sweeps, and after
     /// the cones.
     unsigned int first_iterations = 3, iterations = 40, last_iterations = 12;

@@ -104,6 +104,14 @@ namespace lamella
     void
     pair(State &state, const LoadFactor &factor);
 
+    /// Throws NumericsError where a body went through a roller between two
+    /// displacements, each at a load factor, so that nothing touches it.
+    void
+    require_not_through(const BlockVector &before,
+                        const LoadFactor  &from,
+                        const BlockVector &u,
+                        const LoadFactor  &to) const;
+
   private:
     /// Pairs contact @p c anew.
     void

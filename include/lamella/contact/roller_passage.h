@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef lamella_contact_roller_passage_h
+#define lamella_contact_roller_passage_h
+
+#include <lamella/contact/mesh_surface.h>
+#include <lamella/contact/obstacle.h>
+
+namespace lamella
+{
+  /// A surface and the roller that it may touch, in one state.
+  struct BesideRoller
+  {
+    const MeshSurface &surface;
+    const Obstacle    &roller;
+  };
+
+  /**
+   * Whether a surface has gone through a cylinder between two states, so that
+   * the later one has nothing that touches and no gap that says so: whether at
+   * any place of the surface the axis, with r from it to the place and n the
+   * outward normal,
+   *   was ahead (r . n < 0) and is behind (r . n > 0),
+   * while the chord of r across the axis comes within the radius. Places are at
+   * most half a radius apart. A surface that slides over a roller, or is rolled
+   * around it, has the axis ahead all along.
+   *
+   * The same facets in both. False for a plane, behind which gaps are negative.
+   */
+  bool
+  goes_through(const BesideRoller &before, const BesideRoller &after);
+} // namespace lamella
+
+#endif
