@@ -21,9 +21,9 @@ namespace lamella
    * any place of the surface the axis, with r from it to the place and n the
    * outward normal,
    *   was ahead (r . n < 0) and is behind (r . n > 0),
-   * while the chord of r across the axis comes within the radius. Places are at
-   * most half a radius apart. A surface that slides over a roller, or is rolled
-   * around it, has the axis ahead all along.
+   * while the chord of r across the axis comes within the radius. Places are
+   * half a radius apart, or a fortieth of a facet where that is more. A surface
+   * that slides over a roller, or is rolled around it, has the axis ahead.
    *
    * The same facets in both. False for a plane, behind which gaps are negative.
    */
