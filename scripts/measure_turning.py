@@ -243,6 +243,74 @@ def twisted_strip(length=120., width=12., height=0.6, modulus=3e3, by=2.4, n=120
     raise RuntimeError("The twisted strip was not found.")
 
 
+def turned_by(q, v):
+    """R(q) v of a unit quaternion."""
+    return v + 2. * np.cross(q[1:], np.cross(q[1:], v) + q[0] * v)
+
+
+def measures(law, of_section, tilt):
+    """Gamma and kappa that bear the force and moment of_section in the axes of the section, y
+    along the rod: E A, G A, E I and G I_p of the law times the strains of frame_strains(), or
+    with no tilt of fibres those of Reissner."""
+    e = of_section / law
+    for _ in range(30):
+        (g_x, _, g_z), (_, k_y, _) = e[:3], e[3:]
+        strains, slopes = e.copy(), np.eye(6)
+        if tilt:
+            strains[[1, 3, 5]] += [0.5 * (g_x ** 2 + g_z ** 2), -k_y * g_x, -k_y * g_z]
+            slopes[1, [0, 2]] += [g_x, g_z]
+            slopes[3, [0, 4]] -= [k_y, g_x]
+            slopes[5, [2, 4]] -= [k_y, g_z]
+        bearing = slopes.T @ (law * strains)
+        change = (of_section - bearing) / law
+        e = e + change
+        if np.max(np.abs(change)) < 1e-14:
+            return e
+    raise RuntimeError("The measures were not found.")
+
+
+def rod_in_space(law, length, force, tilt, steps=100):
+    """Where the tip of a rod goes, clamped at its start, that a force at the tip turns, by
+    shooting."""
+    def rate(state, moment, pull):
+        r, q = state[:3], state[3:] / np.linalg.norm(state[3:])
+        back = q * [1., -1., -1., -1.]
+        e = measures(law, np.concatenate([turned_by(back, pull),
+                                          turned_by(back, moment - np.cross(r, pull))]), tilt)
+        k = e[3:]
+        return np.array([*turned_by(q, [0., 1., 0.] + e[:3]), *(0.5 * np.array(
+            [-q[1:] @ k, *(q[0] * k + np.cross(q[1:], k))]))])
+
+    def end(*at_start):
+        state, h = np.array([0., 0., 0., 1., 0., 0., 0.]), length / steps
+        for _ in range(steps):
+            a = rate(state, *at_start)
+            b = rate(state + 0.5 * h * a, *at_start)
+            c = rate(state + 0.5 * h * b, *at_start)
+            state = state + h / 6. * (a + 2. * b + 2. * c + rate(state + h * c, *at_start))
+        return state[:3]
+
+    tip = np.array([0., length, 0.])
+    moment = np.zeros(3)
+    for share in (0.25, 0.5, 0.75, 1.):
+        pull = share * force
+        moment = solve(lambda m: m - np.cross(end(m, pull), pull), moment)
+    return end(moment, force) - tip
+
+
+def in_space():
+    """Rods beside tests/scenes/turning_spatial.prm."""
+    width, height, modulus, nu = 8., 5., 9e3, 0.3
+    area, about_x, about_z = (width * height, width * height ** 3 / 12.,
+                              width ** 3 * height / 12.)
+    shear = 0.5 * modulus / (1. + nu)
+    law = np.array([shear * area, modulus * area, shear * area, modulus * about_x,
+                    shear * (about_x + about_z), modulus * about_z])
+    for name, tilt in (("fibres tilt", True), ("Reissner's", False)):
+        print(f"turning_spatial_rod: the tip of a rod, {name}")
+        print(rod_in_space(law, 260., np.array([22., -9., 14.]), tilt))
+
+
 def grips():
     print("turning_grip: force along, across, moment of a rod")
     print(-turned_about_middle(1., [-13., -7.1, -15.]))
@@ -251,9 +319,10 @@ def grips():
 
 
 def turning():
-    """Rods beside tests/scenes/large_roller.prm, large_slide.prm, turning_grip.prm and
-    large_twist.prm."""
+    """Rods beside tests/scenes/large_roller.prm, large_slide.prm, turning_grip.prm,
+    large_twist.prm and turning_spatial.prm."""
     rollers()
     slides()
     coupon()
     grips()
+    in_space()

@@ -118,17 +118,36 @@ namespace lamella
 
 
 
-    /// With half the squares of Gamma_x and Gamma_z in Gamma_y.
-    FrameStrains
-    stretched_by_shear(FrameStrains e)
+    /// Adds @p factor times the product of the strains @p a and @p b to the
+    /// strain @p to.
+    void
+    add_product(const unsigned int to,
+                const double       factor,
+                const unsigned int a,
+                const unsigned int b,
+                FrameStrains      &e)
     {
-      for (const unsigned int shear : {0, 2})
-        {
-          e.value[1] += 0.5 * e.value[shear] * e.value[shear];
-          e.first[1] += e.value[shear] * e.first[shear];
-          e.second[1] += e.value[shear] * e.second[shear] +
-                         outer_product(e.first[shear], e.first[shear]);
-        }
+      e.value[to] += factor * e.value[a] * e.value[b];
+      e.first[to] +=
+        factor * (e.value[a] * e.first[b] + e.value[b] * e.first[a]);
+      e.second[to] +=
+        factor * (e.value[a] * e.second[b] + e.value[b] * e.second[a] +
+                  outer_product(e.first[a], e.first[b]) +
+                  outer_product(e.first[b], e.first[a]));
+    }
+
+
+
+    /// With what shear and twist stretch fibres by.
+    FrameStrains
+    with_tilt_of_fibres(FrameStrains e)
+    {
+      constexpr unsigned int G_x = 0, G_y = 1, G_z = 2, k_x = 3, k_y = 4,
+                             k_z = 5;
+      add_product(G_y, 0.5, G_x, G_x, e);
+      add_product(G_y, 0.5, G_z, G_z, e);
+      add_product(k_x, -1., k_y, G_x, e);
+      add_product(k_z, -1., k_y, G_z, e);
       return e;
     }
   } // namespace
@@ -230,7 +249,7 @@ namespace lamella
           }
       }
     divide_by_square(Q, e);
-    return stretched_by_shear(e);
+    return with_tilt_of_fibres(e);
   }
 
 

@@ -57,11 +57,15 @@ namespace lamella
    *   Gamma = R^T (e_y + r') - e_y,
    *   kappa = vec(R^T R') = 2 vec(Q* Q') / |Q|^2,
    * Gamma_x, Gamma_z the shears [no unit], kappa_x and kappa_z the curvatures
-   * and kappa_y the twist [1 / length]; and in the place of Gamma_y the stretch
-   *   Gamma_y + (Gamma_x^2 + Gamma_z^2) / 2
-   * of fibres along the axis, which shear tilts against the section's normal:
-   * little where the section has one stiffness, but it is what stretches
-   * the faces of a sandwich whose core shears. As functions of (Q, Q', r'), in
+   * and kappa_y the twist [1 / length]; and in the place of Gamma_y, kappa_x
+   * and kappa_z
+   *   Gamma_y + (Gamma_x^2 + Gamma_z^2) / 2,
+   *   kappa_x - kappa_y Gamma_x,   kappa_z - kappa_y Gamma_z,
+   * which is how fibres along the axis are stretched that shear and twist tilt
+   * against the section's normal, [(Gamma_x + kappa_y z)^2 + (Gamma_z - kappa_y
+   * x)^2] / 2, without Wagner's kappa_y^2: little where the section has one
+   * stiffness, but it is what stretches the faces of a sandwich whose core
+   * shears, and bends it where it twists. As functions of (Q, Q', r'), in
    * this order. Nothing cancels where the section does not turn much.
    */
   using FrameStrains = Derivatives<6, 11>;
