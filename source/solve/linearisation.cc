@@ -200,7 +200,8 @@ namespace lamella
                                const SolverKind   asked,
                                const BodyMonitor &monitor,
                                const BlockVector &correction,
-                               const LoadFactor  &factor)
+                               const LoadFactor  &factor,
+                               const std::vector<std::vector<SpringTerm>> &more)
     : Linearisation(structure, u, factor)
   {
     const Vector none;
@@ -217,6 +218,9 @@ namespace lamella
             monitor.sized(body, size);
           };
         of_body.advanced = monitor.advanced;
+        auto springs     = structure.spring_terms(b);
+        if (!more.empty())
+          springs.insert(springs.end(), more[b].begin(), more[b].end());
         try
           {
             solvers.push_back(make_solver(b,
@@ -224,6 +228,7 @@ namespace lamella
                                           correction.n_blocks() > 0 ?
                                             correction.block(b) :
                                             none,
+                                          springs,
                                           of_body));
           }
         catch (const NotPositiveDefinite &error)
@@ -238,15 +243,15 @@ namespace lamella
 
 
   std::unique_ptr<LinearSolver>
-  Linearisation::make_solver(const unsigned int   body,
-                             const SolverKind     asked,
-                             const Vector        &correction,
-                             const SolverMonitor &monitor) const
+  Linearisation::make_solver(const unsigned int             body,
+                             const SolverKind               asked,
+                             const Vector                  &correction,
+                             const std::vector<SpringTerm> &springs,
+                             const SolverMonitor           &monitor) const
   {
     const Body        &one         = *structure.bodies()[body];
     const Vector      &u           = state.block(body);
     const Constraints &constraints = reduction(body).constraints();
-    const auto         springs     = structure.spring_terms(body);
     if (!structure.has_turning_loads(body))
       return one.make_tangent_solver(
         u, correction, constraints, springs, asked, monitor);

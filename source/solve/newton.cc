@@ -2,11 +2,7 @@
 
 #include <lamella/base/exceptions.h>
 #include <lamella/base/text.h>
-#include <lamella/solve/contact_strategy.h>
 #include <lamella/solve/newton.h>
-
-#include <deal.II/lac/precondition.h>
-#include <deal.II/lac/solver_gmres.h>
 
 #include <algorithm>
 #include <cmath>
@@ -17,18 +13,6 @@ namespace lamella
   {
     const std::vector<ContactInterface> no_interfaces;
     const Contacts                      no_contacts;
-
-    /// x - answer(x), as GMRES asks for it.
-    struct WithTurnOfRows
-    {
-      std::function<BlockVector(const BlockVector &)> answer;
-      void
-      vmult(BlockVector &to, const BlockVector &x) const
-      {
-        to = x;
-        to -= answer(x);
-      }
-    };
   } // namespace
 
 
@@ -179,131 +163,6 @@ namespace lamella
 
 
 
-  BlockVector
-  Newton::press(ContactStrategy  &strategy,
-                const LoadFactor &to,
-                State            &state) const
-  {
-    ContactProblem problem;
-    for (const GapRow &row : contacts.rows())
-      problem.gap.push_back(row.gap(state.u, to));
-    problem.force = problem.estimate = state.force;
-    problem.start                    = state.active;
-    problem.closed                   = parameters.touching * structure.size();
-    const ContactSolution found =
-      strategy.settle(problem, [this, rounds = 0u](const Round &round) mutable {
-        if (++rounds > parameters.max_iterations)
-          throw NumericsError("The contact did not settle in " +
-                              std::to_string(rounds - 1) + " rounds.");
-        if (!round.changed.empty())
-          progress("  contact: " + std::to_string(round.active) +
-                   " rows active, " + std::to_string(round.changed.size()) +
-                   " change");
-      });
-    if (found.force.empty())
-      return structure.zero();
-    state.force  = found.force;
-    state.active = found.active;
-    return found.du;
-  }
-
-
-
-  BlockVector
-  Newton::turn_of_rows(const State       &state,
-                       const BlockVector &u,
-                       const BlockVector &w,
-                       const LoadFactor  &to) const
-  {
-    BlockVector  f      = structure.zero();
-    const double length = length_of(w);
-    if (length == 0.)
-      return f;
-    const double step = parameters.difference * structure.size() / length;
-    for (const double way : {step, -step})
-      {
-        BlockVector change = w, at = structure.zero();
-        change *= way;
-        if (!contacts.add_forces_at(
-              state, structure.updated(u, change), to, at))
-          return structure.zero();
-        f.add(0.5 / way, at);
-      }
-    return f;
-  }
-
-
-
-  BlockVector
-  Newton::follow_rows(ContactStrategy   &strategy,
-                      const BlockVector &u,
-                      const BlockVector &du,
-                      const LoadFactor  &to,
-                      State             &state) const
-  {
-    if (state.active.empty())
-      return du;
-    const ClosedRows closed(state.active);
-    const Vector     held(closed.numbers.size());
-    Vector           forces;
-    const auto       answer = [&](const BlockVector &w) {
-      BlockVector x = structure.zero();
-      strategy.solve(closed, turn_of_rows(state, u, w, to), held, x, forces);
-      return x;
-    };
-    const double          enough = parameters.follows * du.l2_norm();
-    dealii::SolverControl control(parameters.max_follows, enough, false, false);
-    BlockVector           x = answer(du);
-    if (x.l2_norm() > enough)
-      try
-        {
-          x += du;
-          dealii::SolverGMRES<BlockVector>(control).solve(
-            WithTurnOfRows{answer}, x, du, dealii::PreconditionIdentity());
-          x = answer(x);
-        }
-      catch (const dealii::SolverControl::NoConvergence &)
-        {
-          return du;
-        }
-    x += du;
-    // To first order; the next iteration says which rows are active.
-    for (unsigned int i = 0; i < closed.numbers.size(); ++i)
-      state.force[closed.numbers[i]] =
-        std::max(0., state.force[closed.numbers[i]] + forces[i]);
-    return x;
-  }
-
-
-
-  BlockVector
-  Newton::correct(const BlockVector &r,
-                  const BlockVector &moved,
-                  const BlockVector &correction,
-                  const LoadFactor  &to,
-                  State             &state) const
-  {
-    const Linearisation about(
-      structure, state.u, asked, monitor, correction, to);
-    const BlockVector before = state.u;
-    BlockVector       du     = about.solve(r);
-    du += moved;
-    if (!contacts.none())
-      {
-        const auto strategy =
-          make_strategy(Strategy::condensed, about, contacts.rows());
-        // Gaps are those of the tangent planes, whose states are sums.
-        state.u += du;
-        du += press(*strategy, to, state);
-        du = follow_rows(*strategy, before, du, to, state);
-      }
-    shorten(du);
-    state.u = structure.updated(before, du);
-    return du;
-  }
-
-
-
   double
   Newton::length_of(const BlockVector &u) const
   {
@@ -445,6 +304,28 @@ namespace lamella
 
 
 
+  namespace
+  {
+    std::string
+    not_found_beyond(const LoadFactor &reached,
+                     const LoadFactor &to,
+                     const bool        anything_touches)
+    {
+      return "No stable equilibrium was found beyond load factor " +
+             to_text(reached.of_scene(), 6) + ", on the way to " +
+             to_text(to.of_scene(), 6) +
+             ": the loads may pass a limit there, or a column may buckle. "
+             "Prescribe a displacement in place of loads, or give the "
+             "structure the imperfection that it has." +
+             (anything_touches ?
+                " A body that nothing but another body keeps from buckling "
+                "is not found either (obstacles may)." :
+                "");
+    }
+  } // namespace
+
+
+
   Equilibrium
   Newton::advance(const Equilibrium &start, const LoadFactor &to)
   {
@@ -467,12 +348,7 @@ namespace lamella
         way /= 2.;
         if (++at.cuts > parameters.max_cuts)
           throw NumericsError(
-            "No stable equilibrium was found beyond load factor " +
-            to_text(at.factor.of_scene(), 6) + ", on the way to " +
-            to_text(to.of_scene(), 6) +
-            ": the loads may pass a limit there, or a column may buckle. "
-            "Prescribe a displacement in place of loads, or give the structure "
-            "the imperfection that it has." +
+            not_found_beyond(at.factor, to, !contacts.none()) +
             (last_failure.empty() ? "" : " (" + last_failure + ")"));
         progress("no convergence: a step of " + to_text(way, 4) +
                  " of the way is tried");

@@ -47,15 +47,17 @@ namespace lamella
     /// About @p u, with what solves with the condensed stiffness of each body,
     /// as @p asked; after the @p correction that led to u, if there is one
     /// (Body::make_tangent_solver()). Loads that turn along add theirs at load
-    /// factor @p factor, and to the solvers only. Throws LostDigits where one
-    /// is not positive definite in doubles, InputError as Body::solver_kind()
-    /// does, and what @p monitor throws.
+    /// factor @p factor, and to the solvers only, as are more @p springs of
+    /// each body. Throws LostDigits where one is not positive definite in
+    /// doubles, InputError as Body::solver_kind() does, and what @p monitor
+    /// throws.
     Linearisation(const Structure   &structure,
                   const BlockVector &u,
                   const SolverKind   asked,
                   const BodyMonitor &monitor    = {},
                   const BlockVector &correction = BlockVector(),
-                  const LoadFactor  &factor     = LoadFactor());
+                  const LoadFactor  &factor     = LoadFactor(),
+                  const std::vector<std::vector<SpringTerm>> &springs = {});
 
     const Structure &
     of() const
@@ -140,12 +142,13 @@ namespace lamella
     void
     move_supports();
 
-    /// What solves with the stiffness of @p body.
+    /// What solves with the stiffness of @p body and its @p springs.
     std::unique_ptr<LinearSolver>
-    make_solver(const unsigned int   body,
-                const SolverKind     asked,
-                const Vector        &correction,
-                const SolverMonitor &monitor) const;
+    make_solver(const unsigned int             body,
+                const SolverKind               asked,
+                const Vector                  &correction,
+                const std::vector<SpringTerm> &springs,
+                const SolverMonitor           &monitor) const;
 
     /// K^-1 @p r.
     BlockVector

@@ -5,11 +5,13 @@
 
 #include <lamella/base/arithmetic.h>
 #include <lamella/solve/contact_solver.h>
+#include <lamella/solve/leaning_rows.h>
 #include <lamella/solve/linearisation.h>
 #include <lamella/solve/moving_contacts.h>
 
 #include <functional>
 #include <limits>
+#include <memory>
 #include <string>
 
 namespace lamella
@@ -92,7 +94,8 @@ namespace lamella
    * iteration.) K is positive definite there, as its
    * Cholesky factor exists: the equilibrium is a minimum of the energy. (With
    * couples there is none, but in their plane; that the symmetric part of K is
-   * positive definite is enough for stability, and more than it takes.)
+   * positive definite is enough for stability, and more than it takes.) Where
+   * nothing but an obstacle holds a body, K with LeaningRows is.
    *
    * Refers to the structure and the contacts. Collective.
    */
@@ -176,10 +179,23 @@ namespace lamella
             const LoadFactor  &to,
             State             &state) const;
 
-    /// Presses the gaps of @p state at @p to by the @p strategy: its forces and
-    /// active rows, and what that moves bodies by, which is returned.
+    /// The tangent of @p state, after the @p correction that led there, at @p
+    /// to; with @p leaning rows where bodies have no other hold. Throws
+    /// LostDigits where it is not definite with these either.
+    Linearisation
+    tangent(const State                        &state,
+            const BlockVector                  &correction,
+            const LoadFactor                   &to,
+            std::unique_ptr<const LeaningRows> &leaning) const;
+
+    /// Presses the gaps of @p rows in @p state at @p to by the @p strategy: its
+    /// forces and active rows, and what that moves bodies by, which is
+    /// returned.
     BlockVector
-    press(ContactStrategy &strategy, const LoadFactor &to, State &state) const;
+    press(ContactStrategy  &strategy,
+          const GapRows    &rows,
+          const LoadFactor &to,
+          State            &state) const;
 
     /// What the correction @p du of the state @p u becomes where rows turn as
     /// bodies move: with H = sum lambda Hess g of the forces of @p state, which

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <lamella/solve/leaning_rows.h>
+
+#include <algorithm>
+
+namespace lamella
+{
+  LeaningRows::LeaningRows(const std::vector<ContactInterface> &contacts,
+                           const State                         &state,
+                           const unsigned int                   n_bodies,
+                           const double                         share)
+    : of_bodies(n_bodies)
+    , softened(contacts)
+  {
+    const GapRows all(contacts);
+    for (const unsigned int number : state.active)
+      {
+        const auto [c, k] = all.in_contact(number);
+        GapRow &row       = softened[c].rows[k];
+        if (state.force[number] <= 0. || row.parts.size() != 1)
+          continue;
+        const double spring = share * row.penalty;
+        leaning.push_back({number, spring});
+        of_bodies[row.parts[0].body].emplace_back(row.parts[0].row, spring);
+        if (row.enforcement == Enforcement::penalty)
+          row.penalty -= spring;
+      }
+  }
+
+
+
+  void
+  LeaningRows::take_springs_off(const BlockVector &u,
+                                const LoadFactor  &factor,
+                                State             &state) const
+  {
+    const GapRows all = rows();
+    for (const auto &[row, spring] : leaning)
+      state.force[row] += spring * all[row].gap(u, factor);
+  }
+
+
+
+  void
+  LeaningRows::put_springs_on(const BlockVector &u,
+                              const LoadFactor  &factor,
+                              State             &state) const
+  {
+    const GapRows all = rows();
+    for (const auto &[row, spring] : leaning)
+      if (state.force[row] > 0.)
+        {
+          const double force =
+            state.force[row] - spring * all[row].gap(u, factor);
+          state.force[row] = std::max(0., force);
+        }
+    state.active.erase(std::remove_if(state.active.begin(),
+                                      state.active.end(),
+                                      [&](const unsigned int row) {
+                                        return state.force[row] <= 0.;
+                                      }),
+                       state.active.end());
+  }
+} // namespace lamella

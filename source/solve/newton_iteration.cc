@@ -1,0 +1,210 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+// An iteration of Newton's method: the tangent, the contact problem on it, and
+// what rows turn by.
+
+#include <lamella/base/exceptions.h>
+#include <lamella/solve/contact_strategy.h>
+#include <lamella/solve/lost_digits.h>
+#include <lamella/solve/newton.h>
+
+#include <deal.II/lac/precondition.h>
+#include <deal.II/lac/solver_gmres.h>
+
+#include <algorithm>
+#include <array>
+
+namespace lamella
+{
+  namespace
+  {
+    BlockVector
+    sum_of(const BlockVector &a, const BlockVector &b)
+    {
+      BlockVector sum = a;
+      sum += b;
+      return sum;
+    }
+
+
+
+    /// x - answer(x), as GMRES asks for it.
+    struct WithTurnOfRows
+    {
+      std::function<BlockVector(const BlockVector &)> answer;
+      void
+      vmult(BlockVector &to, const BlockVector &x) const
+      {
+        to = x;
+        to -= answer(x);
+      }
+    };
+  } // namespace
+
+
+
+  BlockVector
+  Newton::press(ContactStrategy  &strategy,
+                const GapRows    &rows,
+                const LoadFactor &to,
+                State            &state) const
+  {
+    ContactProblem problem;
+    for (const GapRow &row : rows)
+      problem.gap.push_back(row.gap(state.u, to));
+    problem.force = problem.estimate = state.force;
+    problem.start                    = state.active;
+    problem.closed                   = parameters.touching * structure.size();
+    const ContactSolution found =
+      strategy.settle(problem, [this, rounds = 0u](const Round &round) mutable {
+        if (++rounds > parameters.max_iterations)
+          throw NumericsError("The contact did not settle in " +
+                              std::to_string(rounds - 1) + " rounds.");
+        if (!round.changed.empty())
+          progress("  contact: " + std::to_string(round.active) +
+                   " rows active, " + std::to_string(round.changed.size()) +
+                   " change");
+      });
+    if (found.force.empty())
+      return structure.zero();
+    state.force  = found.force;
+    state.active = found.active;
+    return found.du;
+  }
+
+
+
+  BlockVector
+  Newton::turn_of_rows(const State       &state,
+                       const BlockVector &u,
+                       const BlockVector &w,
+                       const LoadFactor  &to) const
+  {
+    BlockVector  f      = structure.zero();
+    const double length = length_of(w);
+    if (length == 0.)
+      return f;
+    const double step = parameters.difference * structure.size() / length;
+    for (const double way : {step, -step})
+      {
+        BlockVector change = w, at = structure.zero();
+        change *= way;
+        if (!contacts.add_forces_at(
+              state, structure.updated(u, change), to, at))
+          return structure.zero();
+        f.add(0.5 / way, at);
+      }
+    return f;
+  }
+
+
+
+  BlockVector
+  Newton::follow_rows(ContactStrategy   &strategy,
+                      const BlockVector &u,
+                      const BlockVector &du,
+                      const LoadFactor  &to,
+                      State             &state) const
+  {
+    if (state.active.empty())
+      return du;
+    const ClosedRows closed(state.active);
+    const Vector     held(closed.numbers.size());
+    Vector           forces;
+    const auto       answer = [&](const BlockVector &w) {
+      BlockVector x = structure.zero();
+      strategy.solve(closed, turn_of_rows(state, u, w, to), held, x, forces);
+      return x;
+    };
+    const double          enough = parameters.follows * du.l2_norm();
+    dealii::SolverControl control(parameters.max_follows, enough, false, false);
+    BlockVector           x = answer(du);
+    if (x.l2_norm() > enough)
+      try
+        {
+          x += du;
+          dealii::SolverGMRES<BlockVector>(control).solve(
+            WithTurnOfRows{answer}, x, du, dealii::PreconditionIdentity());
+          x = answer(x);
+        }
+      catch (const dealii::SolverControl::NoConvergence &)
+        {
+          return du;
+        }
+    x += du;
+    // To first order; the next iteration says which rows are active.
+    for (unsigned int i = 0; i < closed.numbers.size(); ++i)
+      state.force[closed.numbers[i]] =
+        std::max(0., state.force[closed.numbers[i]] + forces[i]);
+    return x;
+  }
+
+
+
+  Linearisation
+  Newton::tangent(const State                        &state,
+                  const BlockVector                  &correction,
+                  const LoadFactor                   &to,
+                  std::unique_ptr<const LeaningRows> &leaning) const
+  {
+    // Of the penalty: as little as makes it definite.
+    constexpr std::array<double, 3> shares{{0., 1e-3, 0.5}};
+    const auto                      with = [&](const double share) {
+      return std::make_unique<const LeaningRows>(contacts.interfaces(),
+                                                 state,
+                                                 structure.bodies().size(),
+                                                 share);
+    };
+    for (unsigned int k = 0;; ++k)
+      try
+        {
+          if (k > 0)
+            leaning = with(shares[k]);
+          return Linearisation(structure,
+                               state.u,
+                               asked,
+                               monitor,
+                               correction,
+                               to,
+                               leaning ? leaning->springs() :
+                                         LeaningRows::Springs());
+        }
+      catch (const LostDigits &)
+        {
+          if (k + 1 == shares.size() || with(shares[k])->none())
+            throw;
+        }
+  }
+
+
+
+  BlockVector
+  Newton::correct(const BlockVector &r,
+                  const BlockVector &moved,
+                  const BlockVector &correction,
+                  const LoadFactor  &to,
+                  State             &state) const
+  {
+    std::unique_ptr<const LeaningRows> leaning;
+    const Linearisation about  = tangent(state, correction, to, leaning);
+    const BlockVector   before = state.u;
+    BlockVector         du     = about.solve(r);
+    du += moved;
+    if (!contacts.none())
+      {
+        const GapRows rows  = leaning ? leaning->rows() : contacts.rows();
+        const auto strategy = make_strategy(Strategy::condensed, about, rows);
+        // Gaps are those of the tangent planes, whose states are sums.
+        if (leaning)
+          leaning->take_springs_off(sum_of(before, moved), to, state);
+        state.u += du;
+        du += press(*strategy, rows, to, state);
+        if (leaning)
+          leaning->put_springs_on(sum_of(before, du), to, state);
+        du = follow_rows(*strategy, before, du, to, state);
+      }
+    shorten(du);
+    state.u = structure.updated(before, du);
+    return du;
+  }
+} // namespace lamella
