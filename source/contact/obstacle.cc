@@ -29,11 +29,8 @@ namespace lamella
                   const Point<3>     &x,
                   const Tensor<1, 3> &d)
     {
-      // Everything across the axis.
-      const auto across = [&cylinder](const Tensor<1, 3> &v) {
-        return v - (v * cylinder.direction) * cylinder.direction;
-      };
-      const Tensor<1, 3> r = across(x - cylinder.point), e = across(d);
+      const Tensor<1, 3> r = cylinder.across_axis(x - cylinder.point),
+                         e = cylinder.across_axis(d);
       // |r + t e| = R; of its two roots the smaller one enters the cylinder.
       const double a = e * e, b = r * e,
                    c = r * r - cylinder.radius * cylinder.radius;
@@ -62,10 +59,9 @@ namespace lamella
   bool
   contains(const Obstacle &obstacle, const Point<3> &x)
   {
-    const Tensor<1, 3> r     = x - obstacle.point;
-    const double       along = r * obstacle.direction;
+    const Tensor<1, 3> r = x - obstacle.point;
     return obstacle.shape == Obstacle::Shape::plane ?
-             along < 0. :
-             (r - along * obstacle.direction).norm() < obstacle.radius;
+             r * obstacle.direction < 0. :
+             obstacle.across_axis(r).norm() < obstacle.radius;
   }
 } // namespace lamella

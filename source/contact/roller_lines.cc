@@ -28,19 +28,10 @@ namespace lamella
 
 
 
-    /// What @p v has across the axis of @p roller.
-    Tensor<1, 3>
-    across(const Obstacle &roller, const Tensor<1, 3> &v)
-    {
-      return v - (v * roller.direction) * roller.direction;
-    }
-
-
-
     double
     distance(const Obstacle &roller, const FacetMap &map, const Point<2> &st)
     {
-      return across(roller, map(st).position - roller.point).norm();
+      return roller.across_axis(map(st).position - roller.point).norm();
     }
 
 
@@ -56,9 +47,10 @@ namespace lamella
       constexpr double       step           = arithmetic::same_in_element;
       for (unsigned int k = 0; k < max_iterations; ++k)
         {
-          const auto         place = map(start);
-          const Tensor<1, 3> r = across(roller, place.position - roller.point),
-                             tangent = across(roller, place.d_t),
+          const auto         place   = map(start);
+          const Tensor<1, 3> r       = roller.across_axis(place.position -
+                                                    roller.point),
+                             tangent = roller.across_axis(place.d_t),
                              bend    = (map({start[0], start[1] + step}).d_t -
                                      map({start[0], start[1] - step}).d_t) /
                                     (2. * step);
@@ -137,7 +129,7 @@ namespace lamella
     const double unit = arithmetic::as_written * surface.body().size();
     std::map<long, unsigned int> nearest;
     const auto                   far = [&](const unsigned int k) {
-      return across(roller, place_of(interface.points[k]) - roller.point)
+      return roller.across_axis(place_of(interface.points[k]) - roller.point)
         .norm();
     };
     for (unsigned int k = 0; k < interface.rows.size(); ++k)

@@ -25,8 +25,7 @@ namespace lamella
     beside(const Obstacle &roller, const FacetMap &map, const Point<2> &st)
     {
       const auto         place = map(st);
-      const Tensor<1, 3> x     = place.position - roller.point,
-                         r     = x - (x * roller.direction) * roller.direction;
+      const Tensor<1, 3> r = roller.across_axis(place.position - roller.point);
       return {r, r * map.outward(place) < 0.};
     }
 

@@ -54,6 +54,13 @@ namespace lamella
     {
       return factor.of(history) * displacement;
     }
+
+    /// What @p v has across the cylinder's axis.
+    dealii::Tensor<1, 3>
+    across_axis(const dealii::Tensor<1, 3> &v) const
+    {
+      return v - (v * direction) * direction;
+    }
   };
 
   template <>
