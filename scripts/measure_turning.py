@@ -202,11 +202,11 @@ def turned_about_middle(angle, guess):
     return solve(residual, guess)
 
 
-def twisted_strip(length=120., width=12., height=0.6, modulus=3e3, by=2.4, n=1200):
+def twisted_strip(length=120., width=12., height=0.6, modulus=3e3, by=2.4, n=1200, warm=0.):
     """The pull N and the torque T of tests/scenes/large_twist.prm, nu = 0: with the twist k,
-      N = E A eps + E I_p k^2 / 2,
+      N = E A eps + E I_p k^2 / 2,    eps less the strain warm that heat has free of stress,
       T = G J k + k (E I_p eps + E I_4 k^2 / 2) - E Gamma k'',
-    k = 0 at the ends, int k = by, int eps = 0 (Wagner; Vlasov), by differences."""
+    k = 0 at the ends, int k = by, int eps + warm = 0 (Wagner; Vlasov), by differences."""
     b, t, h = width, height, length / n
     area, warping, shear = b * t, b ** 3 * t ** 3 / 144., 0.5 * modulus
     polar = (b ** 3 * t + b * t ** 3) / 12.
@@ -232,7 +232,7 @@ def twisted_strip(length=120., width=12., height=0.6, modulus=3e3, by=2.4, n=120
             jacobian[i, n + 1] = k[i] * polar / area
             jacobian[i, n + 2] = -1.
         jacobian[0, 0] = jacobian[n, n] = 1.
-        residual[n + 1], residual[n + 2] = weights @ k - by, weights @ eps
+        residual[n + 1], residual[n + 2] = weights @ k - by, weights @ eps + warm * length
         jacobian[n + 1, :n + 1] = weights
         jacobian[n + 2, :n + 1] = -weights * polar * k / area
         jacobian[n + 2, n + 1] = length / (modulus * area)
@@ -250,19 +250,20 @@ def turned_by(q, v):
 
 def measures(law, of_section, tilt):
     """Gamma and kappa that bear the force and moment of_section in the axes of the section, y
-    along the rod: E A, G A, E I and G I_p of the law times the strains of frame_strains(), or
-    with no tilt of fibres those of Reissner."""
-    e = of_section / law
+    along the rod: of the matrix law of the seven strains of frame_strains(), or with no tilt
+    of fibres of Reissner's six."""
+    e = of_section / np.diag(law)[:6]
     for _ in range(30):
         (g_x, _, g_z), (_, k_y, _) = e[:3], e[3:]
-        strains, slopes = e.copy(), np.eye(6)
+        strains, slopes = np.append(e, 0.), np.eye(7, 6)
         if tilt:
-            strains[[1, 3, 5]] += [0.5 * (g_x ** 2 + g_z ** 2), -k_y * g_x, -k_y * g_z]
+            strains += [0., 0.5 * (g_x ** 2 + g_z ** 2), 0., -k_y * g_x, 0., -k_y * g_z,
+                        0.5 * k_y ** 2]
             slopes[1, [0, 2]] += [g_x, g_z]
             slopes[3, [0, 4]] -= [k_y, g_x]
             slopes[5, [2, 4]] -= [k_y, g_z]
-        bearing = slopes.T @ (law * strains)
-        change = (of_section - bearing) / law
+            slopes[6, 4] = k_y
+        change = (of_section - slopes.T @ (law @ strains)) / np.diag(law)[:6]
         e = e + change
         if np.max(np.abs(change)) < 1e-14:
             return e
@@ -300,12 +301,14 @@ def rod_in_space(law, length, force, tilt, steps=100):
 
 def in_space():
     """Rods beside tests/scenes/turning_spatial.prm."""
-    width, height, modulus, nu = 8., 5., 9e3, 0.3
-    area, about_x, about_z = (width * height, width * height ** 3 / 12.,
-                              width ** 3 * height / 12.)
+    b, h, modulus, nu = 8., 5., 9e3, 0.3
+    area, about_x, about_z = b * h, b * h ** 3 / 12., b ** 3 * h / 12.
+    polar = about_x + about_z
+    fourth = (b ** 5 * h + b * h ** 5) / 80. + 2. * b ** 3 * h ** 3 / 144.
     shear = 0.5 * modulus / (1. + nu)
-    law = np.array([shear * area, modulus * area, shear * area, modulus * about_x,
-                    shear * (about_x + about_z), modulus * about_z])
+    law = np.diag([shear * area, modulus * area, shear * area, modulus * about_x,
+                   shear * polar, modulus * about_z, modulus * fourth])
+    law[1, 6] = law[6, 1] = modulus * polar
     for name, tilt in (("fibres tilt", True), ("Reissner's", False)):
         print(f"turning_spatial_rod: the tip of a rod, {name}")
         print(rod_in_space(law, 260., np.array([22., -9., 14.]), tilt))
@@ -316,6 +319,8 @@ def grips():
     print(-turned_about_middle(1., [-13., -7.1, -15.]))
     print("large_twist: pull, torque of a rod with warping")
     print(twisted_strip())
+    print("the same, warmer by a strain of 5e-4")
+    print(twisted_strip(warm=5e-4))
 
 
 def turning():

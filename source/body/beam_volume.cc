@@ -70,34 +70,45 @@ namespace lamella
 
 
 
-  std::vector<SectionForces>
-  Beam::forces_of_heat(const std::vector<std::vector<double>> &stations) const
+  void
+  Beam::for_each_point_of_heat(
+    const std::function<
+      void(const SectionPoint &, const Voigt &, const Voigt &)> &use) const
   {
-    std::vector<SectionForces> forces;
-    for (const std::vector<double> &group : stations)
-      forces.emplace_back(beam_section->n_fields(), group.size());
     beam_section->for_each_point([&](const SectionPoint &point,
                                      const double        weight) {
       const Voigt alpha = expansion_at(point);
       const Voigt active =
         alpha -
         beam_section->completion_of_initial(point.cell, point.position, alpha);
-      // Of one kelvin.
-      const Voigt stress =
-        weight *
-        (beam_section->law(point.cell, point.position).stiffness() * active);
-      const auto unit = work_of(stress, point);
-      for (unsigned int g = 0; g < stations.size(); ++g)
-        for (unsigned int k = 0; k < stations[g].size(); ++k)
-          {
-            const double T = temperature(placement.to_scene(
-              {point.position[0], stations[g][k], point.position[1]}));
-            forces[g].energy[k] += 0.5 * T * T * (stress * active);
-            for (unsigned int a = 0; a < unit.size(); ++a)
-              for (unsigned int p = 0; p < FieldPart::n; ++p)
-                forces[g].work[p]((*point.fields)[a], k) += T * unit[a][p];
-          }
+      use(point,
+          active,
+          weight * (beam_section->law(point.cell, point.position).stiffness() *
+                    active));
     });
+  }
+
+
+
+  std::vector<SectionForces>
+  Beam::forces_of_heat(const std::vector<std::vector<double>> &stations) const
+  {
+    std::vector<SectionForces> forces;
+    for (const std::vector<double> &group : stations)
+      forces.emplace_back(beam_section->n_fields(), group.size());
+    for_each_point_of_heat(
+      [&](const SectionPoint &point, const Voigt &active, const Voigt &stress) {
+        const auto unit = work_of(stress, point);
+        for (unsigned int g = 0; g < stations.size(); ++g)
+          for (unsigned int k = 0; k < stations[g].size(); ++k)
+            {
+              const double T = temperature_at(point, stations[g][k]);
+              forces[g].energy[k] += 0.5 * T * T * (stress * active);
+              for (unsigned int a = 0; a < unit.size(); ++a)
+                for (unsigned int p = 0; p < FieldPart::n; ++p)
+                  forces[g].work[p]((*point.fields)[a], k) += T * unit[a][p];
+            }
+      });
     return forces;
   }
 

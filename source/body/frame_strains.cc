@@ -143,11 +143,12 @@ namespace lamella
     with_tilt_of_fibres(FrameStrains e)
     {
       constexpr unsigned int G_x = 0, G_y = 1, G_z = 2, k_x = 3, k_y = 4,
-                             k_z = 5;
+                             k_z = 5, half_square_of_k_y = 6;
       add_product(G_y, 0.5, G_x, G_x, e);
       add_product(G_y, 0.5, G_z, G_z, e);
       add_product(k_x, -1., k_y, G_x, e);
       add_product(k_z, -1., k_y, G_z, e);
+      add_product(half_square_of_k_y, 0.5, k_y, k_y, e);
       return e;
     }
   } // namespace

@@ -92,6 +92,7 @@ namespace lamella
     const bool                                    stays_normal)
     : Beam(name, space, axis, placement, fields_of_node, theory)
     , h(section().element().reference_length())
+    , deforming(that_deforms(fields().shared_section()))
   {
     for (const auto &list : fields_of_node)
       if (section().n_fields() > n_of_node && !fields().is_dense(list))
@@ -99,8 +100,11 @@ namespace lamella
                          "SV-N: those of all others deform as a turned one "
                          "does.");
     make_stations();
+    const SaintVenant states(*deforming);
+    twist_stretch = std::make_unique<TwistStretch>(states);
     make_laws(stays_normal);
-    stiffening = stiffening_by_shape(*that_deforms(fields().shared_section()));
+    stiffening = stiffening_by_shape(states);
+    stiffening[1] -= twist_stretch->stiffening();
   }
 
 
@@ -179,21 +183,23 @@ namespace lamella
 
 
     /// Of @p n_fields fields, the first @p rigid of which are no warpings, what
-    /// a unit of each number of e is, a column each.
+    /// a unit of each number of e is, a column each, the first @p n_strains of
+    /// them the frame's; that of kappa_y^2 / 2 is empty.
     FieldParts
     units(const FrameFields &frame,
           const unsigned int n_fields,
-          const unsigned int rigid)
+          const unsigned int rigid,
+          const unsigned int n_strains)
     {
       const unsigned int m    = n_fields - rigid;
-      FieldParts         unit = field_parts(n_fields, n_frame + 2 * m);
+      FieldParts         unit = field_parts(n_fields, n_strains + 2 * m);
       for (unsigned int c = 0; c < n_frame; ++c)
         unit[FieldPart::derivative](frame.place[c], c) += frame.factor[c];
       for (unsigned int a = 0; a < m; ++a)
         {
-          unit[FieldPart::value](rigid + a, n_frame + a)          = 1.;
-          unit[FieldPart::shear_value](rigid + a, n_frame + a)    = 1.;
-          unit[FieldPart::derivative](rigid + a, n_frame + m + a) = 1.;
+          unit[FieldPart::value](rigid + a, n_strains + a)          = 1.;
+          unit[FieldPart::shear_value](rigid + a, n_strains + a)    = 1.;
+          unit[FieldPart::derivative](rigid + a, n_strains + m + a) = 1.;
         }
       return unit;
     }
@@ -211,8 +217,8 @@ namespace lamella
     law->fields.assign(list.begin(), list.end());
     law->warpings.assign(list.begin() + rigid, list.end());
     const FieldParts work =
-      answer.forces(units(frame, list.size(), rigid)).work;
-    const unsigned int n = n_frame + 2 * law->warpings.size();
+      answer.forces(units(frame, list.size(), rigid, n_strains)).work;
+    const unsigned int n = n_strains + 2 * law->warpings.size();
     law->D.reinit(n, n);
     for (unsigned int k = 0; k < n; ++k)
       {
@@ -220,7 +226,26 @@ namespace lamella
         for (unsigned int c = 0; c < n; ++c)
           law->D(c, k) = s[c];
       }
+    if (section().theory().can_twist())
+      add_twist_stretch(*law);
     return law;
+  }
+
+
+
+  void
+  ReissnerBeam::add_twist_stretch(Law &law) const
+  {
+    constexpr unsigned int   w = n_frame;
+    LAPACKFullMatrix<double> on_derivatives(section().n_fields(), 1);
+    for (unsigned int alpha = 0; alpha < section().n_fields(); ++alpha)
+      on_derivatives(alpha, 0) = twist_stretch->work()[alpha];
+    FieldParts work             = field_parts(law.fields.size(), 1);
+    work[FieldPart::derivative] = fields().on_list(law.fields, on_derivatives);
+    const std::vector<double> s = on_strains(law.fields, work, 0);
+    for (unsigned int c = 0; c < s.size(); ++c)
+      law.D(c, w) = law.D(w, c) = s[c];
+    law.D(w, w) = twist_stretch->stiffness();
   }
 
 
@@ -235,6 +260,7 @@ namespace lamella
     for (unsigned int c = 0; c < n_frame; ++c)
       s.push_back(frame.factor[c] *
                   work[FieldPart::derivative](frame.place[c], k));
+    s.push_back(0.);
     for (unsigned int a = n_rigid(); a < list.size(); ++a)
       s.push_back(work[FieldPart::value](a, k) +
                   work[FieldPart::shear_value](a, k));

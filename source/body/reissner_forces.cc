@@ -101,13 +101,30 @@ namespace lamella
     const std::vector<unsigned int> &list = laws[cell]->fields;
     const FieldParts                 work =
       on_list(fields(), list, forces_of_heat({places})[0]).work;
-    std::vector<Vector> result;
+    const std::vector<double> on_twist = heat_on_twist(places);
+    std::vector<Vector>       result;
     for (unsigned int k = 0; k < places.size(); ++k)
       {
-        const std::vector<double> s = on_strains(list, work, k);
+        std::vector<double> s = on_strains(list, work, k);
+        s[n_strains - 1]      = on_twist[k];
         result.emplace_back(s.begin(), s.end());
       }
     return result;
+  }
+
+
+
+  std::vector<double>
+  ReissnerBeam::heat_on_twist(const std::vector<double> &places) const
+  {
+    std::vector<double> sums(places.size(), 0.);
+    for_each_point_of_heat(
+      [&](const SectionPoint &point, const Voigt &, const Voigt &stress) {
+        const double work = stress * twist_strain(point);
+        for (unsigned int k = 0; k < places.size(); ++k)
+          sums[k] += temperature_at(point, places[k]) * work;
+      });
+    return sums;
   }
 
 
@@ -142,9 +159,9 @@ namespace lamella
         LAPACKFullMatrix<double>    K(numbers.size(), numbers.size());
         for (unsigned int k = 0; k < s.size(); ++k)
           {
-            const Station                &station = stations[cell][k];
-            const Frame                   frame   = frame_at(station.point, at);
-            std::array<double, n_strains> of_frame{};
+            const Station &station = stations[cell][k];
+            const Frame    frame   = frame_at(station.point, at);
+            OfFrame        of_frame{};
             std::copy_n(s[k].begin(), n_strains, of_frame.begin());
             add_stress_tangent(station,
                                at,
@@ -162,7 +179,7 @@ namespace lamella
 
   // ---- the tangent
 
-  std::array<double, 6>
+  ReissnerBeam::OfFrame
   ReissnerBeam::predicted(const Station             &station,
                           const Law                 &law,
                           const Element             &before,
@@ -188,7 +205,7 @@ namespace lamella
             there[n_strains + m + a] += station.point.dN[i] * by;
           }
       }
-    std::array<double, n_strains> s{};
+    OfFrame s{};
     for (unsigned int c = 0; c < n_strains; ++c)
       for (unsigned int k = 0; k < there.size(); ++k)
         s[c] += law.D(c, k) * there[k];
@@ -198,11 +215,11 @@ namespace lamella
 
 
   void
-  ReissnerBeam::add_frame_tangent(const Station               &station,
-                                  const Law                   &law,
-                                  const Element               &element,
-                                  const std::array<double, 6> &s,
-                                  LAPACKFullMatrix<double>    &K)
+  ReissnerBeam::add_frame_tangent(const Station            &station,
+                                  const Law                &law,
+                                  const Element            &element,
+                                  const OfFrame            &s,
+                                  LAPACKFullMatrix<double> &K)
   {
     const Frame               frame = frame_at(station.point, element);
     const FrameStrains        of = frame_strains(frame.Q, frame.dQ, frame.dr);
@@ -234,13 +251,13 @@ namespace lamella
 
 
   void
-  ReissnerBeam::add_stress_tangent(const Station               &station,
-                                   const Element               &element,
-                                   const FrameStrains          &of,
-                                   const std::vector<ByNode>   &by,
-                                   const std::array<double, 6> &s,
-                                   Tensor<2, 11>                by_measures,
-                                   LAPACKFullMatrix<double>    &K)
+  ReissnerBeam::add_stress_tangent(const Station             &station,
+                                   const Element             &element,
+                                   const FrameStrains        &of,
+                                   const std::vector<ByNode> &by,
+                                   const OfFrame             &s,
+                                   Tensor<2, 11>              by_measures,
+                                   LAPACKFullMatrix<double>  &K)
   {
     const unsigned int n = n_of_node + element.a.front().size();
     Tensor<1, 11>      stress;

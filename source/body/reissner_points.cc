@@ -277,6 +277,15 @@ namespace lamella
 
 
   Voigt
+  ReissnerBeam::twist_strain(const SectionPoint &point) const
+  {
+    return &section() == deforming.get() ? twist_stretch->strain(point) :
+                                           stretch_of_fibre(section(), point);
+  }
+
+
+
+  Voigt
   ReissnerBeam::strain_at(const SectionPoint        &point,
                           const unsigned int         cell,
                           const std::vector<double> &e) const
@@ -296,7 +305,7 @@ namespace lamella
     set(RigidField::slope_z, -h * e[3]);
     set(RigidField::rotation_y, h * e[4]);
     set(RigidField::slope_x, h * e[5]);
-    Voigt strain;
+    Voigt strain = e[n_strains - 1] * twist_strain(point);
     for (unsigned int k = 0; k < point.fields->size(); ++k)
       {
         const unsigned int alpha = (*point.fields)[k];
@@ -304,8 +313,8 @@ namespace lamella
           {
             const double by =
               fields().mode(warpings[a] - fields().first_mode())[alpha];
-            value[alpha] += by * e[n_of_node + a];
-            derivative[alpha] += by * e[n_of_node + m + a];
+            value[alpha] += by * e[n_strains + a];
+            derivative[alpha] += by * e[n_strains + m + a];
           }
         strain +=
           value[alpha] * point.in_plane[k] + derivative[alpha] * point.along[k];

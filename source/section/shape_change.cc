@@ -201,10 +201,10 @@ namespace lamella
 
 
   std::array<double, 3>
-  stiffening_by_shape(const Section &section)
+  stiffening_by_shape(const SaintVenant &states)
   {
-    const SaintVenant states(section);
-    const double      h = section.element().reference_length();
+    const Section &section = states.of_section();
+    const double   h       = section.element().reference_length();
     // Numbers of the states, and the curvature that each has.
     constexpr unsigned int            extension = 0;
     const std::array<unsigned int, 3> number{{3, 1, 2}};

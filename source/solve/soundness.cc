@@ -239,7 +239,7 @@ namespace lamella
         warnings.push_back(
           "sections that turn as a whole keep their shape: what bending and "
           "twisting do to it (Brazier's flattening of tubes, Lamb's of wide "
-          "strips, Wagner's stiffening of twisted ones) would change moments "
+          "strips) would change moments "
           "or torques by some " +
           to_text(100. * checks.shape_change, 2) +
           " % somewhere. Theory = LE-N has it");

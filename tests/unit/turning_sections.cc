@@ -12,6 +12,8 @@
 #include <lamella/conditions/turning_load.h>
 #include <lamella/section/saint_venant.h>
 #include <lamella/section/shape_change.h>
+#include <lamella/section/twist_stretch.h>
+#include <lamella/shape/shapes.h>
 #include <lamella/solve/newton.h>
 
 #include <deal.II/physics/transformations.h>
@@ -142,9 +144,10 @@ BOOST_AUTO_TEST_CASE(strains_of_a_frame)
   BOOST_TEST(std::abs(e.value[3] - (kappa[2][1] - twist * gamma[0])) < 1e-9);
   BOOST_TEST(std::abs(e.value[4] - twist) < 1e-9);
   BOOST_TEST(std::abs(e.value[5] - (kappa[1][0] - twist * gamma[2])) < 1e-9);
+  BOOST_TEST(std::abs(e.value[6] - twist * twist / 2.) < 1e-9);
   // A quaternion of another length is the same rotation.
   const auto scaled = frame_strains(2. * Q, 2. * dQ, vector_in(z, 8));
-  for (unsigned int k = 0; k < 6; ++k)
+  for (unsigned int k = 0; k < e.value.size(); ++k)
     BOOST_TEST(std::abs(scaled.value[k] - e.value[k]) < 1e-14);
 
   check_derivatives<7>(
@@ -500,18 +503,22 @@ BOOST_AUTO_TEST_CASE(slender_ones_do_not_lock)
 BOOST_AUTO_TEST_CASE(what_sections_do_to_their_shape)
 {
   const auto stiffening = [](const Laminate &shape, const double nu) {
-    return stiffening_by_shape(
-      *make_section(shape, EngineeringConstants::isotropic(1e3, nu), 3));
+    const auto section =
+      make_section(shape, EngineeringConstants::isotropic(1e3, nu), 3);
+    const SaintVenant states(*section);
+    return std::make_pair(stiffening_by_shape(states),
+                          TwistStretch(states).stiffening());
   };
   // Lamb's strip at small curvatures: nu^2 (k b^2 / h)^2 / 60 of bending and as
   // much of the forces along it at their arms.
   constexpr double nu = 0.25, b = 30., h = 0.8;
-  const double     lamb = 2. * std::pow(nu * b * b / h, 2) / 60.;
-  const auto       wide = stiffening(rectangle(b, h, {0.}, 4), nu);
+  const double     lamb        = 2. * std::pow(nu * b * b / h, 2) / 60.;
+  const auto [wide, of_fibres] = stiffening(rectangle(b, h, {0.}, 4), nu);
   BOOST_TEST(std::abs(wide[0] / lamb - 1.) < 0.02);
   // Wagner's: E b^5 t k^3 / 360 beside G b t^3 k / 3.
   const double wagner = 2. * (1. + nu) * std::pow(b, 4) / (120. * h * h);
   BOOST_TEST(std::abs(wide[1] / wagner - 1.) < 0.03);
+  BOOST_TEST(std::abs(of_fibres / wagner - 1.) < 0.05);
   // Brazier's tube: M = E I k (1 - 3 alpha^2 / 2), alpha = k R^2 / t (1 -
   // nu^2)^(1/2).
   constexpr double R = 15., t = 0.5;
@@ -521,7 +528,44 @@ BOOST_AUTO_TEST_CASE(what_sections_do_to_their_shape)
                       {{"material", EngineeringConstants::isotropic(1e3, nu)}}),
     3);
   const double brazier = -1.5 * (1. - nu * nu) * std::pow(R * R / t, 2);
-  BOOST_TEST(std::abs(stiffening_by_shape(*section)[0] / brazier - 1.) < 0.03);
+  BOOST_TEST(std::abs(stiffening_by_shape(SaintVenant(*section))[0] / brazier -
+                      1.) < 0.03);
+}
+
+
+
+BOOST_AUTO_TEST_CASE(stretch_by_twist_about_the_torsion_centre)
+{
+  // E (int r^4 - (int r^2)^2 / A) k^3 / 2 beside G J k, r from the torsion
+  // centre, 3 b^2 / (h + 6 b) behind the web of a channel, thin; b and h those
+  // of the middle lines.
+  constexpr double t = 2., width = 40., height = 60., nu = 0.3;
+  const double     b = width - 0.5 * t, h = height - t;
+  const double     e       = 3. * b * b / (h + 6. * b);
+  const auto       section = make_section(
+    make_section_mesh(
+      ThinWalled{
+        ShapeKind::channel, width, height, {t}, {t, t}, 1, 6, {"material", 0.}},
+      {{"material", EngineeringConstants::isotropic(1e3, nu)}}),
+    3);
+  constexpr unsigned int n      = 1000;
+  double                 second = 0., fourth = 0.;
+  const auto             add = [&](const double length, const double square) {
+    second += length * t * square;
+    fourth += length * t * square * square;
+  };
+  for (unsigned int k = 0; k < n; ++k)
+    {
+      const double s = (k + 0.5) / n;
+      add(h / n, e * e + std::pow(h * (s - 0.5), 2));
+      add(2. * b / n, std::pow(b * s + e, 2) + h * h / 4.);
+    }
+  const double length = h + 2. * b,
+               c      = (fourth - second * second / (length * t)) * (1. + nu) /
+                   (length * t * t * t / 3.);
+  const SaintVenant states(*section);
+  BOOST_TEST(std::abs(TwistStretch(states).stiffening() / c - 1.) < 0.05);
+  BOOST_TEST(std::abs(stiffening_by_shape(states)[1] / c - 1.) < 0.05);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

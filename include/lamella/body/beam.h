@@ -340,6 +340,23 @@ namespace lamella
     std::vector<SectionForces>
     forces_of_heat(const std::vector<std::vector<double>> &stations) const;
 
+    /// Calls @p use with each point of the section and, of one kelvin there,
+    /// the strain that is resisted and its stress times what the point stands
+    /// for in integrals.
+    void
+    for_each_point_of_heat(
+      const std::function<void(const SectionPoint &point,
+                               const Voigt        &strain,
+                               const Voigt        &stress)> &use) const;
+
+    /// The change of temperature at @p point of the section at @p y.
+    double
+    temperature_at(const SectionPoint &point, const double y) const
+    {
+      return temperature(
+        placement.to_scene({point.position[0], y, point.position[1]}));
+    }
+
   private:
     friend class BeamSecondOrder;
 

@@ -248,7 +248,7 @@ namespace lamella
     double max_strain = 0., max_mean_strain = 0., max_element_turn = 0.;
     /// Of sections that turn as a whole by what share, largest along the axis,
     /// their moments and torques leave out what bending and twisting do to
-    /// their shape (stiffening_by_shape()).
+    /// their shape (stiffening_by_shape(), less what the law has of it).
     double shape_change = 0.;
   };
 

@@ -57,18 +57,19 @@ namespace lamella
    *   Gamma = R^T (e_y + r') - e_y,
    *   kappa = vec(R^T R') = 2 vec(Q* Q') / |Q|^2,
    * Gamma_x, Gamma_z the shears [no unit], kappa_x and kappa_z the curvatures
-   * and kappa_y the twist [1 / length]; and in the place of Gamma_y, kappa_x
-   * and kappa_z
+   * and kappa_y the twist [1 / length]; and as their seventh kappa_y^2 / 2. In
+   * the place of Gamma_y, kappa_x and kappa_z are
    *   Gamma_y + (Gamma_x^2 + Gamma_z^2) / 2,
-   *   kappa_x - kappa_y Gamma_x,   kappa_z - kappa_y Gamma_z,
-   * which is how fibres along the axis are stretched that shear and twist tilt
-   * against the section's normal, [(Gamma_x + kappa_y z)^2 + (Gamma_z - kappa_y
-   * x)^2] / 2, without Wagner's kappa_y^2: little where the section has one
-   * stiffness, but it is what stretches the faces of a sandwich whose core
-   * shears, and bends it where it twists. As functions of (Q, Q', r'), in
-   * this order. Nothing cancels where the section does not turn much.
+   *   kappa_x - kappa_y Gamma_x,   kappa_z - kappa_y Gamma_z:
+   * with r^2 times the seventh that is how fibres along the axis are stretched
+   * that shear and twist tilt against the section's normal,
+   *   [(Gamma_x + kappa_y z)^2 + (Gamma_z - kappa_y x)^2] / 2,
+   * little where the section has one stiffness and is not thin, but it is what
+   * stretches the faces of a sandwich whose core shears, bends it where it
+   * twists, and stiffens a twisted strip. As functions of (Q, Q', r'), in this
+   * order. Nothing cancels where the section does not turn much.
    */
-  using FrameStrains = Derivatives<6, 11>;
+  using FrameStrains = Derivatives<7, 11>;
   FrameStrains
   frame_strains(const Quaternion           &Q,
                 const Quaternion           &dQ,

@@ -5,6 +5,7 @@
 
 #include <lamella/body/beam.h>
 #include <lamella/body/frame_strains.h>
+#include <lamella/section/twist_stretch.h>
 
 #include <algorithm>
 #include <memory>
@@ -18,14 +19,15 @@ namespace lamella
    * of its fields that are no rigid motions, turns with it,
    *   x = X_c + r + R (X - X_c + Phi a).
    * Strains are small in the axes of the section, and linear in
-   *   e = (Gamma, kappa, a, a')                                (FrameStrains),
+   *   e = (Gamma, kappa, kappa_y^2 / 2, a, a')                 (FrameStrains),
    * so that what the section answers is what it answers to the same numbers in
    * a Beam (SectionAnswer), and a constant matrix: s = D e. Of Saint-Venant's
    * fields that is Simo's beam with the section's own stiffness; warping in
-   * shear and torsion, Poisson's effect and all couplings of a layup are in it.
-   * What it leaves out are strains that are quadratic in the section itself:
-   * Wagner's stiffening of a twisted strip, the flattening of bent tubes and
-   * of wide strips; Deformation::shape_change says how much that is.
+   * shear and torsion, Poisson's effect and all couplings of a layup are in it;
+   * what kappa_y^2 / 2 is of the section is TwistStretch, Wagner's stiffening
+   * of a twisted strip. What it leaves out are other strains that are quadratic
+   * in the section itself: the flattening of bent tubes and of wide strips;
+   * Deformation::shape_change says how much that is.
    *
    * DoFs are those of the Beam. In a state u the six rigid fields of a node
    * have another meaning: its r, and its rotation vector, of 0 to pi, as small
@@ -127,7 +129,7 @@ namespace lamella
     struct Law
     {
       std::vector<unsigned int> fields, warpings;
-      /// 6 + 2 m numbers squared, in the order of e.
+      /// 7 + 2 m numbers squared, in the order of e.
       dealii::LAPACKFullMatrix<double> D;
     };
 
@@ -171,8 +173,9 @@ namespace lamella
       }
     };
 
-    /// Gamma and kappa; r and the spin of a node.
-    static constexpr unsigned int n_strains = 6, n_of_node = RigidField::n_all;
+    /// Those of FrameStrains; r and the spin of a node.
+    static constexpr unsigned int n_strains = 7, n_of_node = RigidField::n_all;
+    using OfFrame = std::array<double, n_strains>;
 
     /// d(Q, Q', r') by r and the spin of a node.
     using ByNode = std::array<dealii::Tensor<1, 6>, 11>;
@@ -193,6 +196,9 @@ namespace lamella
     make_laws(const bool stays_normal);
     std::shared_ptr<Law>
     make_law(const SectionAnswer &answer) const;
+    /// The row and the column of kappa_y^2 / 2.
+    void
+    add_twist_stretch(Law &law) const;
 
     /// How many of the section's fields, the first ones, are no warpings.
     unsigned int
@@ -202,7 +208,7 @@ namespace lamella
     }
 
     /// The stresses on e that the @p work on the fields @p list is, at station
-    /// @p k.
+    /// @p k, with none on kappa_y^2 / 2.
     std::vector<double>
     on_strains(const std::vector<unsigned int> &list,
                const FieldParts                &work,
@@ -211,6 +217,13 @@ namespace lamella
     /// Of each station of the element @p cell the stresses on e of C epsilon_0.
     std::vector<Vector>
     heat_stresses(const unsigned int cell) const;
+    /// Those on kappa_y^2 / 2 at each of @p places along the axis.
+    std::vector<double>
+    heat_on_twist(const std::vector<double> &places) const;
+
+    /// The strain of kappa_y^2 / 2 = 1 at @p point of the section.
+    Voigt
+    twist_strain(const SectionPoint &point) const;
 
     /// The rotation vector of @p node in a state, or its spin in a change.
     dealii::Tensor<1, 3>
@@ -253,16 +266,16 @@ namespace lamella
                const Vector        &s,
                std::vector<double> &f);
 
-    /// The stresses of Gamma and kappa that a @p change of the local numbers
-    /// predicts where it starts from @p before: the linear part of what it
-    /// makes (Magisano, Leonetti and Garcea, see green_tangent()).
-    static std::array<double, 6>
+    /// The stresses of the frame's strains that a @p change of the local
+    /// numbers predicts where it starts from @p before: the linear part of what
+    /// it makes (Magisano, Leonetti and Garcea, see green_tangent()).
+    static OfFrame
     predicted(const Station             &station,
               const Law                 &law,
               const Element             &before,
               const std::vector<double> &change);
     /// Add to the local matrix @p K: all of a station with the stresses @p s of
-    /// Gamma and kappa; what these do as r and spins turn e, on top of the
+    /// the frame's strains; what these do as r and spins turn e, on top of the
     /// second derivative @p by_measures of the energy by (Q, Q', r'); the
     /// products of r and spins with those of node @p j; those with a warping. A
     /// node has @p n numbers.
@@ -270,14 +283,14 @@ namespace lamella
     add_frame_tangent(const Station                    &station,
                       const Law                        &law,
                       const Element                    &element,
-                      const std::array<double, 6>      &s,
+                      const OfFrame                    &s,
                       dealii::LAPACKFullMatrix<double> &K);
     static void
     add_stress_tangent(const Station                    &station,
                        const Element                    &element,
                        const FrameStrains               &of,
                        const std::vector<ByNode>        &by,
-                       const std::array<double, 6>      &s,
+                       const OfFrame                    &s,
                        dealii::Tensor<2, 11>             by_measures,
                        dealii::LAPACKFullMatrix<double> &K);
     /// by_node() of all nodes at @p station.
@@ -290,7 +303,8 @@ namespace lamella
     {
       return -(by_q * q) / 4.;
     }
-    /// That of the energy of Gamma and kappa by (Q, Q', r') without stresses.
+    /// That of the energy of the frame's strains by (Q, Q', r') without
+    /// stresses.
     static dealii::Tensor<2, 11>
     square_of_strains(const Law &law, const FrameStrains &of);
     static void
@@ -363,7 +377,10 @@ namespace lamella
 
     /// The reference length of the section.
     double h;
-    /// stiffening_by_shape().
+    /// The section, or where it is rigid one that is not.
+    std::shared_ptr<const Section>      deforming;
+    std::unique_ptr<const TwistStretch> twist_stretch;
+    /// stiffening_by_shape() less what the law has.
     std::array<double, 3>                   stiffening;
     std::vector<std::vector<Station>>       stations;
     std::vector<std::shared_ptr<const Law>> laws;

@@ -30,12 +30,12 @@ namespace lamella
    * v, f (the section's modal derivative). The stretch of the axis is free in
    * v.
    *
-   * An estimate for beams whose law leaves this out (ReissnerBeam), right where
-   * it is small: wide strips flatten in a layer at their edges beyond b^2 k / h
-   * = 1. Of the @p section of an LE.
+   * An estimate for beams whose law leaves out most of it (ReissnerBeam), right
+   * where it is small: wide strips flatten in a layer at their edges beyond b^2
+   * k / h = 1. Of the section of an LE that has the @p states.
    */
   std::array<double, 3>
-  stiffening_by_shape(const Section &section);
+  stiffening_by_shape(const SaintVenant &states);
 } // namespace lamella
 
 #endif
