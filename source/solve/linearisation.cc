@@ -195,6 +195,26 @@ namespace lamella
 
 
 
+  namespace
+  {
+    /// What @p monitor is to be told of the making of the solver of @p body.
+    SolverMonitor
+    of_body(const Body &body, const Linearisation::BodyMonitor &monitor)
+    {
+      SolverMonitor result;
+      if (monitor.assembled)
+        result.assembled = [&] { monitor.assembled(body); };
+      if (monitor.sized)
+        result.sized = [&](const FactorSize &size) {
+          monitor.sized(body, size);
+        };
+      result.advanced = monitor.advanced;
+      return result;
+    }
+  } // namespace
+
+
+
   Linearisation::Linearisation(const Structure   &structure,
                                const BlockVector &u,
                                const SolverKind   asked,
@@ -207,18 +227,10 @@ namespace lamella
     const Vector none;
     for (unsigned int b = 0; b < structure.bodies().size(); ++b)
       {
-        const Body   &body = *structure.bodies()[b];
-        SolverMonitor of_body;
+        const Body &body = *structure.bodies()[b];
         if (monitor.begins)
           monitor.begins(body);
-        if (monitor.assembled)
-          of_body.assembled = [&] { monitor.assembled(body); };
-        if (monitor.sized)
-          of_body.sized = [&](const FactorSize &size) {
-            monitor.sized(body, size);
-          };
-        of_body.advanced = monitor.advanced;
-        auto springs     = structure.spring_terms(b);
+        auto springs = structure.spring_terms(b);
         if (!more.empty())
           springs.insert(springs.end(), more[b].begin(), more[b].end());
         try
@@ -229,7 +241,7 @@ namespace lamella
                                             correction.block(b) :
                                             none,
                                           springs,
-                                          of_body));
+                                          of_body(body, monitor)));
           }
         catch (const NotPositiveDefinite &error)
           {
