@@ -230,7 +230,7 @@ namespace lamella
     const BlockVector before = state.u;
     contacts.move(state, at.factor);
     auto [moved, r, began] = beginning(to, at);
-    BlockVector  correction;
+    Correction   last;
     Decay        forces, gaps;
     unsigned int pairings = 0;
     for (unsigned int k = 0; k < parameters.max_iterations; ++k)
@@ -238,11 +238,11 @@ namespace lamella
         ++state.iterations;
         // What it is to warm by strains it free of stress for the most part,
         // which the tangent of the start knows nothing of.
-        correction = correct(r,
-                             moved,
-                             predicted ? correction : BlockVector(),
-                             k == 0 ? to.as_warm_as(at.factor) : to,
-                             state);
+        last = correct(r,
+                       moved,
+                       predicted ? last.du : BlockVector(),
+                       k == 0 ? to.as_warm_as(at.factor) : to,
+                       state);
 
         contacts.move(state, to);
         const Linearisation here(structure, state.u);
@@ -253,12 +253,13 @@ namespace lamella
         moved = here.way_to_supports(to, to);
         forces.add(at.residual);
         gaps.add(at.law_error);
-        if (is_equilibrium(forces, length_of(correction)) && is_held(moved) &&
+        if (is_equilibrium(forces, length_of(last.du)) && is_held(moved) &&
             keeps_law(gaps, length_of(state.u)))
           {
             if (contacts.none() || !contacts.see_what_touches(state, to))
               {
                 contacts.require_not_through(before, at.factor, state.u, to);
+                require_minimum(before, last, state, to);
                 at.factor = to;
                 return true;
               }

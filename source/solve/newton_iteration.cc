@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 namespace lamella
 {
@@ -178,7 +179,24 @@ namespace lamella
 
 
 
-  BlockVector
+  void
+  Newton::require_minimum(const BlockVector &before,
+                          const Correction  &last,
+                          const State       &state,
+                          const LoadFactor  &to) const
+  {
+    BlockVector way = state.u;
+    way -= before;
+    if (!last.leans &&
+        length_of(last.du) <= parameters.settled * length_of(way))
+      return;
+    std::unique_ptr<const LeaningRows> leaning;
+    tangent(state, BlockVector(), to, leaning);
+  }
+
+
+
+  Newton::Correction
   Newton::correct(const BlockVector &r,
                   const BlockVector &moved,
                   const BlockVector &correction,
@@ -205,6 +223,6 @@ namespace lamella
       }
     shorten(du);
     state.u = structure.updated(before, du);
-    return du;
+    return {std::move(du), leaning != nullptr};
   }
 } // namespace lamella

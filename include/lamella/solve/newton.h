@@ -44,6 +44,9 @@ namespace lamella
     unsigned int max_follows = 20;
     /// How often contacts pair anew in a step.
     unsigned int max_pairings = 3;
+    /// A last correction of this share of the way of a step ends it without a
+    /// look at the tangent where it led.
+    double settled = 0.01;
     /// The largest spin of an iteration [rad]: a longer change is shortened.
     double spin = 1.;
     /// How often a step is halved.
@@ -168,11 +171,18 @@ namespace lamella
     bool
     attempt(const LoadFactor &to, Equilibrium &at);
 
+    /// What an iteration has changed, and whether rows had to lean for it.
+    struct Correction
+    {
+      BlockVector du;
+      bool        leans = false;
+    };
+
     /// One iteration: adds to @p state the correction that @p r, the unbalanced
     /// forces, makes about it, and what supports have @p moved by with it, with
     /// the rows that this closes; returns it. The last @p correction predicts
     /// stresses, unless it is empty.
-    BlockVector
+    Correction
     correct(const BlockVector &r,
             const BlockVector &moved,
             const BlockVector &correction,
@@ -187,6 +197,16 @@ namespace lamella
             const BlockVector                  &correction,
             const LoadFactor                   &to,
             std::unique_ptr<const LeaningRows> &leaning) const;
+
+    /// Throws LostDigits where the tangent of @p state at @p to is not definite
+    /// with the rows that bear a force there. That of the last correction was,
+    /// and is not looked at again if this was small beside the way from
+    /// @p before and leant on nothing: rows may have opened.
+    void
+    require_minimum(const BlockVector &before,
+                    const Correction  &last,
+                    const State       &state,
+                    const LoadFactor  &to) const;
 
     /// Presses the gaps of @p rows in @p state at @p to by the @p strategy: its
     /// forces and active rows, and what that moves bodies by, which is
