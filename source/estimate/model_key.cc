@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <lamella/axis/axis.h>
+#include <lamella/base/arithmetic.h>
 #include <lamella/base/names.h>
 #include <lamella/base/text.h>
 #include <lamella/estimate/model_key.h>
 
+#include <cmath>
 #include <limits>
 #include <map>
 
@@ -59,6 +62,25 @@ namespace lamella
 
 
 
+    /// Where the elements of @p axis end, however that is said: halves of
+    /// halves are sums, so in parts of its length that are more than rounding.
+    std::string
+    words_of_ends(const AxisMesh &axis)
+    {
+      std::string words;
+      double      end = 0.;
+      for (const double length : element_lengths(axis))
+        {
+          end += length;
+          words += std::to_string(std::llround(
+                     end / (arithmetic::same_place_along * axis.length))) +
+                   " ";
+        }
+      return words + "| ";
+    }
+
+
+
     std::string
     words_of(const AxisMesh &axis)
     {
@@ -69,9 +91,12 @@ namespace lamella
                    fineness,
                    equidistant_nodes,
                    assumed_shear] = axis;
-      return words_of(length) + words_of(degree) + words_of(elements) +
-             words_of(breaks) + words_of(fineness) +
-             (equidistant_nodes ? "e" : "") + (assumed_shear ? "s" : "");
+      // An axis that grades itself has no elements yet.
+      return words_of(length) + words_of(degree) +
+             (fineness > 0. ? words_of(elements) + words_of(breaks) :
+                              words_of_ends(axis)) +
+             words_of(fineness) + (equidistant_nodes ? "e" : "") +
+             (assumed_shear ? "s" : "");
     }
 
 

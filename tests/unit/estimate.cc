@@ -147,7 +147,7 @@ BOOST_AUTO_TEST_CASE(keys_of_models)
     [](Scene &s) { s.bodies[0].pieces.theories[1].order = 3; },
     [](Scene &s) { s.bodies[0].pieces.breaks[0] += 1e-15; },
     [](Scene &s) { s.bodies[0].axis.elements[1] = 5; },
-    [](Scene &s) { s.bodies[0].axis.breaks[0] += 4e-16; },
+    [](Scene &s) { s.bodies[0].axis.breaks[0] += 1e-9; },
     [](Scene &s) { s.bodies[0].axis.degree = 2; },
     [](Scene &s) { s.bodies[0].axis.length = 3.; },
     [](Scene &s) { s.bodies[0].axis.fineness = 1.; },
@@ -174,8 +174,12 @@ BOOST_AUTO_TEST_CASE(keys_of_models)
     }
   BOOST_TEST(keys.size() == changes.size() + 1);
 
-  // No divisions are what was not said, and pictures are no model.
-  Scene same              = base;
+  // No divisions are what was not said, and pictures are no model; nor is it
+  // another one that says the ends of its elements in another way, which are
+  // sums of lengths.
+  Scene same                 = base;
+  same.bodies[0].axis.breaks = {1. / 3., 2. / 3., 1., 1.25, 1.5, 1.75};
+  same.bodies[0].axis.elements.assign(7, 1);
   same.divisions["strip"] = 0;
   same.write_vtu          = false;
   BOOST_TEST(key_of(same) == key_of(base));
