@@ -12,6 +12,7 @@ from measure_tools import ROOT, table
 ROLLER = ROOT / "tests/scenes/large_roller.prm"
 COUPON = ROOT / "prm/flexure_large.prm"
 SLIDE = ROOT / "tests/scenes/large_slide.prm"
+CORNERS = ROOT / "tests/scenes/large_corners.prm"
 
 
 class Section:
@@ -113,6 +114,40 @@ def slide(down, guess):
     return solve(residual, guess)
 
 
+def corners(down, guess):
+    """The same beams where faces may sink into each other and the edge of either end is
+    held on the other's face: of the lower one's tip (y, z, angle), the force there, where
+    on the upper one from its tip; where on the lower one the upper's tip is, the force
+    there, the upper one's angle at its tip; the angles of the lower and the upper face
+    where they are touched."""
+    lower, upper = Section(2e3, 10., 6.), Section(2e3, 10., 5.)
+
+    def residual(q):
+        y, z, angle, at_tip, s_upper, s_lower, at_face, other, face, upper_face = q
+        on_tip, on_face = -at_tip * across(upper_face), -at_face * across(face)
+        out = lower.half * across(angle)
+        here = shoot(lower, [y, z, angle, arm(out, on_tip)], s_lower - 300., on_tip)
+        up = lower.half * across(here[2])
+        clamp = shoot(lower, [*here[:3], here[3] + arm(up, on_face)], -s_lower,
+                      on_tip + on_face)
+        tip = here[:2] + up + upper.half * across(other)
+        there = shoot(upper, [*tip, other, -arm(-upper.half * across(other), -on_face)],
+                      s_upper, on_face)
+        down_there = -upper.half * across(there[2])
+        far = shoot(upper, [*there[:3], there[3] - arm(down_there, -on_tip)],
+                    240. - s_upper, on_face + on_tip)
+        # Faces are material lines: with the mean shear of both sides of a force.
+        tilt = here[2] + (2. * on_tip + on_face) @ across(here[2]) / 2. / lower.shear
+        tilt_upper = (there[2] + (2. * on_face + on_tip) @ across(there[2])
+                      / 2. / upper.shear)
+        return np.array([clamp[0], clamp[1], 100. * clamp[2], far[0] - 420.,
+                         far[1] - 6.5 + down, 100. * far[2],
+                         *(np.array([y, z]) + out - there[:2] - down_there),
+                         100. * (tilt - face), 100. * (tilt_upper - upper_face)])
+
+    return solve(residual, guess)
+
+
 def path(rod, ways, guess):
     """The rod at each of the ways, from the last two."""
     found = []
@@ -158,6 +193,28 @@ def slides():
         rows.append(row)
     table(["clamp down", "force, rods", "touches at", "turn there", "LE-1, 12", "iterations",
            "TBT, 12", "iterations", "TBT, 24", "iterations"], rows)
+
+
+def ends():
+    rods = path(corners, np.arange(10., 190., 10.),
+                [300., -3.9, -0.022, 0.11, 120., 180., 0.11, -0.022, -0.011, -0.011])
+    theories = ("LE-1", "TBT", "SV", "solid-2")
+    rows = []
+    for down in (60., 120., 180.):
+        rod = rods[down]
+        factors = ",".join(str(way / 240.) for way in np.arange(30., down + 1., 30.))
+        row = [f"{down:g}", f"{rod[6]:.5f}", f"{rod[3]:.5f}"]
+        for theory in theories:
+            run = BarRun(CORNERS, ["Contacts=upper_end, lower_end",
+                                   f"Load factors={factors}", f"Theory={theory}"])
+            for contact, force in (("upper_end", rod[6]), ("lower_end", rod[3])):
+                mine = np.linalg.norm(run.summary["contacts"][contact]["force"])
+                row.append(f"{mine / force - 1.:.1e}")
+            row.append(f"{np.mean(run.summary['iterations']):.1f}")
+        rows.append(row)
+    table(["clamp down", "upper end, rods", "lower end, rods"]
+          + [f"{theory}: {what}" for theory in theories
+             for what in ("upper", "lower", "iterations")], rows)
 
 
 def coupon():
@@ -324,10 +381,11 @@ def grips():
 
 
 def turning():
-    """Rods beside tests/scenes/large_roller.prm, large_slide.prm, turning_grip.prm,
-    large_twist.prm and turning_spatial.prm."""
+    """Rods beside tests/scenes/large_roller.prm, large_slide.prm, large_corners.prm,
+    turning_grip.prm, large_twist.prm and turning_spatial.prm."""
     rollers()
     slides()
+    ends()
     coupon()
     grips()
     in_space()

@@ -100,11 +100,17 @@ namespace lamella
     const auto is_weighted = [](const ContactInterface &interface) {
       return interface.discretisation == Discretisation::surface_to_surface;
     };
+    // The gap of an end is another one than the average of those around it.
+    const auto differ = [&is_weighted](const ContactInterface &a,
+                                       const ContactInterface &b) {
+      return is_weighted(a) &&
+             b.discretisation == Discretisation::edge_to_surface;
+    };
     for (unsigned int i = 0; i < interfaces.size(); ++i)
       for (unsigned int j = 0; j < i; ++j)
         {
           const ContactInterface &a = interfaces[i], &b = interfaces[j];
-          if (!same_bodies(a, b))
+          if (!same_bodies(a, b) || differ(a, b) || differ(b, a))
             continue;
           const std::vector<Point<3>> shared = shared_places(a, b, bodies);
           if (shared.empty() || (is_weighted(a) && is_weighted(b) &&

@@ -65,7 +65,7 @@ namespace lamella
     if (contact.overclosure != Overclosure::adjust)
       return;
     find_points();
-    const auto before = integrate(undeformed, Feet::kept, points);
+    const auto before = integrate(undeformed, feet_at_rest(), points);
     for (unsigned int k = 0; k < before.size(); ++k)
       taken_out[key(interface.points[k])] = std::max(0., -before[k].gap);
   }
@@ -410,7 +410,7 @@ namespace lamella
   {
     find_points();
     if (integrals.empty())
-      integrals = integrate(undeformed, Feet::kept, points);
+      integrals = integrate(undeformed, feet_at_rest(), points);
     std::vector<std::array<std::vector<BodyRow>, 2>> slip(integrals.size());
     for (const bool second : {false, true})
       for (unsigned int a = 0; a < 2; ++a)
@@ -509,6 +509,16 @@ namespace lamella
                          const std::vector<unsigned int> &active)
   {
     search.check(interface, u, factor, active);
+  }
+
+
+
+  std::optional<SunkEnd>
+  Contact::sunk_end(const BlockVector &u, const LoadFactor &factor) const
+  {
+    if (interface.obstacle != nullptr)
+      return {};
+    return deepest_end(ContactSides(undeformed, u, factor), reach);
   }
 
 

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <lamella/contact/body_ends.h>
 #include <lamella/contact/contact_sides.h>
+
+#include <algorithm>
 
 namespace lamella
 {
@@ -54,8 +57,37 @@ namespace lamella
   std::vector<SurfacePoint>
   ContactSides::points(const bool second) const
   {
-    const Region &side   = region(second);
-    auto          points = all_bodies[side.body]->surface_points(side.surface);
+    const Region &side = region(second);
+    return are_of_edges() ?
+             end_points(second) :
+             standing_points(
+               second, all_bodies[side.body]->surface_points(side.surface));
+  }
+
+
+
+  std::vector<SurfacePoint>
+  ContactSides::end_points(const bool second) const
+  {
+    const Region  &side   = region(second);
+    const Body    &body   = *all_bodies[side.body];
+    auto           points = body.surface_points(side.surface);
+    const BodyEnds ends(body);
+    points.erase(std::remove_if(points.begin(),
+                                points.end(),
+                                [&ends](const SurfacePoint &point) {
+                                  return !ends.has(point.position);
+                                }),
+                 points.end());
+    return standing_points(second, std::move(points));
+  }
+
+
+
+  std::vector<SurfacePoint>
+  ContactSides::standing_points(const bool                second,
+                                std::vector<SurfacePoint> points) const
+  {
     if (undeformed == nullptr)
       return points;
     const MeshSurface &before = *undeformed->surface(second),

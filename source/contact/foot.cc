@@ -12,8 +12,10 @@ namespace lamella
 
   namespace
   {
-    // Of a facet's length: how far a foot goes beyond a side with a neighbour.
-    constexpr double beyond = 0.05;
+    // Of a facet's length: how far a foot goes beyond a side with a neighbour,
+    // and beyond the rim along a body. Strips of one width have points on
+    // each other's rims, which bending moves to and fro across them.
+    constexpr double beyond = 0.05, beyond_rim = 0.01;
 
 
 
@@ -40,17 +42,17 @@ namespace lamella
 
 
 
-    /// Whether @p st is on the facet, or on its continuation by no more than
-    /// @p slack where a neighbour goes on.
+    /// Whether @p st is on the facet, or @p or_near it: as far beyond a side as
+    /// a foot goes.
     bool
     is_on(const MeshSurface::Facet &facet,
           const Point<2>           &st,
-          const double              slack)
+          const bool                or_near)
     {
       const auto room = [&](const unsigned int side) {
-        return facet.goes_on[side] ?
-                 std::max(slack, arithmetic::same_in_element) :
-                 arithmetic::same_in_element;
+        if (!or_near || (facet.body_ends[side] && !facet.goes_on[side]))
+          return arithmetic::same_in_element;
+        return facet.goes_on[side] ? beyond : beyond_rim;
       };
       return st[0] >= -room(0) && st[0] <= 1. + room(1) && st[1] >= -room(2) &&
              st[1] <= 1. + room(3);
@@ -65,7 +67,8 @@ namespace lamella
            const unsigned int  number,
            const Point<2>     &st,
            const Point<3>     &x,
-           const Tensor<1, 3> &n1)
+           const Tensor<1, 3> &n1,
+           const double        opposed)
     {
       const MeshSurface::Facet &facet = surface.facets()[number];
       const auto                place = facet.map(st);
@@ -75,7 +78,7 @@ namespace lamella
       hit.distance = hit.normal * (x - hit.position);
       hit.facet    = number;
       hit.st       = st;
-      if (n1 * hit.normal > -faces_from_60)
+      if (n1 * hit.normal > -opposed)
         return {};
       return hit;
     }
@@ -88,7 +91,8 @@ namespace lamella
     nearest_foot(const MeshSurface  &surface,
                  const Point<3>     &x,
                  const Tensor<1, 3> &n1,
-                 const double        reach)
+                 const double        reach,
+                 const double        opposed)
     {
       const Tensor<1, 3>        around({reach, reach, reach});
       std::optional<SurfaceHit> on, continued;
@@ -97,10 +101,10 @@ namespace lamella
         {
           const MeshSurface::Facet &facet = surface.facets()[number];
           const auto                st    = foot_on(facet.map, x, {0.5, 0.5});
-          if (!st || !is_on(facet, *st, beyond))
+          if (!st || !is_on(facet, *st, true))
             continue;
-          auto &nearest = is_on(facet, *st, 0.) ? on : continued;
-          if (const auto hit = hit_at(surface, number, *st, x, n1);
+          auto &nearest = is_on(facet, *st, false) ? on : continued;
+          if (const auto hit = hit_at(surface, number, *st, x, n1, opposed);
               hit && std::abs(hit->distance) <=
                        (nearest ? std::abs(nearest->distance) : reach))
             nearest = hit;
@@ -135,21 +139,26 @@ namespace lamella
 
 
   std::optional<SurfaceHit>
-  find_foot(const MeshSurface             &surface,
-            const Point<3>                &x,
-            const Tensor<1, 3>            &n1,
-            const double                   reach,
-            const MeshSurface::FacetPlace &last)
+  find_foot(const MeshSurface                            &surface,
+            const Point<3>                               &x,
+            const Tensor<1, 3>                           &n1,
+            const double                                  reach,
+            const std::optional<MeshSurface::FacetPlace> &last,
+            const double                                  opposed)
   {
-    const MeshSurface::Facet &facet = surface.facets()[last.facet];
-    if (const auto st = foot_on(facet.map, x, last.st);
-        st && is_on(facet, *st, beyond))
-      if (const auto hit = hit_at(surface, last.facet, *st, x, n1);
-          hit && std::abs(hit->distance) <= reach)
-        return hit;
+    if (last)
+      {
+        const MeshSurface::Facet &facet = surface.facets()[last->facet];
+        if (const auto st = foot_on(facet.map, x, last->st);
+            st && is_on(facet, *st, true))
+          if (const auto hit =
+                hit_at(surface, last->facet, *st, x, n1, opposed);
+              hit && std::abs(hit->distance) <= reach)
+            return hit;
+      }
     // What is near is among few facets.
     for (const double share : {1. / 64., 1. / 8., 1.})
-      if (const auto hit = nearest_foot(surface, x, n1, share * reach))
+      if (const auto hit = nearest_foot(surface, x, n1, share * reach, opposed))
         return hit;
     return {};
   }

@@ -139,9 +139,15 @@ namespace lamella
           const Tensor<1, 3> &n1,
           const double        reach)
     {
-      const auto hit = opposing == nullptr ?
-                         find_foot(*sides.obstacle(), x, n1, reach) :
-                         find_foot(*opposing, x, n1, reach, point.opposing);
+      const auto hit =
+        opposing == nullptr ?
+          find_foot(*sides.obstacle(), x, n1, reach) :
+          find_foot(*opposing,
+                    x,
+                    n1,
+                    reach,
+                    point.opposing,
+                    sides.are_of_edges() ? edge_faces_from : faces_from_60);
       if (!hit)
         return {};
       point.opposing = {hit->facet, hit->st};

@@ -82,7 +82,7 @@ namespace lamella
           contact.points_on == PointsOn::first)
         return false;
       return contact.points_on == PointsOn::second ||
-             second_is_finer(sides, reach);
+             (!sides.are_of_edges() && second_is_finer(sides, reach));
     }
 
 
@@ -105,10 +105,11 @@ namespace lamella
       sides.carrying      = at.surface(on_second);
       sides.opposing_mesh = at.surface(!on_second);
       sides.opposing      = sides.opposing_mesh;
+      sides.of_edges      = at.are_of_edges();
       std::optional<ObstacleSurface> obstacle;
       if (at.obstacle() != nullptr)
         sides.opposing = &obstacle.emplace(at.obstacle());
-      else
+      else if (!sides.of_edges)
         (on_second ? interface.unpaired : interface.unpaired_second) =
           nodes_facing_nothing(*sides.opposing_mesh, *sides.carrying, reach);
       Assert(interface.discretisation != Discretisation::undefined,

@@ -2,6 +2,7 @@
 
 #include <lamella/base/arithmetic.h>
 #include <lamella/base/gauss_lobatto_grid.h>
+#include <lamella/contact/body_ends.h>
 #include <lamella/contact/carrying_surface.h>
 #include <lamella/contact/mesh_surface.h>
 
@@ -143,12 +144,18 @@ namespace lamella
     for (const Facet &facet : all_facets)
       for (const auto &side : sides_of(facet))
         ++count[side];
+    const BodyEnds ends(surface_body);
     for (Facet &facet : all_facets)
       {
         const auto sides = sides_of(facet);
         for (unsigned int k = 0; k < 4; ++k)
-          facet.goes_on[k] = count[sides[k]] > 1 ||
-                             (hangs[sides[k].first] && hangs[sides[k].second]);
+          {
+            const auto [one, other] = sides[k];
+            facet.goes_on[k] =
+              count[sides[k]] > 1 || (hangs[one] && hangs[other]);
+            facet.body_ends[k] =
+              ends.has(nodes[one].position) && ends.has(nodes[other].position);
+          }
       }
   }
 

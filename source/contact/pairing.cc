@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <lamella/contact/foot.h>
 #include <lamella/contact/pairing.h>
 #include <lamella/contact/search.h>
 #include <lamella/contact/segments.h>
@@ -213,6 +214,33 @@ namespace lamella
 
 
 
+  namespace
+  {
+    std::optional<Opposition>
+    place_opposite(const Sides &sides, const SurfacePoint &point)
+    {
+      if (!sides.of_edges)
+        return opposing_place(*sides.opposing,
+                              point.position,
+                              point.normal,
+                              sides.reach);
+      const auto foot = find_foot(*sides.opposing_mesh,
+                                  point.position,
+                                  point.normal,
+                                  sides.reach,
+                                  {},
+                                  edge_faces_from);
+      if (!foot)
+        return {};
+      Opposition at;
+      at.hit    = *foot;
+      at.normal = -foot->normal;
+      return at;
+    }
+  } // namespace
+
+
+
   Gaps
   pair_node_to_surface(const Sides                     &sides,
                        const std::vector<SurfacePoint> &points)
@@ -220,10 +248,7 @@ namespace lamella
     Gaps result;
     for (const SurfacePoint &point : points)
       {
-        const auto facing = opposing_place(*sides.opposing,
-                                           point.position,
-                                           point.normal,
-                                           sides.reach);
+        const auto facing = place_opposite(sides, point);
         if (!facing)
           {
             ++result.unpaired;

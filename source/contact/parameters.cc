@@ -67,7 +67,9 @@ namespace lamella
       "node to node: rows between nodes that face each other; node to surface: "
       "between the nodes of one side and the places of the other that they "
       "face; surface to surface: gaps averaged around the nodes of one side, "
-      "as in mortar methods, whatever the nodes of the other; line to roller: "
+      "as in mortar methods, whatever the nodes of the other; edge to surface: "
+      "between the nodes of one side where its body starts or ends and the "
+      "other side, wherever they slide; line to roller: "
       "with Rotations = large, the line of a beam that is nearest to a "
       "cylinder across it, wherever it wanders.");
     prm.declare_entry("Points on",
@@ -75,7 +77,8 @@ namespace lamella
                       selection<PointsOn>(),
                       "first or second: the side whose nodes the rows belong "
                       "to; auto: the one with the finer grid where the two "
-                      "face each other. Unused with node to node.");
+                      "face each other, of edge to surface the first. Unused "
+                      "with node to node.");
     prm.declare_entry("Search distance",
                       "auto",
                       patterns::WordOr("auto", patterns::positive()),
@@ -234,6 +237,11 @@ namespace lamella
       if (contact.discretisation == Discretisation::node_to_node)
         in["Discretisation"].refuse(
           rule, "Use auto, surface to surface, or node to surface.");
+      if (contact.discretisation == Discretisation::edge_to_surface)
+        in["Discretisation"].refuse(
+          "the obstacle '" + contact.obstacle->name +
+            "' is met by all nodes of First, those at its ends among them",
+          "Use node to surface.");
       if (contact.discretisation == Discretisation::line_to_roller &&
           contact.obstacle->shape != Obstacle::Shape::cylinder)
         in["Discretisation"].refuse("the obstacle '" + contact.obstacle->name +

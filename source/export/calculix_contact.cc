@@ -142,6 +142,11 @@ namespace lamella
                          "gaps without their overlap have no counterpart in a "
                          "CalculiX deck",
                          "Move the bodies apart, or use push apart.");
+      if (pair.discretisation == Discretisation::edge_to_surface)
+        throw InputError(path + "/Discretisation",
+                         name_of(pair.discretisation),
+                         "a CalculiX deck pairs faces, which have their edges",
+                         "Leave this contact out of Contacts.");
     }
   } // namespace
 

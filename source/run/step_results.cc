@@ -176,6 +176,7 @@ namespace lamella
                            solved.load_factor,
                            built.rows().among_contact(k, solved.state.active)));
     add(warnings_of_rollers(solved));
+    add(warnings_of_ends(solved));
     add(warnings_of_holds(solved.checks));
     if (solved.change && *solved.change > scene.solve.substeps.tolerance)
       warnings.push_back(
@@ -218,6 +219,38 @@ namespace lamella
             to_text(off, 2) +
             " rad: take Discretisation = line to roller, or shorter elements "
             "wherever it touches");
+      }
+    return warnings;
+  }
+
+
+
+  std::vector<std::string>
+  StepRecorder::warnings_of_ends(const SolvedStep &solved) const
+  {
+    // Of the cell's depth: gaps of faces are averages.
+    constexpr double         worth_saying = 1e-2;
+    std::vector<std::string> warnings;
+    for (unsigned int c = 0; c < built.interfaces().size() && structure.turns();
+         ++c)
+      {
+        const ContactInterface &contact = built.interfaces()[c];
+        const auto end = built.contact_lives()[c]->sunk_end(solved.state.u,
+                                                            solved.load_factor);
+        if (!end || end->depth < worth_saying * end->cell)
+          continue;
+        const std::string first =
+          structure.bodies()[contact.first_body]->name();
+        const auto &[one, other] =
+          end->second ? std::make_pair(contact.second_name, first) :
+                        std::make_pair(first, contact.second_name);
+        warnings.push_back(
+          "contact " + contact.name + ": an end of body '" + one + "' is " +
+          to_text(end->depth, 2) + " inside of body '" + other +
+          "', where no row holds it: beside this contact take one of the same "
+          "surfaces with Discretisation = edge to surface, whose Points on are "
+          "of body '" +
+          one + "'");
       }
     return warnings;
   }

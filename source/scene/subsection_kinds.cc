@@ -193,6 +193,23 @@ namespace lamella
 
 
 
+    /// Whether @p one and @p other, of the same surfaces, may have rows at the
+    /// same places: edges and faces are different ones, as are those of either
+    /// side.
+    bool
+    share_rows(const ContactPair &one, const ContactPair &other)
+    {
+      const auto body_of_edges = [](const ContactPair &contact) {
+        if (contact.discretisation != Discretisation::edge_to_surface)
+          return dealii::numbers::invalid_unsigned_int;
+        return contact.points_on == PointsOn::second ? contact.second.body :
+                                                       contact.first.body;
+      };
+      return body_of_edges(one) == body_of_edges(other);
+    }
+
+
+
     /// Throws InputError if the last of @p contacts pairs the same surfaces as
     /// another: their penalties would add up.
     void
@@ -203,7 +220,7 @@ namespace lamella
       };
       const ContactPair &last = contacts.back();
       for (auto other = contacts.begin(); other + 1 != contacts.end(); ++other)
-        if (other->obstacle == last.obstacle &&
+        if (other->obstacle == last.obstacle && share_rows(*other, last) &&
             ((same(other->first, last.first) &&
               (last.obstacle != nullptr || same(other->second, last.second))) ||
              (last.obstacle == nullptr && same(other->first, last.second) &&

@@ -67,16 +67,85 @@ namespace lamella
 
 
   void
-  MovingContacts::move(const State &state, const LoadFactor &factor)
+  MovingContacts::lose(const unsigned int c, const std::string &how)
+  {
+    lost = "Contact " + all[c].name + " is lost" + how;
+    throw NumericsError(lost);
+  }
+
+
+
+  bool
+  MovingContacts::ends_have_rows(const unsigned int c) const
+  {
+    const auto carrying = [](const ContactInterface &contact) {
+      return contact.points_on_second ? contact.second_body :
+                                        contact.first_body;
+    };
+    const auto opposing = [](const ContactInterface &contact) {
+      return contact.points_on_second ? contact.first_body :
+                                        contact.second_body;
+    };
+    return std::any_of(all.begin(), all.end(), [&](const auto &other) {
+      return other.discretisation == Discretisation::edge_to_surface &&
+             carrying(other) == opposing(all[c]) &&
+             opposing(other) == carrying(all[c]);
+    });
+  }
+
+
+
+  bool
+  MovingContacts::is_pressed(const unsigned int c, const State &state) const
+  {
+    const auto bodies = [](const ContactInterface &contact) {
+      return std::minmax(contact.first_body, *contact.second_body);
+    };
+    return std::any_of(state.active.begin(),
+                       state.active.end(),
+                       [&](const unsigned int row) {
+                         const auto &by = all[numbered.in_contact(row).first];
+                         return by.second_body && bodies(by) == bodies(all[c]);
+                       });
+  }
+
+
+
+  void
+  MovingContacts::move(State &state, const LoadFactor &factor)
   {
     for (const auto &contact : lives)
       contact->move(state.u, factor);
+    std::vector<unsigned int> facing;
     for (const unsigned int row : state.active)
-      if (numbered[row].parts.empty())
-        throw NumericsError(
-          "Contact " + all[numbered.in_contact(row).first].name +
-          " is lost: what bears a force faces nothing, past an end of the other "
-          "side or through it.");
+      if (const unsigned int c = numbered.in_contact(row).first;
+          !numbered[row].parts.empty())
+        facing.push_back(row);
+      else if (ends_have_rows(c))
+        {
+          state.force[row] = 0.;
+          let_go.insert(c);
+          lost = "Contact " + all[c].name +
+                 " is lost: what bore a force is past an end of the other "
+                 "side, and nothing took over.";
+        }
+      else
+        lose(
+          c,
+          ": what bears a force faces nothing, past an end of the other side "
+          "or through it. Where that end is to take over, give it a contact "
+          "of its own, edge to surface.");
+    state.active = facing;
+  }
+
+
+
+  void
+  MovingContacts::begin_step(State &state, const LoadFactor &factor)
+  {
+    let_go.clear();
+    lost.clear();
+    move(state, factor);
   }
 
 
@@ -150,16 +219,19 @@ namespace lamella
 
 
   void
-  MovingContacts::require_not_through(const BlockVector &before,
-                                      const LoadFactor  &from,
-                                      const BlockVector &u,
-                                      const LoadFactor  &to) const
+  MovingContacts::require_kept(const BlockVector &before,
+                               const LoadFactor  &from,
+                               const State       &state,
+                               const LoadFactor  &to)
   {
     for (unsigned int c = 0; c < lives.size(); ++c)
-      if (lives[c]->has_passed_roller(before, from, u, to))
-        throw NumericsError("Contact " + all[c].name +
-                            " is lost: its body went through '" +
-                            all[c].obstacle->name + "' in one step.");
+      if (lives[c]->has_passed_roller(before, from, state.u, to))
+        lose(c,
+             ": its body went through '" + all[c].obstacle->name +
+               "' in one step.");
+    for (const unsigned int c : let_go)
+      if (!is_pressed(c, state))
+        throw NumericsError(lost);
   }
 
 
@@ -188,10 +260,9 @@ namespace lamella
     catch (const InputError &)
       {
         numbered = GapRows(all);
-        throw NumericsError("Contact " + all[c].name +
-                            " is lost at load factor " +
-                            to_text(factor.of_scene()) +
-                            ": nothing faces its other side any more.");
+        lose(c,
+             " at load factor " + to_text(factor.of_scene()) +
+               ": nothing faces its other side any more.");
       }
   }
 } // namespace lamella

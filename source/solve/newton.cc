@@ -228,7 +228,7 @@ namespace lamella
   {
     State            &state  = at.state;
     const BlockVector before = state.u;
-    contacts.move(state, at.factor);
+    contacts.begin_step(state, at.factor);
     auto [moved, r, began] = beginning(to, at);
     Correction   last;
     Decay        forces, gaps;
@@ -258,7 +258,7 @@ namespace lamella
           {
             if (contacts.none() || !contacts.see_what_touches(state, to))
               {
-                contacts.require_not_through(before, at.factor, state.u, to);
+                contacts.require_kept(before, at.factor, state, to);
                 require_minimum(before, last, state, to);
                 at.factor = to;
                 return true;
@@ -298,6 +298,9 @@ namespace lamella
             last_failure = error.what();
             progress(last_failure);
           }
+        // That says more than what comes of it.
+        if (!contacts.why_lost().empty())
+          lost_contact = contacts.why_lost();
         back();
       }
     return false;
@@ -305,25 +308,24 @@ namespace lamella
 
 
 
-  namespace
+  void
+  Newton::fail_beyond(const LoadFactor &reached, const LoadFactor &to) const
   {
-    std::string
-    not_found_beyond(const LoadFactor &reached,
-                     const LoadFactor &to,
-                     const bool        anything_touches)
-    {
-      return "No stable equilibrium was found beyond load factor " +
-             to_text(reached.of_scene(), 6) + ", on the way to " +
-             to_text(to.of_scene(), 6) +
-             ": the loads may pass a limit there, or a column may buckle. "
-             "Prescribe a displacement in place of loads, or give the "
-             "structure the imperfection that it has." +
-             (anything_touches ?
-                " A body that nothing but another body keeps from buckling "
-                "is not found either (obstacles may)." :
-                "");
-    }
-  } // namespace
+    const std::string where = "beyond load factor " +
+                              to_text(reached.of_scene(), 6) +
+                              ", on the way to " + to_text(to.of_scene(), 6);
+    if (!lost_contact.empty())
+      throw NumericsError("Nothing was found " + where + ". " + lost_contact);
+    throw NumericsError(
+      "No stable equilibrium was found " + where +
+      ": the loads may pass a limit there, or a column may buckle. Prescribe a "
+      "displacement in place of loads, or give the structure the imperfection "
+      "that it has." +
+      (contacts.none() ? "" :
+                         " A body that nothing but another body keeps from "
+                         "buckling is not found either (obstacles may).") +
+      (last_failure.empty() ? "" : " (" + last_failure + ")"));
+  }
 
 
 
@@ -339,6 +341,7 @@ namespace lamella
       way /= 2.;
     while (done < 1.)
       {
+        lost_contact.clear();
         const double     next   = std::min(1., done + way);
         const LoadFactor target = next < 1. ? to.after(start.factor, next) : to;
         if (attempt(target, at))
@@ -348,9 +351,7 @@ namespace lamella
           }
         way /= 2.;
         if (++at.cuts > parameters.max_cuts)
-          throw NumericsError(
-            not_found_beyond(at.factor, to, !contacts.none()) +
-            (last_failure.empty() ? "" : " (" + last_failure + ")"));
+          fail_beyond(at.factor, to);
         progress("no convergence: a step of " + to_text(way, 4) +
                  " of the way is tried");
       }

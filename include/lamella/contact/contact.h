@@ -8,6 +8,7 @@
 #include <lamella/contact/gap_rows.h>
 #include <lamella/contact/roller_lines.h>
 #include <lamella/contact/search_check.h>
+#include <lamella/contact/sunk_end.h>
 
 #include <array>
 #include <map>
@@ -151,6 +152,11 @@ namespace lamella
                   const LoadFactor                &factor,
                   const std::vector<unsigned int> &active);
 
+    /// The deepest end of either body in the other in the state @p u at
+    /// @p factor (deepest_end()); none against an obstacle.
+    std::optional<SunkEnd>
+    sunk_end(const BlockVector &u, const LoadFactor &factor) const;
+
     /// Whether the body went through a roller between two states, each a
     /// displacement at a load factor (goes_through()).
     bool
@@ -185,6 +191,12 @@ namespace lamella
       const ContactSides                                                &at,
       const std::array<std::map<unsigned int, dealii::Tensor<1, 3>>, 2> &forces,
       BlockVector &f) const;
+    /// How feet are found where nothing has moved.
+    Feet
+    feet_at_rest() const
+    {
+      return undeformed.are_of_edges() ? Feet::found : Feet::kept;
+    }
     /// How feet are found in a state.
     Feet
     feet() const

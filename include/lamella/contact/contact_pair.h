@@ -24,6 +24,9 @@ namespace lamella
     node_to_node,       ///< nodes that face each other
     node_to_surface,    ///< nodes of one side against the other side's surface
     surface_to_surface, ///< gaps averaged with hat functions of one side
+    edge_to_surface,    ///< nodes of one side where its body ends against the
+                        ///< other side's surface, whichever way that faces the
+                        ///< edge
     line_to_roller ///< of beams that turn the line that is nearest to the axis
                    ///< of a cylinder, a row a station along that
   };
@@ -36,6 +39,7 @@ namespace lamella
       {Discretisation::node_to_node, "node to node"},
       {Discretisation::node_to_surface, "node to surface"},
       {Discretisation::surface_to_surface, "surface to surface"},
+      {Discretisation::edge_to_surface, "edge to surface"},
       {Discretisation::line_to_roller, "line to roller"}};
   };
 
@@ -59,13 +63,15 @@ namespace lamella
       {Overclosure::refuse, "error"}};
   };
 
-  /// Which side carries the points of `node to surface` and the hat functions
-  /// of `surface to surface`. In the words of mortar methods that is the slave
-  /// (non-mortar) side. Unused by `node to node`.
+  /// Which side carries the points of `node to surface`, the hat functions of
+  /// `surface to surface` and the edges of `edge to surface`. In the words of
+  /// mortar methods that is the slave (non-mortar) side. Unused by `node to
+  /// node`.
   enum class PointsOn
   {
     undefined,
-    automatic, ///< the side with the finer grid where the two face each other
+    automatic, ///< the side with the finer grid where the two face each other;
+               ///< of edges the first
     first,
     second
   };
@@ -94,7 +100,8 @@ namespace lamella
     /// Surfaces of two different bodies; `second` is unused with an obstacle.
     Region first, second;
     /// A rigid obstacle in the place of `second`, if not null. It has no nodes:
-    /// `node to node` and points on the second side are not for it.
+    /// `node to node`, `edge to surface` and points on the second side are not
+    /// for it.
     std::shared_ptr<const Obstacle> obstacle;
 
     /// These two have to be set: `undefined` fails an assertion.

@@ -55,6 +55,14 @@ namespace lamella
       pair.points_on      = points_on;
     }
 
+    /// Whether rows are those of edges: their gaps are along the normals of the
+    /// other side, at the feet.
+    bool
+    are_of_edges() const
+    {
+      return pair.discretisation == Discretisation::edge_to_surface;
+    }
+
     bool
     have_moved() const
     {
@@ -74,9 +82,13 @@ namespace lamella
 
     /// Body::surface_points() of a side, which are there, with their normals;
     /// locations and tributary areas stay those of the undeformed body. None of
-    /// an obstacle.
+    /// an obstacle. Of edges those alone at which the body starts or ends.
     std::vector<SurfacePoint>
     points(const bool second) const;
+
+    /// Those at which the body starts or ends, whatever rows are of.
+    std::vector<SurfacePoint>
+    end_points(const bool second) const;
 
     /// Where each trace node of surface() is in its body, and the three rows of
     /// its displacement: made once, of the undeformed; of bodies whose rows
@@ -91,6 +103,10 @@ namespace lamella
                const std::vector<unsigned int> &numbers) const;
 
   private:
+    /// @p points of a side where they stand.
+    std::vector<SurfacePoint>
+    standing_points(const bool second, std::vector<SurfacePoint> points) const;
+
     const Region &
     region(const bool second) const
     {

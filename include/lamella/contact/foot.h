@@ -26,23 +26,27 @@ namespace lamella
   /**
    * The place of @p surface that the point @p x with the outward normal @p n1
    * faces by closest-point projection: the nearest foot, at most @p reach away,
-   * at which the facet's own normal n_2 opposes n_1 by 60 degrees or better.
+   * at which the facet's own normal n_2 opposes n_1 to @p opposed, the cosine
+   * of the angle between n_1 and -n_2, or better.
    * The hit's normal is n_2 and its distance the gap
    *   g = n_2 . (x - X_2),
    * negative where x is inside. Its gradient has no part of the foot's own
    * motion, since X_,a . n_2 = 0: delta g = n_2 . (delta x - delta X_2).
    *
-   * @p last is where the foot was. It stays on that facet, continued, until it
+   * @p last is where the foot was, if it is known. It stays on that facet,
+   * continued, until it
    * is 5 % of its length beyond a side at which another facet goes on, and so
    * it does not jump between two facets whose normals differ; where none goes
-   * on a foot beyond the side is none.
+   * on a foot beyond the side is none: 1 % beyond along the body, nothing where
+   * that starts or ends.
    */
   std::optional<SurfaceHit>
-  find_foot(const MeshSurface             &surface,
-            const dealii::Point<3>        &x,
-            const dealii::Tensor<1, 3>    &n1,
-            const double                   reach,
-            const MeshSurface::FacetPlace &last);
+  find_foot(const MeshSurface                            &surface,
+            const dealii::Point<3>                       &x,
+            const dealii::Tensor<1, 3>                   &n1,
+            const double                                  reach,
+            const std::optional<MeshSurface::FacetPlace> &last,
+            const double opposed = faces_from_60);
 
   /// The same on a rigid obstacle where it stands: of a plane g = N . (x - p),
   /// of a cylinder g = |r| - R with r = x - p across its axis. None on the axis

@@ -84,8 +84,8 @@ namespace lamella
       /// SurfaceTopology calls them, one number on all sides of an edge.
       std::vector<unsigned int> grid_nodes, nodes_of_body;
       /// Whether another facet goes on beyond each of its sides s = 0, s = 1, t
-      /// = 0 and t = 1.
-      std::array<bool, 4> goes_on{};
+      /// = 0 and t = 1, and whether the body starts or ends there.
+      std::array<bool, 4> goes_on{}, body_ends{};
       /// Whether the facet is a plane parallelogram and all of its nodes have
       /// its own normal, so that smooth_normal() is that one. Then E_n = n.n :
       /// C : n.n of the ply in the middle [force/length^2], and the depth of
@@ -231,7 +231,7 @@ namespace lamella
     /// Sets the ball around the facet from its map.
     void
     measure(Facet &facet) const;
-    /// Sets what goes on beyond the sides of facets.
+    /// Sets what goes on beyond the sides of facets, and where the body ends.
     void
     find_neighbours();
     /// Numbers the grid nodes, apart on the sides of edges sharper than 45

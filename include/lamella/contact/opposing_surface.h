@@ -63,8 +63,9 @@ namespace lamella
     double angle = 0.;
   };
 
-  /// cos 60: normals further from opposed do not face each other.
-  constexpr double faces_from_60 = 0.5;
+  /// cos 60: normals further from opposed do not face each other. An edge, at
+  /// which a surface ends, faces all that opposes the surface at all.
+  constexpr double faces_from_60 = 0.5, edge_faces_from = 0.;
 
   /**
    * The place X_2 of @p other that the point @p x of a surface with the outward

@@ -160,6 +160,9 @@ namespace lamella
     /// Places further apart do not face each other. Along the averaged normal
     /// [length].
     double reach = 0.;
+    /// Whether the points are those of edges, which face the nearest places of
+    /// opposing_mesh, along the normals there (find_foot()).
+    bool of_edges = false;
   };
 
   /// Whether @p gap is so negative that the places lie behind each other by

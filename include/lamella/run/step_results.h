@@ -64,6 +64,9 @@ namespace lamella
     /// Of bodies that turn, where rollers touch them at few points.
     std::vector<std::string>
     warnings_of_rollers(const SolvedStep &solved) const;
+    /// Of bodies that turn, where an end of one lies in another.
+    std::vector<std::string>
+    warnings_of_ends(const SolvedStep &solved) const;
     /// What the holds of bodies bear where contact forces do not balance in
     /// motions that they take out.
     std::vector<std::string>

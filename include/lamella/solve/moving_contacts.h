@@ -8,6 +8,8 @@
 
 #include <array>
 #include <map>
+#include <set>
+#include <string>
 #include <vector>
 
 namespace lamella
@@ -67,11 +69,25 @@ namespace lamella
       return numbered;
     }
 
-    /// Takes the rows to @p state at @p factor (Contact::move()). Throws
-    /// NumericsError where one that bears a force finds nothing to bear it on:
-    /// bodies have gone through each other, or past an end.
+    /// Takes the rows to @p state at @p factor (Contact::move()). Where one
+    /// that bears a force finds nothing to bear it on, past an end of the other
+    /// body or through it, it lets go of that if the ends of the other body
+    /// have rows
+    /// (`edge to surface`), which take over; else throws NumericsError.
     void
-    move(const State &state, const LoadFactor &factor);
+    move(State &state, const LoadFactor &factor);
+
+    /// move() to the start of a step, in which nothing is lost yet.
+    void
+    begin_step(State &state, const LoadFactor &factor);
+
+    /// Why a contact is lost since begin_step(), or would be if nothing takes
+    /// over from rows that let go, a sentence; empty if none is.
+    const std::string &
+    why_lost() const
+    {
+      return lost;
+    }
 
     /// f += B^T lambda of the forces of @p state.
     void
@@ -104,15 +120,27 @@ namespace lamella
     void
     pair(State &state, const LoadFactor &factor);
 
-    /// Throws NumericsError where a body went through a roller between two
-    /// displacements, each at a load factor, so that nothing touches it.
+    /// Throws NumericsError where from @p before at @p from to @p state at @p
+    /// to a body went through a roller, so that nothing touches it, or rows let
+    /// go and nothing bears a force between their bodies.
     void
-    require_not_through(const BlockVector &before,
-                        const LoadFactor  &from,
-                        const BlockVector &u,
-                        const LoadFactor  &to) const;
+    require_kept(const BlockVector &before,
+                 const LoadFactor  &from,
+                 const State       &state,
+                 const LoadFactor  &to);
 
   private:
+    /// Throws NumericsError: @p how contact @p c is lost.
+    [[noreturn]] void
+    lose(const unsigned int c, const std::string &how);
+    /// Whether another contact has rows for the ends of the body that faces the
+    /// points of contact @p c.
+    bool
+    ends_have_rows(const unsigned int c) const;
+    /// Whether a row in @p state bears a force between the bodies of contact
+    /// @p c.
+    bool
+    is_pressed(const unsigned int c, const State &state) const;
     /// Pairs contact @p c anew.
     void
     pair(const unsigned int c, const State &state, const LoadFactor &factor);
@@ -120,6 +148,9 @@ namespace lamella
     const std::vector<ContactInterface> &all;
     const Contacts                      &lives;
     GapRows                              numbered;
+    /// Since begin_step(): contacts of which a row let go, and why_lost().
+    std::set<unsigned int> let_go;
+    std::string            lost;
   };
 } // namespace lamella
 

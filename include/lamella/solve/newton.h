@@ -282,6 +282,10 @@ namespace lamella
     bool
     is_equilibrium(const Decay &unbalanced, const double change) const;
 
+    /// Throws NumericsError: how far it came, and what became of the rest.
+    [[noreturn]] void
+    fail_beyond(const LoadFactor &reached, const LoadFactor &to) const;
+
     /// Whether supports hold what they have to where they are still to move
     /// bodies by @p moved.
     bool
@@ -296,8 +300,9 @@ namespace lamella
     /// Of bodies whose rows turn Body::dof_sizes(), empty for all others.
     std::vector<std::vector<double>> sizes;
     MovingContacts                   contacts;
-    /// What the last attempt that threw said.
-    std::string            last_failure;
+    /// What the last attempt that threw said, and of the last one why a contact
+    /// is lost; empty if none is.
+    std::string            last_failure, lost_contact;
     const SolverKind       asked;
     const NewtonParameters parameters;
   };

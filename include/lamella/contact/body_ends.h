@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef lamella_contact_body_ends_h
+#define lamella_contact_body_ends_h
+
+#include <lamella/body/body.h>
+#include <lamella/contact/search.h>
+
+namespace lamella
+{
+  /// Which nodes are at the start or the end of a body, undeformed.
+  class BodyEnds
+  {
+  public:
+    explicit BodyEnds(const Body &body);
+
+    /// Whether the node at @p x is, to a billionth of the body's size.
+    bool
+    has(const dealii::Point<3> &x) const;
+
+  private:
+    double                        near = 0.;
+    std::vector<dealii::Point<3>> nodes;
+    PointSearch                   search;
+  };
+} // namespace lamella
+
+#endif

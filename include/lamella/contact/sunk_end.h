@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef lamella_contact_sunk_end_h
+#define lamella_contact_sunk_end_h
+
+#include <lamella/contact/contact_sides.h>
+
+#include <optional>
+
+namespace lamella
+{
+  /// A node at the end of a body that is inside of the other one.
+  struct SunkEnd
+  {
+    /// Whether it is of the second side.
+    bool second = false;
+    /// How deep it is [length], and the depth of the cell below the place that
+    /// it faces.
+    double depth = 0., cell = 0.;
+  };
+
+  /// The deepest node of either end of @p sides, two bodies, inside of the
+  /// other where they stand, with feet at most @p reach away [length]; what is
+  /// deeper than the cell there is on its far side and none. Faces that slide
+  /// over an end have no row for it, unless it is among the points.
+  std::optional<SunkEnd>
+  deepest_end(const ContactSides &sides, const double reach);
+} // namespace lamella
+
+#endif
