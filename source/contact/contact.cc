@@ -516,7 +516,8 @@ namespace lamella
   std::optional<SunkEnd>
   Contact::sunk_end(const BlockVector &u, const LoadFactor &factor) const
   {
-    if (interface.obstacle != nullptr)
+    // What `adjust` has taken out of gaps is no depth.
+    if (interface.obstacle != nullptr || !taken_out.empty())
       return {};
     return deepest_end(ContactSides(undeformed, u, factor), reach);
   }

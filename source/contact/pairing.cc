@@ -235,6 +235,11 @@ namespace lamella
       Opposition at;
       at.hit    = *foot;
       at.normal = -foot->normal;
+      // It may be a little beyond the rim, where no place of the body is.
+      for (unsigned int a = 0; a < 2; ++a)
+        at.hit.st[a] = std::clamp(foot->st[a], 0., 1.);
+      at.hit.position =
+        sides.opposing_mesh->facets()[foot->facet].map(at.hit.st).position;
       return at;
     }
   } // namespace

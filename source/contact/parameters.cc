@@ -228,6 +228,22 @@ namespace lamella
 
 
 
+    /// The end faces of a body have no edges of their own.
+    void
+    check_edges(const ContactPair &contact, const Entries &in)
+    {
+      const bool         on_second = contact.points_on == PointsOn::second;
+      const std::string &surface =
+        (on_second ? contact.second : contact.first).surface;
+      for (const char *const end : {"start", "end", "ends"})
+        if (surface == end)
+          in[on_second ? "Second" : "First"].refuse(
+            "edge to surface is of the edges at which a side of a body ends",
+            "Name that side, as in upper: bottom.");
+    }
+
+
+
     /// What an obstacle does not have.
     void
     check_obstacle(const ContactPair &contact, const Entries &in)
@@ -271,6 +287,8 @@ namespace lamella
       check_obstacle(contact, in);
     else if (contact.discretisation == Discretisation::line_to_roller)
       in["Discretisation"].refuse("its Second is no obstacle", "Use auto.");
+    else if (contact.discretisation == Discretisation::edge_to_surface)
+      check_edges(contact, in);
     contact.search_distance = parse_search_distance(in["Search distance"]);
     contact.penalty         = parse_penalty(in);
     contact.tolerance       = parse_tolerance(in["Tolerance"]);

@@ -18,10 +18,10 @@ namespace lamella
               other, point.position, point.normal, reach, {}, edge_faces_from);
             if (!foot)
               continue;
-            const double cell = other.facets()[foot->facet].depth;
-            if (-foot->distance > (deepest ? deepest->depth : 0.) &&
-                -foot->distance < cell)
-              deepest = {second, -foot->distance, cell};
+            if (-foot->distance > (deepest ? deepest->depth : 0.))
+              deepest = {second,
+                         -foot->distance,
+                         other.facets()[foot->facet].depth};
           }
       }
     return deepest;

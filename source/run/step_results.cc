@@ -7,6 +7,7 @@
 #include <lamella/solve/soundness.h>
 
 #include <algorithm>
+#include <set>
 
 namespace lamella
 {
@@ -225,12 +226,36 @@ namespace lamella
 
 
 
+  namespace
+  {
+    /// Bodies whose ends have rows, and against which others, by name.
+    std::set<std::pair<std::string, std::string>>
+    ends_with_rows(const std::vector<ContactInterface> &contacts,
+                   const Bodies                        &bodies)
+    {
+      std::set<std::pair<std::string, std::string>> found;
+      for (const ContactInterface &contact : contacts)
+        if (contact.discretisation == Discretisation::edge_to_surface ||
+            contact.discretisation == Discretisation::node_to_surface)
+          {
+            const std::string &first = bodies[contact.first_body]->name();
+            found.insert(contact.points_on_second ?
+                           std::make_pair(contact.second_name, first) :
+                           std::make_pair(first, contact.second_name));
+          }
+      return found;
+    }
+  } // namespace
+
+
+
   std::vector<std::string>
   StepRecorder::warnings_of_ends(const SolvedStep &solved) const
   {
     // Of the cell's depth: gaps of faces are averages.
     constexpr double         worth_saying = 1e-2;
     std::vector<std::string> warnings;
+    auto have_rows = ends_with_rows(built.interfaces(), structure.bodies());
     for (unsigned int c = 0; c < built.interfaces().size() && structure.turns();
          ++c)
       {
@@ -244,9 +269,12 @@ namespace lamella
         const auto &[one, other] =
           end->second ? std::make_pair(contact.second_name, first) :
                         std::make_pair(first, contact.second_name);
+        // Of several contacts of the same surfaces one says it.
+        if (!have_rows.emplace(one, other).second)
+          continue;
         warnings.push_back(
           "contact " + contact.name + ": an end of body '" + one + "' is " +
-          to_text(end->depth, 2) + " inside of body '" + other +
+          to_text(end->depth, 2) + " behind the surface of body '" + other +
           "', where no row holds it: beside this contact take one of the same "
           "surfaces with Discretisation = edge to surface, whose Points on are "
           "of body '" +

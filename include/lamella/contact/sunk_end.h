@@ -19,10 +19,10 @@ namespace lamella
     double depth = 0., cell = 0.;
   };
 
-  /// The deepest node of either end of @p sides, two bodies, inside of the
-  /// other where they stand, with feet at most @p reach away [length]; what is
-  /// deeper than the cell there is on its far side and none. Faces that slide
-  /// over an end have no row for it, unless it is among the points.
+  /// The deepest node of either end of @p sides, two bodies, behind the surface
+  /// of the other where they stand, with feet at most @p reach away [length]:
+  /// inside of it, or through it. Faces that slide over an end have no row for
+  /// it, unless it is among the points.
   std::optional<SunkEnd>
   deepest_end(const ContactSides &sides, const double reach);
 } // namespace lamella

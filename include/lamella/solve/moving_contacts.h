@@ -72,8 +72,8 @@ namespace lamella
     /// Takes the rows to @p state at @p factor (Contact::move()). Where one
     /// that bears a force finds nothing to bear it on, past an end of the other
     /// body or through it, it lets go of that if the ends of the other body
-    /// have rows
-    /// (`edge to surface`), which take over; else throws NumericsError.
+    /// have rows (`edge to surface`), which take over; else throws
+    /// NumericsError.
     void
     move(State &state, const LoadFactor &factor);
 
