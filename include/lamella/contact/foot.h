@@ -34,11 +34,10 @@ namespace lamella
    * motion, since X_,a . n_2 = 0: delta g = n_2 . (delta x - delta X_2).
    *
    * @p last is where the foot was, if it is known. It stays on that facet,
-   * continued, until it
-   * is 5 % of its length beyond a side at which another facet goes on, and so
-   * it does not jump between two facets whose normals differ; where none goes
-   * on a foot beyond the side is none: 1 % beyond along the body, nothing where
-   * that starts or ends.
+   * continued, until it is 5 % of its length beyond a side at which another
+   * facet goes on, and so it does not jump between two facets whose normals
+   * differ. Where none goes on a foot beyond the side is none, but for 1 %
+   * along the body; nothing beyond where that starts or ends.
    */
   std::optional<SurfaceHit>
   find_foot(const MeshSurface                            &surface,

@@ -9,7 +9,7 @@
 
 namespace lamella
 {
-  /// A node at the end of a body that is inside of the other one.
+  /// A node at the end of a body that is behind the surface of the other one.
   struct SunkEnd
   {
     /// Whether it is of the second side.
