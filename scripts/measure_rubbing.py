@@ -3,16 +3,18 @@
 (doc/friction.md); see scripts/measure."""
 
 import math
+import re
 import statistics
 import subprocess
 import tempfile
+from pathlib import Path
 
 import numpy as np
 import peers
 
 from measure_bars import BarRun
 from measure_tolerances import Timed
-from measure_tools import ROOT, table
+from measure_tools import PROGRAM, ROOT, table
 
 PUNCH = ROOT / "tests/scenes/friction_punch.prm"
 CATTANEO = ROOT / "tests/scenes/friction_cattaneo.prm"
@@ -190,28 +192,53 @@ def crossed_cylinders():
            "s"], lines)
 
 
+def bent(thrust, turned, stiffness):
+    """Deflection by a unit force of a coupon on rollers that push its ends together with @p thrust
+    times what they bear, and touch it where it has turned by @p turned: Timoshenko's beam."""
+    height, radius = 4., 3.
+    span = 128. - 2. * radius * math.sin(turned)
+    bending, shear = stiffness
+    return (span ** 3 / (48. * bending) * (1. - 1.5 * thrust * height / span)
+            + span / (4. * shear))
+
+
 def coupon():
-    """doc/friction.md: what rollers that rub do to a bending test, loading and unloading."""
+    """doc/friction.md: what rollers that rub do to a bending test, loading and unloading; beside
+    the formula, and a beam with shear that leans on the rollers as much as the run's does."""
+    validated = subprocess.run([PROGRAM, FLEXURE, "--validate"], check=True, text=True,
+                               capture_output=True).stdout
+    stiffness = [float(re.search(pattern, validated).group(1))
+                 for pattern in (r"EI_2 (\S+)", r"kGA_z (\S+)")]
     slenderness, rows = 4. / 128., []
-    for theory in ("SV-6", "LE-2"):
-        forces = {}
+    finer = "Body coupon/Kinematics/Axis elements=2, 16, 8, 16, 8, 16, 2"
+    for theory, cells, more in (("SV-6", "as shipped", []), ("SV-6", "more at rollers", [finer]),
+                                ("LE-2", "2 across", ["Section laminate/Cells across=2"])):
+        found = {}
         for mu in (0., 0.1, 0.3, 0.5):
             rubs = [f"Contact {name}/Friction={mu or 'none'}"
                     for name in ("c_nose", "c_left", "c_right")]
             run = BarRun(FLEXURE, rubs + [
                 f"Theory={theory}", "Load factors=0.5, 1, 0.95, 0.6", "Supports=guide",
-                "Support guide/u=0, free, free", "Goals/Error bars=false"])
+                "Support guide/u=0, free, free", "Goals/Error bars=false",
+                "Beyond linear range=accept"] + more)
             steps = run.tables["history.csv"]
-            forces[mu] = [float(steps[k]["contact:c_nose:fz"]) for k in (1, 3)]
+            found[mu] = [[float(steps[k][f"contact:{of}"]) for of in
+                          ("c_nose:fz", "c_left:fy", "c_left:fz")] for k in (1, 3)]
         for mu in (0.1, 0.3, 0.5):
-            cells = []
+            line = []
             for k, sign in ((0, -1.), (1, 1.)):
-                known = 1. / (1. + sign * 1.5 * mu * slenderness)
-                found = forces[mu][k] / forces[0.][k]
-                cells += [f"{known:.5f}", f"{found:.5f}", f"{100. * (found / known - 1.):+.3f} %"]
-            rows.append([theory, mu, *cells])
-    table(["theory", "mu", "loading, beam theory", "run", "off", "unloading, beam theory", "run",
-           "off"], rows)
+                (free, free_y, free_z), (force, y, z) = found[0.][k], found[mu][k]
+                ratio, thrust = force / free, y / z
+                formula = 1. / (1. + sign * 1.5 * mu * slenderness)
+                turned = math.atan(thrust) + sign * math.atan(mu)
+                beam = (bent(free_y / free_z, math.atan(free_y / free_z), stiffness)
+                        / bent(thrust, turned, stiffness))
+                line += [f"{formula:.5f}", f"{ratio:.5f}",
+                         f"{100. * (ratio / formula - 1.):+.3f} %",
+                         f"{100. * (ratio / beam - 1.):+.3f} %"]
+            rows.append([theory, cells, mu, *line])
+    table(["theory", "cells", "mu", "loading, formula", "run", "off", "off the beam",
+           "unloading, formula", "run", "off", "off the beam"], rows)
 
 
 # Scenes that come with the program, in one load step, with their contacts; not the short
@@ -237,6 +264,43 @@ def rubbing_cost():
                      f"{seconds[0]:.2f}", f"{seconds[1]:.2f}",
                      f"{statistics.median(b.seconds / a.seconds for a, b in pairs):.2f}"])
     table(["scene", "DoFs", "pairs", "without [s]", "with [s]", "ratio"], rows)
+
+
+# Scenes whose friction both strategies are to find, and what is set in them.
+BOTH_WAYS = (
+    ("tests/scenes/friction_pushed.prm", []),
+    ("tests/scenes/friction_leaves.prm", []),
+    ("tests/scenes/friction_punch.prm", []),
+    ("tests/scenes/friction_wedge.prm", []),
+    ("tests/calculix/rubbed.prm", []),
+    ("tutorials/step-13/step-13.prm", []),
+    ("prm/leaf_spring_loop.prm", []),
+    ("tests/scenes/friction_slope.prm", ["Gravity=0, 0.29, -1"]),
+    ("tests/scenes/friction_slope.prm", ["Gravity=0, 0.299, -1"]),
+    ("tests/scenes/friction_leaves.prm", ["Theory=TBT"]))
+
+
+def rubbing_full():
+    """doc/friction.md: `Contact strategy = full` beside `condensed`, with friction."""
+    rows = []
+    for scene, more in BOTH_WAYS:
+        ways = [Timed(ROOT / scene, more + ["Goals/Error bars=false",
+                                           f"Contact strategy={strategy}"])
+                for strategy in ("condensed", "full")]
+        name = " ".join([Path(scene).name, *more])
+        if ways[1].failure:
+            rows.append([name, ways[0].summary["dofs"], ways[1].failure[:60], "", ""])
+            continue
+        history = [way.tables["history.csv"] for way in ways]
+        forces = [column for column in history[0][0] if column.startswith(("contact:", "support:"))
+                  and column.split(":")[-1] in ("fx", "fy", "fz")]
+        pairs = [[float(row[column]) for row in steps for column in forces] for steps in history]
+        largest = max(map(abs, pairs[0]))
+        off = max(abs(a - b) for a, b in zip(*pairs)) / largest
+        rows.append([name, ways[0].summary["dofs"], f"{off:.1e}", f"{ways[0].seconds:.1f}",
+                     f"{ways[1].seconds / ways[0].seconds:.1f}"])
+    table(["scene", "DoFs", "forces of contacts and supports in all steps, off the largest",
+           "condensed [s]", "full over it"], rows)
 
 
 def rubbed():
