@@ -65,11 +65,7 @@ namespace lamella
   double
   RunGoals::scale_of(const NamedQuantity &quantity) const
   {
-    const double value   = std::abs(values.value(quantity)),
-                 all     = values.largest_of_kind(quantity),
-                 own     = values.largest_in_material(quantity),
-                 largest = own > rules.nothing * all ? own : all;
-    return value > rules.near_zero * largest ? value : largest;
+    return values.scale_of(quantity, rules);
   }
 
 

@@ -309,6 +309,19 @@ namespace lamella
 
 
 
+  double
+  ResultNumbers::scale_of(const NamedQuantity &quantity,
+                          const GoalRules     &rules) const
+  {
+    const double size    = std::abs(value(quantity)),
+                 all     = largest_of_kind(quantity),
+                 own     = largest_in_material(quantity),
+                 largest = own > rules.nothing * all ? own : all;
+    return size > rules.near_zero * largest ? size : largest;
+  }
+
+
+
   std::vector<NamedQuantity>
   ResultNumbers::largest_at(const std::string &name) const
   {

@@ -133,6 +133,11 @@ namespace lamella
                                       scene().solve.load_factors,
                                       scene().solve.substeps,
                                       scene().find_first_failure);
+    path->watch([this](const SolvedStep &one,
+                       const SolvedStep &other,
+                       const State      &before) {
+      return recorder->change_of_goals(one, other, before);
+    });
     if (!found.steps.empty())
       path->resume(found.steps.size(), found.last().state);
   }

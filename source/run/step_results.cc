@@ -7,6 +7,7 @@
 #include <lamella/solve/soundness.h>
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 
 namespace lamella
@@ -153,6 +154,54 @@ namespace lamella
     if (const PlyReserve *worst = worst_of(plies))
       trial.reserve = worst->reserve;
     return trial;
+  }
+
+
+
+  Results
+  StepRecorder::bare_results(const SolvedStep &solved,
+                             const State      &before) const
+  {
+    Results bare;
+    bare.bodies       = facts.bodies;
+    bare.contacts     = facts.contacts;
+    bare.supports     = facts.supports;
+    bare.probes       = facts.probes;
+    bare.measures     = facts.measures;
+    StepResults &step = bare.steps.emplace_back();
+    step.load_factor  = solved.load_factor;
+    step.state        = solved.state;
+    step.checks       = solved.checks;
+    step.probes       = built.sampler().sample_probes(
+      solved.state.u, built.tractions_at(solved.state, solved.load_factor));
+    take_contacts(solved, before, step);
+    return bare;
+  }
+
+
+
+  double
+  StepRecorder::change_of_goals(const SolvedStep &one,
+                                const SolvedStep &other,
+                                const State      &before) const
+  {
+    if (scene.goals.quantities.empty())
+      return 0.;
+    const ResultNumbers first(bare_results(one, before)),
+      second(bare_results(other, before));
+    double change = 0.;
+    for (const NamedQuantity &goal : scene.goals.quantities)
+      {
+        // What is dissipated is nothing beside the energy where nothing slips,
+        // and change_of() has it so.
+        const double size =
+          goal.column == "dissipated" ? 0. : first.scale_of(goal);
+        if (size > 0.)
+          change =
+            std::max(change,
+                     std::abs(first.value(goal) - second.value(goal)) / size);
+      }
+    return change;
   }
 
 

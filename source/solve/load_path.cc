@@ -279,6 +279,9 @@ namespace lamella
       {
         SolvedStep solved = in_parts(before, from, to, n);
         solved.change     = change_of(solved, coarser, before, last_force);
+        if (watches)
+          solved.change =
+            std::max(*solved.change, watches(solved, coarser, before));
         if (n == Substeps::most || *solved.change <= substeps.tolerance)
           return solved;
         coarser = std::move(solved);
@@ -330,6 +333,7 @@ namespace lamella
     if (found != stored.end())
       return *found;
     LoadPath again(step, factors, substeps);
+    again.watch(watches);
     while (again.done <= leg)
       again.advance();
     const Stored end{factors[leg].of_scene(), leg, again.last};

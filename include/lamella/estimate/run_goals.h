@@ -3,7 +3,6 @@
 #ifndef lamella_estimate_run_goals_h
 #define lamella_estimate_run_goals_h
 
-#include <lamella/base/arithmetic.h>
 #include <lamella/estimate/error_bar.h>
 #include <lamella/recover/named_quantity.h>
 #include <lamella/run/simulation.h>
@@ -13,16 +12,6 @@
 
 namespace lamella
 {
-  /// What decides which scale a goal has: shares of the largest of a kind.
-  struct GoalRules
-  {
-    /// Values below this have the largest of their kind for a scale.
-    double near_zero = 1e-3;
-    /// A material whose largest is below this of the scene's bears nothing but
-    /// rounding, which is no scale.
-    double nothing = arithmetic::negligible;
-  };
-
   /// The goals of a run that is solved: their values, and what errors of them
   /// are small against. Refers to the run.
   class RunGoals

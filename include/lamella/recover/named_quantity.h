@@ -3,6 +3,7 @@
 #ifndef lamella_recover_named_quantity_h
 #define lamella_recover_named_quantity_h
 
+#include <lamella/base/arithmetic.h>
 #include <lamella/contact/contact_traction.h>
 #include <lamella/recover/requests.h>
 #include <lamella/recover/results.h>
@@ -147,6 +148,16 @@ namespace lamella
   ContactTraction
   traction_of(const ContactFacts &contact, const std::vector<ContactRow> &rows);
 
+  /// What decides which scale a number has: shares of the largest of a kind.
+  struct GoalRules
+  {
+    /// Values below this have the largest of their kind for a scale.
+    double near_zero = 1e-3;
+    /// A material whose largest is below this of the scene's bears nothing but
+    /// rounding, which is no scale.
+    double nothing = arithmetic::negligible;
+  };
+
   /**
    * The numbers of a run that a NamedQuantity may ask for, at its last load
    * step, free of the run itself: they go through pipes and into records, all
@@ -202,6 +213,11 @@ namespace lamella
      */
     double
     largest_in_material(const NamedQuantity &quantity) const;
+
+    /// What a change or an error of @p quantity is small against: its value
+    /// or, where that is near zero, the largest of its kind in its material.
+    double
+    scale_of(const NamedQuantity &quantity, const GoalRules &rules = {}) const;
 
   private:
     /// A row of a probe, of one ply (from 1 at the bottom).

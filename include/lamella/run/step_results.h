@@ -42,7 +42,18 @@ namespace lamella
     FailureTrial
     trial(const SolvedStep &solved, std::vector<PlyReserve> &plies) const;
 
+    /// The largest change of what the scene's goals are between @p one and
+    /// @p other, two ends of a step from @p before, each over its scale
+    /// (ResultNumbers::scale_of()). Zero if it has none.
+    double
+    change_of_goals(const SolvedStep &one,
+                    const SolvedStep &other,
+                    const State      &before) const;
+
   private:
+    /// What goals are asked of: a run whose only step came to @p solved.
+    Results
+    bare_results(const SolvedStep &solved, const State &before) const;
     /// Whether @p row of @p contact was pressed in the @p previous state.
     bool
     has_touched(const State       &previous,

@@ -10,6 +10,7 @@
 
 #include <deal.II/base/timer.h>
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -128,12 +129,25 @@ namespace lamella
   class LoadPath
   {
   public:
+    /// How far one end of a load step is from another, beside change_of(), with
+    /// the state before it: what the user asks for, say.
+    using Watch = std::function<double(const SolvedStep &one,
+                                       const SolvedStep &other,
+                                       const State      &before)>;
+
     /// From no state at all through @p factors, the way to each in
     /// @p substeps. @p branches says whether states are to be stored for some.
     LoadPath(std::shared_ptr<Step>          step,
              const std::vector<LoadFactor> &factors,
              const Substeps                &substeps = {},
              const bool                     branches = false);
+
+    /// Substeps that are sought have to settle @p more, too.
+    void
+    watch(Watch more)
+    {
+      watches = std::move(more);
+    }
 
     /// Goes on after the first @p n_done steps, of which the last, at least
     /// one, came to @p last. What another run checked is not kept with its
@@ -225,6 +239,7 @@ namespace lamella
     const std::vector<LoadFactor> factors;
     const Substeps                substeps;
     const bool                    branches;
+    Watch                         watches;
     unsigned int                  done = 0;
     State                         last;
     /// The largest of supports and contacts there.
