@@ -21,7 +21,8 @@ namespace lamella
     public:
       /// Analyses the places of @p matrix. Makes it ready for factorise().
       MumpsFactorisation(const DofIndex     n,
-                         UpperTriangle      matrix,
+                         MatrixEntries      matrix,
+                         const Symmetry     symmetry,
                          const std::string &what);
       MumpsFactorisation(const MumpsFactorisation &) = delete;
       ~MumpsFactorisation() override;
@@ -42,7 +43,7 @@ namespace lamella
       void
       drop_matrix()
       {
-        matrix        = UpperTriangle();
+        matrix        = MatrixEntries();
         mumps.nnz_loc = 0;
         mumps.irn_loc = nullptr;
         mumps.jcn_loc = nullptr;
@@ -58,6 +59,14 @@ namespace lamella
 
       void
       solve(Vector &x) const override;
+
+      /// As RepeatedFactorisation has it: where pivots are chosen MUMPS knows
+      /// it, as a mantissa beside an exponent.
+      int
+      sign_of_determinant() const
+      {
+        return mumps.sym == definite || mumps.rinfog[12 - 1] >= 0. ? 1 : -1;
+      }
 
       std::unique_ptr<SolvedRows>
       solved_rows() const override
@@ -87,8 +96,11 @@ namespace lamella
       }
 
     private:
+      /// What MUMPS calls them.
+      static constexpr int unsymmetric = 0, definite = 1;
+
       void
-      initialise();
+      initialise(const Symmetry symmetry);
 
       /// Runs @p job of MUMPS.
       void
@@ -138,7 +150,7 @@ namespace lamella
                    double *const           result) const;
 
       /// MUMPS refers to it while it factorises.
-      UpperTriangle     matrix;
+      MatrixEntries     matrix;
       const std::string what;
       double            greatest = 0.;
       // MUMPS writes into its workspace while solving.
@@ -149,27 +161,29 @@ namespace lamella
 
 
     void
-    MumpsFactorisation::initialise()
+    MumpsFactorisation::initialise(const Symmetry symmetry)
     {
       mumps.comm_fortran = MPI_Comm_c2f(communicator());
       mumps.par          = 1; // the first process computes, too
-      mumps.sym          = 1; // positive definite
+      mumps.sym = symmetry == Symmetry::definite ? definite : unsymmetric;
       run(-1);
       for (const unsigned int stream : {1, 2, 3, 4})
         control(stream) = 0;
       control(18) = 3; // each process has entries of its own
       control(14) = 40;
+      control(33) = symmetry == Symmetry::definite ? 0 : 1; // the determinant
     }
 
 
 
     MumpsFactorisation::MumpsFactorisation(const DofIndex     n,
-                                           UpperTriangle      all,
+                                           MatrixEntries      all,
+                                           const Symmetry     symmetry,
                                            const std::string &what)
       : matrix(std::move(all))
       , what(what)
     {
-      initialise();
+      initialise(symmetry);
       mumps.n       = n;
       mumps.nnz_loc = matrix.rows.size();
       mumps.irn_loc = matrix.rows.data();
@@ -257,12 +271,17 @@ namespace lamella
     MumpsFactorisation::check(const std::string &what) const
     {
       constexpr int singular = -10, not_positive = -40, no_memory = -13;
-      const int     error = info(1), negative_pivots = info(12);
+      // Of an unsymmetric matrix it counts there what it exchanged.
+      const int error           = info(1),
+                negative_pivots = mumps.sym == definite ? info(12) : 0;
       if (error == no_memory)
         throw NumericsError("The factorisation of " + what +
                             " does not fit in memory. Use a coarser mesh "
                             "or a lower order, or more machines.");
       const bool factorised = mumps.job == 2;
+      if (error == singular && mumps.sym == unsymmetric)
+        throw NumericsError("The tangent of " + what +
+                            " is singular to rounding.");
       if (error == singular || error == not_positive ||
           (factorised && error >= 0 && negative_pivots > 0))
         throw NumericsError(
@@ -390,9 +409,10 @@ namespace lamella
     {
     public:
       RepeatedMumps(const DofIndex     n,
-                    UpperTriangle      pattern,
+                    MatrixEntries      pattern,
+                    const Symmetry     symmetry,
                     const std::string &what)
-        : solver(n, std::move(pattern), what)
+        : solver(n, std::move(pattern), symmetry, what)
       {}
 
       void
@@ -409,6 +429,12 @@ namespace lamella
         solver.solve(x);
       }
 
+      int
+      sign_of_determinant() const override
+      {
+        return solver.sign_of_determinant();
+      }
+
     private:
       MumpsFactorisation solver;
     };
@@ -418,10 +444,14 @@ namespace lamella
 
   std::unique_ptr<RepeatedFactorisation>
   analyse_shared(const DofIndex     n,
-                 UpperTriangle      pattern,
+                 MatrixEntries      pattern,
+                 const Symmetry     symmetry,
                  const std::string &what)
   {
-    return std::make_unique<RepeatedMumps>(n, std::move(pattern), what);
+    return std::make_unique<RepeatedMumps>(n,
+                                           std::move(pattern),
+                                           symmetry,
+                                           what);
   }
 
 
@@ -432,8 +462,10 @@ namespace lamella
                    const std::string   &what,
                    const FactorMonitor &monitor)
   {
-    auto solver =
-      std::make_unique<MumpsFactorisation>(n, std::move(matrix), what);
+    auto solver = std::make_unique<MumpsFactorisation>(n,
+                                                       std::move(matrix),
+                                                       Symmetry::definite,
+                                                       what);
     if (monitor)
       monitor(solver->size());
     solver->factorise();

@@ -43,9 +43,6 @@ namespace lamella
         return;
       }
     const std::string rule = "contact " + contact->name + " has friction";
-    if (scene.solve.strategy == Strategy::full)
-      in["Contact strategy"].refuse(rule,
-                                    "Take condensed, or Friction = none.");
     if (!scene.goals.tolerances.empty())
       throw InputError(
         "Goals/Tolerance",

@@ -32,17 +32,13 @@ namespace lamella
     require_law(const CoulombSolution &found)
     {
       // Of the problem's scale: forces that are no better are none.
-      constexpr double  sound = 1e-6;
-      const std::string remedy =
-        ". Try more Substeps, a smaller step in Load factors, or a softer penalty.";
+      constexpr double sound = 1e-6;
       if (!(found.error <= sound))
         throw NumericsError(
           "The contact did not settle with friction: the law is missed by " +
-          to_text(found.error, 2) + " of its size" + remedy);
+          to_text(found.error, 2) + " of its size" + remedy_with_friction);
       if (found.stability < 0)
-        throw NumericsError("With friction the contact found an answer that is "
-                            "unstable: bodies that press with their ends jam" +
-                            remedy);
+        fail_as_unstable();
     }
 
 

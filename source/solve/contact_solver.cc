@@ -424,6 +424,10 @@ namespace lamella
       " times as far as the one before), against nothing but its stabilising "
       "springs. Add a support, " +
       (rubs ? "take more Friction, " : "") +
+      (rubs && !strategy->forces_stand_alone() ?
+         "take the condensed strategy (where friction alone holds a body this "
+         "one may find no rest), " :
+         "") +
       "close its gaps by a prescribed displacement, or load it towards the "
       "body that is to hold it.");
   }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <lamella/base/exceptions.h>
 #include <lamella/solve/friction_state.h>
 
 #include <numeric>
@@ -17,6 +18,17 @@ namespace lamella
     for (const GapRow &row : rows)
       state.opening.push_back(row.initial_gap);
     return state;
+  }
+
+
+
+  void
+  fail_as_unstable()
+  {
+    throw NumericsError(
+      std::string("With friction the contact found an answer that is "
+                  "unstable: bodies that press with their ends jam") +
+      remedy_with_friction);
   }
 
 

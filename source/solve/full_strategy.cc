@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <lamella/base/arithmetic.h>
+#include <lamella/solve/friction_newton.h>
 #include <lamella/solve/full_strategy.h>
 
 #include <algorithm>
@@ -53,20 +54,34 @@ namespace lamella
                       BlockVector       &du,
                       Vector            &dlambda)
   {
-    const std::vector<unsigned int> &active = closed.numbers;
-    Assert(closed.sliding.empty(),
-           dealii::ExcMessage("This strategy has no friction."));
-    const auto softness = [&](const unsigned int k) {
-      return numerical_softness(rows[active[k]]);
+    const std::vector<unsigned int> &numbers  = closed.numbers;
+    const auto                       softness = [&](const unsigned int number) {
+      return numerical_softness(rows[rows.row_of(number)]);
     };
-    matrix.factorise(active, numerical_softness);
+    std::vector<PenaltyTerm> terms;
+    for (const unsigned int number : numbers)
+      terms.push_back({number, number, 1. / softness(number)});
+    for (const auto &[r, along] : closed.sliding)
+      for (unsigned int a = 0; a < rows[r].slips.size(); ++a)
+        terms.push_back({rows.slip(r, a), r, along[a] / softness(r)});
+    matrix.factorise(terms);
+
     du = r_u;
-    for (unsigned int k = 0; k < active.size(); ++k)
-      rows[active[k]].add_to(du, r_lambda[k] / softness(k));
+    std::vector<double> pushed(rows.size(), 0.);
+    for (unsigned int k = 0; k < numbers.size(); ++k)
+      {
+        const double force = r_lambda[k] / softness(numbers[k]);
+        rows.pair_row(numbers[k]).add_to(du, force);
+        if (numbers[k] < rows.size())
+          pushed[numbers[k]] = force;
+      }
+    for (const auto &[r, along] : closed.sliding)
+      add_force(rows[r], 0., in_scene(rows[r], pushed[r] * along), du);
     du = matrix.solve(std::move(du));
-    dlambda.reinit(active.size());
-    for (unsigned int k = 0; k < active.size(); ++k)
-      dlambda[k] = (r_lambda[k] - rows[active[k]].opening(du)) / softness(k);
+    dlambda.reinit(numbers.size());
+    for (unsigned int k = 0; k < numbers.size(); ++k)
+      dlambda[k] = (r_lambda[k] - rows.pair_row(numbers[k]).opening(du)) /
+                   softness(numbers[k]);
   }
 
 
@@ -76,6 +91,9 @@ namespace lamella
   ContactSolution
   FullStrategy::settle(const ContactProblem &problem, const Monitor &monitor)
   {
+    if (!problem.slip.empty())
+      return FrictionNewton(linearisation, rows, numerical_softness, matrix)
+        .settle(problem, monitor);
     // Of the displacements: what one solution with K + K^p is accurate to.
     constexpr double accurate = arithmetic::rounding_of_solutions;
 

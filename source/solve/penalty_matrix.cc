@@ -20,6 +20,7 @@ namespace lamella
                                const GapRows       &rows)
     : structure(linearisation.of())
     , rows(rows)
+    , symmetry(rows.rub() ? Symmetry::none : Symmetry::definite)
   {
     assemble_stiffness(linearisation);
   }
@@ -90,9 +91,9 @@ namespace lamella
 
 
 
-    /// The DoFs and weights of a gap row in the numbering of the scene.
+    /// The DoFs and weights of a gap or a slip in the numbering of the scene.
     Row
-    global_row(const Structure &structure, const GapRow &row)
+    global_row(const Structure &structure, const PairRow &row)
     {
       const auto &blocks = structure.blocks();
       Row         result;
@@ -112,6 +113,20 @@ namespace lamella
       for (const auto &[dof, weight] : row.entries())
         dofs.push_back(dof);
       return dofs;
+    }
+
+
+
+    /// Those of a gap and its slips.
+    Dofs
+    dofs_of(const Structure &structure, const GapRow &row)
+    {
+      Row all = global_row(structure, row);
+      for (const SlipRow &slip : row.slips)
+        for (const DofIndex dof : dofs_of(global_row(structure, slip)))
+          all.add(dof, 1.);
+      all.compress();
+      return dofs_of(all);
     }
   } // namespace
 
@@ -221,10 +236,11 @@ namespace lamella
 
 
   void
-  PenaltyMatrix::make_room(const std::vector<unsigned int> &active)
+  PenaltyMatrix::make_room(const std::vector<PenaltyTerm> &terms)
   {
     const std::size_t before = known.size();
-    known.insert(active.begin(), active.end());
+    for (const PenaltyTerm &term : terms)
+      known.insert(rows.row_of(term.of));
     if (factor != nullptr && known.size() == before)
       return;
     std::vector<bool> written(structure.n_dofs(), false);
@@ -232,7 +248,7 @@ namespace lamella
     if (is_speaker())
       for (const unsigned int r : known)
         {
-          dofs.push_back(dofs_of(global_row(structure, rows[r])));
+          dofs.push_back(dofs_of(structure, rows[r]));
           add_free(constraints, dofs.back(), written);
         }
     DynamicSparsityPattern pattern(structure.n_dofs(),
@@ -257,31 +273,35 @@ namespace lamella
 
 
   void
-  PenaltyMatrix::add_penalty(const GapRow &row, const double softness_of_row)
+  PenaltyMatrix::add_penalty(const PenaltyTerm &term)
   {
     // k^p = eps n^T n (Eq. 23), with the row in place of n.
-    const Row          whole = global_row(structure, row);
-    const Dofs         dofs  = dofs_of(whole);
-    FullMatrix<double> term(dofs.size());
-    for (unsigned int i = 0; i < dofs.size(); ++i)
-      for (unsigned int j = 0; j < dofs.size(); ++j)
-        term(i, j) = whole.entries()[i].second * whole.entries()[j].second /
-                     softness_of_row;
-    constraints.distribute_local_to_global(term, dofs, dofs, system);
+    const Row of = global_row(structure, rows.pair_row(term.of)),
+              on = global_row(structure, rows.pair_row(term.on));
+    FullMatrix<double> block(of.entries().size(), on.entries().size());
+    for (unsigned int i = 0; i < block.m(); ++i)
+      for (unsigned int j = 0; j < block.n(); ++j)
+        block(i, j) =
+          of.entries()[i].second * on.entries()[j].second * term.weight;
+    constraints.distribute_local_to_global(block,
+                                           dofs_of(of),
+                                           dofs_of(on),
+                                           system);
   }
 
 
 
-  UpperTriangle
-  PenaltyMatrix::upper_triangle() const
+  MatrixEntries
+  PenaltyMatrix::entries() const
   {
-    UpperTriangle entries;
+    const bool    all = symmetry == Symmetry::none;
+    MatrixEntries entries;
     for_each_own_row(system,
                      [&](const DofIndex      row,
                          const Dofs         &columns,
                          const double *const values) {
                        for (unsigned int k = 0; k < columns.size(); ++k)
-                         if (columns[k] >= row)
+                         if (all || columns[k] >= row)
                            {
                              entries.rows.push_back(row + 1);
                              entries.columns.push_back(columns[k] + 1);
@@ -294,13 +314,11 @@ namespace lamella
 
 
   void
-  PenaltyMatrix::factorise(const std::vector<unsigned int> &active,
-                           const NumericalSoftness         &softness)
+  PenaltyMatrix::factorise(const std::vector<PenaltyTerm> &terms)
   {
-    if (is_factorised && factorised_for == active &&
-        factorised_with == softness.stiffening)
+    if (is_factorised && factorised_for == terms)
       return;
-    make_room(active);
+    make_room(terms);
     system = 0.;
     for_each_own_row(
       stiffness,
@@ -308,21 +326,21 @@ namespace lamella
         system.add(row, columns.size(), columns.data(), values, true);
       });
     if (is_speaker())
-      for (const unsigned int r : active)
-        add_penalty(rows[r], softness(rows[r]));
+      for (const PenaltyTerm &term : terms)
+        add_penalty(term);
     system.compress(VectorOperation::add);
 
-    UpperTriangle entries = upper_triangle();
-    is_factorised         = false;
+    MatrixEntries all = entries();
+    is_factorised     = false;
     if (factor == nullptr)
       factor = analyse_shared(structure.n_dofs(),
-                              entries,
+                              all,
+                              symmetry,
                               "the scene with its penalties");
-    factor->factorise(std::move(entries.values));
-    factorised_for  = active;
-    factorised_with = softness.stiffening;
-    is_factorised   = true;
-    measure_hardness(active, softness);
+    factor->factorise(std::move(all.values));
+    factorised_for = terms;
+    is_factorised  = true;
+    measure_hardness(terms);
   }
 
 
@@ -363,20 +381,21 @@ namespace lamella
   // ---- what the arithmetic holds
 
   void
-  PenaltyMatrix::measure_hardness(const std::vector<unsigned int> &active,
-                                  const NumericalSoftness         &softness)
+  PenaltyMatrix::measure_hardness(const std::vector<PenaltyTerm> &terms)
   {
-    for (const unsigned int r : active)
+    for (const PenaltyTerm &term : terms)
       {
+        if (term.of != term.on)
+          continue;
         double    soft = 0.;
-        const Row free = global_row(structure, rows[r]).reduced(constraints);
+        const Row free =
+          global_row(structure, rows.pair_row(term.of)).reduced(constraints);
         for (const auto &[dof, weight] : free.entries())
           soft += weight * weight / diagonal[dof];
-        const double penalty = 1. / softness(rows[r]);
-        if (soft * penalty > hardest)
+        if (soft * term.weight > hardest)
           {
-            hardest         = soft * penalty;
-            hardest_penalty = penalty;
+            hardest         = soft * term.weight;
+            hardest_penalty = term.weight;
           }
       }
   }

@@ -253,6 +253,40 @@ BOOST_AUTO_TEST_CASE(matrices_without_a_factor)
 
 
 
+// A cycle of n unknowns, x_(i+1) = b_i, and then with twice the values: pivots
+// off the diagonal, and a determinant of sign (-1)^(n-1). Below the diagonal
+// there is nothing but the corner, so a symmetric solver solves another
+// problem.
+BOOST_AUTO_TEST_CASE(unsymmetric_and_again)
+{
+  for (const unsigned int n : {4, 5})
+    {
+      MatrixEntries cycle;
+      for (unsigned int i = 0; i < n; ++i)
+        {
+          cycle.rows.push_back(i + 1);
+          cycle.columns.push_back((i + 1) % n + 1);
+          cycle.values.push_back(1.);
+        }
+      const auto factor = analyse_shared(n, cycle, Symmetry::none, "a cycle");
+      for (const double value : {1., 2.})
+        {
+          factor->factorise(std::vector<double>(n, value));
+          Vector x(n);
+          for (unsigned int i = 0; i < n; ++i)
+            x[i] = i;
+          factor->solve(x);
+          for (unsigned int i = 0; i < n; ++i)
+            BOOST_TEST(x[(i + 1) % n] == i / value);
+          BOOST_TEST(factor->sign_of_determinant() == (n % 2 == 0 ? -1 : 1));
+        }
+      BOOST_CHECK_THROW(factor->factorise(std::vector<double>(n, 0.)),
+                        NumericsError);
+    }
+}
+
+
+
 BOOST_AUTO_TEST_CASE(condition_of_a_diagonal)
 {
   // L = diag(1, 1e3, 10), so (1e3)^2 = 1e6, which here is the exact condition.

@@ -47,15 +47,19 @@ namespace lamella
             const std::string   &what,
             const FactorMonitor &monitor = {});
 
-  /// Entries of the upper triangle of a symmetric matrix, rows and columns
-  /// counted from 1 as MUMPS does. Those of one place add up, those of all
-  /// processes, too. 16 bytes an entry, MUMPS's coordinate format.
-  struct UpperTriangle
+  /// Entries of a matrix, rows and columns counted from 1 as MUMPS does. Those
+  /// of one place add up, those of all processes, too. 16 bytes an entry,
+  /// MUMPS's coordinate format.
+  struct MatrixEntries
   {
-    /// Entry k is values[k] at (rows[k], columns[k]), columns[k] >= rows[k].
+    /// Entry k is values[k] at (rows[k], columns[k]).
     std::vector<int>    rows, columns;
     std::vector<double> values;
+  };
 
+  /// Those of the upper triangle of a symmetric matrix, columns[k] >= rows[k].
+  struct UpperTriangle : MatrixEntries
+  {
     /// Adds an entry, rows and columns counted from 0; nothing if it is below
     /// the diagonal or zero.
     void
@@ -90,6 +94,19 @@ namespace lamella
     /// processes. Collective.
     virtual void
     solve(Vector &x) const = 0;
+
+    /// The sign of the determinant of the matrix that was factorised last: 1,
+    /// or -1, which a definite one never has.
+    virtual int
+    sign_of_determinant() const = 0;
+  };
+
+  /// What MUMPS is told of a matrix.
+  enum class Symmetry
+  {
+    definite, ///< symmetric and positive definite, of which there is the upper
+              ///< triangle
+    none      ///< all entries; pivots are chosen
   };
 
   /// For the matrix of @p n rows in the places of @p pattern, whose values are
@@ -98,7 +115,8 @@ namespace lamella
   /// NumericsError if the analysis fails.
   std::unique_ptr<RepeatedFactorisation>
   analyse_shared(const DofIndex     n,
-                 UpperTriangle      pattern,
+                 MatrixEntries      pattern,
+                 const Symmetry     symmetry,
                  const std::string &what);
 
   /**

@@ -14,7 +14,7 @@
 namespace lamella
 {
   /// How contact is solved for (`Contact strategy`). Both come to the same
-  /// results.
+  /// results, where these are unique: with much friction they need not be.
   enum class Strategy
   {
     undefined,
@@ -55,7 +55,7 @@ namespace lamella
     virtual ~ContactStrategy();
 
     /**
-     * Solves @p problem, which is convex and has one solution,
+     * Solves @p problem, which without friction has one solution,
      *   K du = B^T (lambda - lambda_state),  g = g_state + B du,
      *   lambda = max(0, ((d - a) lambda_bar - g) / d):
      * the law g + a lambda >= 0 with its softness a raised to a d that the
@@ -81,7 +81,7 @@ namespace lamella
      * @p r_u (forces) need not be condensed. du vanishes in what supports
      * prescribe. What was factorised is kept for the next call with the same
      * rows and softness. Throws NumericsError if the system is not positive
-     * definite.
+     * definite; of rows that slide, if it is singular.
      */
     virtual void
     solve(const ClosedRows  &closed,

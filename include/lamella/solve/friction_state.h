@@ -60,6 +60,15 @@ namespace lamella
     at_rest(const GapRows &rows);
   };
 
+  /// What is said of an answer with friction that no load path leads to, and
+  /// of one that is not found: the end of a message.
+  constexpr const char *remedy_with_friction =
+    ". Try more Substeps, a smaller step in Load factors, or a softer penalty.";
+
+  /// Throws NumericsError: the answer that was found is unstable.
+  [[noreturn]] void
+  fail_as_unstable();
+
   /// A vector along tangents by its components, and back.
   dealii::Tensor<1, 2>
   along_tangents(const GapRow &row, const dealii::Tensor<1, 3> &vector);

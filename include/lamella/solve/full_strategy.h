@@ -27,7 +27,7 @@ namespace lamella
    * Globalisation: rows that pull open, of those that penetrate the worst
    * close, at most eight or, if that is more, as many as are active; should a
    * set come back, the step to it is cut at the lowest point of the energy
-   * along it.
+   * along it. With friction that is FrictionNewton.
    */
   class FullStrategy : public ContactStrategy
   {
@@ -61,7 +61,8 @@ namespace lamella
     std::string
     remedy() const override
     {
-      return "a softer penalty, the condensed strategy";
+      return rows.rub() ? "the condensed strategy" :
+                          "a softer penalty, the condensed strategy";
     }
 
     /// That the penalties are too hard for doubles

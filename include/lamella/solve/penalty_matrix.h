@@ -17,19 +17,38 @@
 
 namespace lamella
 {
+  /// A term of K^p, weight times b_of^T b_on: of a gap or a slip with itself,
+  /// where it is its penalty, or, where friction couples them, with another of
+  /// the same row.
+  struct PenaltyTerm
+  {
+    /// Numbers of gaps or slips (GapRows).
+    unsigned int of, on;
+    /// [force / length]
+    double weight;
+
+    bool
+    operator==(const PenaltyTerm &other) const
+    {
+      return of == other.of && on == other.on && weight == other.weight;
+    }
+  };
+
   /**
    * The matrix of the paper's Newton step (Eqs. 22 and 23): of a whole scene,
    *   K + K^p,   K^p = B_A^T diag(1/d) B_A,
    * with K of a Linearisation and the gap rows B_A that are active, each with
-   * its softness d (a length over a force). Condensed by the supports.
+   * its softness d (a length over a force). Condensed by the supports. With
+   * friction there are terms between gaps and slips, and it is not symmetric
+   * (FullStrategy).
    *
    * K and K^p are assembled through the supports' AffineConstraints into
    * Trilinos' matrix. Its pattern has room for all rows that were active so far
    * (room for all that might be is many times the fill) and is analysed when
-   * others join; MUMPS factorises it on all processes whenever the active set
-   * or the stiffening changes. Time and memory are those of a factor of the
-   * whole scene. A hard penalty costs digits, as K drowns in the rounding of
-   * K^p: warnings() tells how many.
+   * others join; MUMPS factorises it on all processes whenever the terms
+   * change. Time and memory are those of a factor of the whole scene. A hard
+   * penalty costs digits, as K drowns in the rounding of K^p: warnings() tells
+   * how many.
    *
    * Collective: all processes call all functions. Each owns a contiguous part
    * of the DoFs of all bodies, the rows of its share of the matrix. Refers to
@@ -41,12 +60,18 @@ namespace lamella
     /// Assembles K of @p linearisation, which needs no solvers.
     PenaltyMatrix(const Linearisation &linearisation, const GapRows &rows);
 
-    /// Factorises K + K^p of the rows @p active, if that is not what was
-    /// factorised last. Throws LostDigits where it is not positive definite in
-    /// doubles.
+    /// Factorises K + K^p of @p terms, if that is not what was factorised last.
+    /// Throws NumericsError where it is not positive definite in doubles or,
+    /// with friction, singular.
     void
-    factorise(const std::vector<unsigned int> &active,
-              const NumericalSoftness         &softness);
+    factorise(const std::vector<PenaltyTerm> &terms);
+
+    /// Of what was factorised last (RepeatedFactorisation).
+    int
+    sign_of_determinant() const
+    {
+      return factor->sign_of_determinant();
+    }
 
     /// (K + K^p)^-1 @p f of what was factorised last; forces @p f need not be
     /// condensed, and displacements are expanded, zero in what supports
@@ -81,26 +106,25 @@ namespace lamella
     /// keeps the diagonal.
     void
     fill_diagonal();
-    /// Makes room in K + K^p for the rows @p active, too; drops the factor and
-    /// its symbolic analysis if some of them are new.
+    /// Makes room in K + K^p for the rows of @p terms, too, with their slips;
+    /// drops the factor and its symbolic analysis if some of them are new.
     void
-    make_room(const std::vector<unsigned int> &active);
-    /// Adds what the gap row @p row makes of K^p, b^T b / d (Eq. 23 with the
-    /// row b in the place of n), at the softness d = @p softness_of_row.
+    make_room(const std::vector<PenaltyTerm> &terms);
+    /// Adds @p term to K^p (Eq. 23 with the row b in the place of n).
     void
-    add_penalty(const GapRow &row, const double softness_of_row);
-    /// The upper half of this process's entries of K + K^p, as triplets counted
-    /// from 1: what MUMPS takes of a symmetric matrix.
-    UpperTriangle
-    upper_triangle() const;
-    /// Keeps the hardest of the penalties of @p active over what the DoFs of
+    add_penalty(const PenaltyTerm &term);
+    /// This process's entries of K + K^p, the upper half of them if it is
+    /// symmetric: what MUMPS takes.
+    MatrixEntries
+    entries() const;
+    /// Keeps the hardest of the penalties among @p terms over what the DoFs of
     /// the row offer, k = 1 / sum(b_i^2 / K_ii).
     void
-    measure_hardness(const std::vector<unsigned int> &active,
-                     const NumericalSoftness         &softness);
+    measure_hardness(const std::vector<PenaltyTerm> &terms);
 
     const Structure &structure;
     const GapRows    rows;
+    const Symmetry   symmetry;
     /// constraints_of_all().
     Constraints constraints;
     /// Of a process: a contiguous part of the DoFs of all bodies.
@@ -113,10 +137,9 @@ namespace lamella
     std::unique_ptr<RepeatedFactorisation> factor;
     /// The rows that `system` has room for.
     std::set<unsigned int> known;
-    /// What `factor` was made for: rows and stiffening.
-    std::vector<unsigned int> factorised_for;
-    double                    factorised_with = 0.;
-    bool                      is_factorised   = false;
+    /// What `factor` was made for.
+    std::vector<PenaltyTerm> factorised_for;
+    bool                     is_factorised = false;
 
     /// The largest eps / k so far, a number, and its eps (force / length).
     double hardest = 0., hardest_penalty = 0.;

@@ -1,0 +1,362 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <lamella/base/arithmetic.h>
+#include <lamella/solve/friction_newton.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace lamella
+{
+  using namespace dealii;
+
+  ContactSolution
+  FrictionNewton::settle(const ContactProblem &problem, const Monitor &monitor)
+  {
+    // Full steps end soonest, but for some that go round in circles.
+    constexpr unsigned int full_steps = 8, shortened_each = 4;
+
+    Iterate at    = begin(problem);
+    Scales  scale = scales(problem, at);
+    Trial   now   = trial(problem, at, scale);
+    if (std::all_of(now.states.begin(),
+                    now.states.end(),
+                    [](const PointState s) { return s == PointState::open; }) &&
+        largest_component(at.force) == 0.)
+      return solution(problem, std::move(at), now);
+    for (unsigned int k = 0;; ++k)
+      {
+        Iterate next = step(problem, at, now);
+        if (k >= full_steps && k % shortened_each == 0)
+          next = shortened(problem, at, std::move(next));
+        at                = std::move(next);
+        scale             = scales(problem, at);
+        now               = trial(problem, at, scale);
+        const Round round = wrong_rows(at, now, scale);
+        monitor(round);
+        if (round.changed.empty())
+          break;
+      }
+    if (matrix.sign_of_determinant() < 0)
+      fail_as_unstable();
+    return solution(problem, std::move(at), now);
+  }
+
+
+
+  FrictionNewton::Iterate
+  FrictionNewton::begin(const ContactProblem &problem)
+  {
+    Iterate at{linearisation.of().zero(),
+               linearisation.of().zero(),
+               PointVectors(rows.size()),
+               0.};
+    if (!problem.first_forces.empty())
+      at.force = problem.first_forces;
+    BlockVector f      = linearisation.of().zero();
+    bool        differ = false;
+    for (unsigned int r = 0; r < rows.size(); ++r)
+      {
+        const double       normal = at.force[r][0] - problem.force[r];
+        const Tensor<1, 2> shear =
+          Tensor<1, 2>({at.force[r][1], at.force[r][2]}) - problem.shear[r];
+        differ = differ || normal != 0. || shear.norm() > 0.;
+        add_force(rows[r], normal, in_scene(rows[r], shear), f);
+      }
+    if (differ)
+      {
+        matrix.factorise({});
+        at.du   = matrix.solve(std::move(f));
+        at.K_du = linearisation.apply(at.du);
+      }
+    at.change = at.du.linfty_norm();
+    return at;
+  }
+
+
+
+  FrictionNewton::Scales
+  FrictionNewton::scales(const ContactProblem &problem, const Iterate &at) const
+  {
+    // Of displacements, what one solution with K + K^p is accurate to; of
+    // forces, what the law is kept to.
+    constexpr double rounding = arithmetic::rounding_of_solutions;
+
+    // About a state that is nearly right du is next to nothing, and no measure:
+    // what counts as closed is rounding of the state.
+    const double size   = std::max(at.du.linfty_norm(),
+                                 problem.closed / arithmetic::rounding),
+                 forces = largest_component(at.force);
+    Scales scale;
+    scale.slid   = rounding * size;
+    scale.closed = std::max(problem.closed, std::min(scale.slid, at.change));
+    scale.small  = rounding * forces;
+    scale.rho    = size > 0. && forces > 0. ? forces / size : 1.;
+    return scale;
+  }
+
+
+
+  PointVectors
+  FrictionNewton::lengths(const ContactProblem &problem,
+                          const Iterate        &at) const
+  {
+    PointVectors v(rows.size());
+    for (unsigned int r = 0; r < rows.size(); ++r)
+      {
+        const double d = softness(rows[r]), a = law_softness(rows[r]);
+        v[r][0] = problem.gap[r] + rows[r].opening(at.du) + d * at.force[r][0] -
+                  (d - a) * problem.estimate[r];
+        for (unsigned int t = 0; t < rows[r].slips.size(); ++t)
+          v[r][1 + t] = problem.slip[r][t] + rows[r].slips[t].opening(at.du) +
+                        d * at.force[r][1 + t] - (d - a) * problem.shear[r][t];
+      }
+    return v;
+  }
+
+
+
+  FrictionNewton::Trial
+  FrictionNewton::trial(const ContactProblem &problem,
+                        const Iterate        &at,
+                        const Scales         &scale) const
+  {
+    Trial result;
+    result.v = lengths(problem, at);
+    for (unsigned int r = 0; r < rows.size(); ++r)
+      {
+        const bool   pressed = at.force[r][0] > 0.;
+        const double none    = pressed ? scale.slid : scale.closed,
+                     gap =
+                       std::abs(result.v[r][0]) > none ? result.v[r][0] : 0.,
+                     slid  = tangential_norm(result.v[r]);
+        const bool   slips = slid > scale.slid;
+        Tensor<1, 3> z     = tangential_part(at.force[r]);
+        z[0]               = at.force[r][0] - scale.rho * gap;
+        const double b     = rows[r].friction * std::max(0., z[0]),
+                     rho   = slips && pressed && !scale.same_rho ? b / slid :
+                                                                   scale.rho;
+        if (slips)
+          z -= rho * tangential_part(result.v[r]);
+        result.z.push_back(z);
+        result.bound.push_back(b);
+        result.rho.push_back(rho);
+        result.states.push_back(z[0] <= 0.              ? PointState::open :
+                                tangential_norm(z) <= b ? PointState::stick :
+                                                          PointState::slip);
+      }
+    return result;
+  }
+
+
+
+  // ---- a step
+
+  void
+  FrictionNewton::linearise_slip(const unsigned int r,
+                                 const Iterate     &at,
+                                 const Trial       &trial,
+                                 Law               &law) const
+  {
+    const double d = softness(rows[r]), mu = rows[r].friction,
+                 length      = tangential_norm(trial.z[r]),
+                 k           = trial.bound[r] / length,
+                 soft        = 1. - k + k * trial.rho[r] * d,
+                 across      = k * trial.rho[r] / soft;
+    const Tensor<1, 3> e     = tangential_part(trial.z[r]) / length,
+                       force = tangential_part(at.force[r]),
+                       v     = tangential_part(trial.v[r]),
+                       left  = -(1. - k) / soft * force - across * v;
+    Tensor<1, 3> &change     = law.change[r];
+    change += left - (left * e) * e +
+              (mu * (at.force[r][0] + change[0]) - force * e) * e;
+    const unsigned int n_tangents = rows[r].slips.size();
+    for (unsigned int a = 0; a < n_tangents; ++a)
+      {
+        law.terms.push_back({rows.slip(r, a), r, mu * e[1 + a] / d});
+        for (unsigned int b = 0; b < n_tangents && n_tangents > 1; ++b)
+          law.terms.push_back(
+            {rows.slip(r, a),
+             rows.slip(r, b),
+             across * ((a == b ? 1. : 0.) - e[1 + a] * e[1 + b])});
+      }
+  }
+
+
+
+  void
+  FrictionNewton::linearise(const unsigned int r,
+                            const Iterate     &at,
+                            const Trial       &trial,
+                            Law               &law) const
+  {
+    const double d   = softness(rows[r]);
+    law.change[r][0] = -trial.v[r][0] / d;
+    law.terms.push_back({r, r, 1. / d});
+    if (trial.states[r] == PointState::slip)
+      linearise_slip(r, at, trial, law);
+    else
+      for (unsigned int a = 0; a < rows[r].slips.size(); ++a)
+        {
+          law.change[r][1 + a] = -trial.v[r][1 + a] / d;
+          law.terms.push_back({rows.slip(r, a), rows.slip(r, a), 1. / d});
+        }
+  }
+
+
+
+  FrictionNewton::Iterate
+  FrictionNewton::step(const ContactProblem &problem,
+                       const Iterate        &at,
+                       const Trial          &trial)
+  {
+    Law         law{PointVectors(rows.size()), {}};
+    BlockVector r_u = linearisation.of().zero();
+    r_u -= at.K_du;
+    for (unsigned int r = 0; r < rows.size(); ++r)
+      {
+        if (trial.states[r] == PointState::open)
+          law.change[r] = -at.force[r];
+        else
+          linearise(r, at, trial, law);
+        const Tensor<1, 3> force = at.force[r] + law.change[r];
+        add_force(rows[r],
+                  force[0] - problem.force[r],
+                  in_scene(rows[r],
+                           Tensor<1, 2>({force[1], force[2]}) -
+                             problem.shear[r]),
+                  r_u);
+      }
+    matrix.factorise(law.terms);
+    const BlockVector du = matrix.solve(std::move(r_u));
+
+    Iterate next = at;
+    next.du += du;
+    next.change = du.linfty_norm();
+    next.K_du   = linearisation.apply(next.du);
+    for (unsigned int r = 0; r < rows.size(); ++r)
+      next.force[r] += law.change[r];
+    for (const PenaltyTerm &term : law.terms)
+      {
+        const unsigned int r = rows.row_of(term.of),
+                           component =
+                             term.of == r ? 0 : 1 + term.of - rows.slip(r, 0);
+        next.force[r][component] -=
+          term.weight * rows.pair_row(term.on).opening(du);
+      }
+    return next;
+  }
+
+
+
+  // ---- how good it is
+
+  Tensor<1, 3>
+  FrictionNewton::missed(const unsigned int r,
+                         const Iterate     &at,
+                         const Trial       &trial)
+  {
+    Tensor<1, 3> result = at.force[r];
+    if (trial.states[r] == PointState::open)
+      return result;
+    Tensor<1, 3> allowed = tangential_part(trial.z[r]);
+    if (trial.states[r] == PointState::slip)
+      allowed *= trial.bound[r] / tangential_norm(allowed);
+    allowed[0] = trial.z[r][0];
+    return result - allowed;
+  }
+
+
+
+  FrictionNewton::Iterate
+  FrictionNewton::shortened(const ContactProblem &problem,
+                            const Iterate        &from,
+                            Iterate               to) const
+  {
+    Scales scale   = scales(problem, to);
+    scale.same_rho = true;
+    Iterate best   = to;
+    double  least  = -1.;
+    for (const double share : {1., 0.5, 0.25, 0.1})
+      {
+        Iterate at = from;
+        at.du.sadd(1. - share, share, to.du);
+        at.K_du.sadd(1. - share, share, to.K_du);
+        for (unsigned int r = 0; r < rows.size(); ++r)
+          at.force[r] += share * (to.force[r] - from.force[r]);
+        const Trial there = trial(problem, at, scale);
+        double      sum   = 0.;
+        for (unsigned int r = 0; r < rows.size(); ++r)
+          sum += missed(r, at, there).norm_square();
+        if (least < 0. || sum < least)
+          {
+            least = sum;
+            best  = std::move(at);
+          }
+      }
+    return best;
+  }
+
+
+
+  Round
+  FrictionNewton::wrong_rows(const Iterate &at,
+                             const Trial   &trial,
+                             const Scales  &scale) const
+  {
+    Round round;
+    for (unsigned int r = 0; r < rows.size(); ++r)
+      {
+        const bool is_open = trial.states[r] == PointState::open;
+        if (!is_open)
+          ++round.active;
+        const Tensor<1, 3> force  = missed(r, at, trial);
+        const double       normal = std::abs(force[0]),
+                     shear        = tangential_norm(force);
+        const bool slips          = trial.states[r] == PointState::slip;
+        if (normal > scale.small ||
+            shear > (slips ? trial.rho[r] * scale.slid : scale.small))
+          {
+            round.changed.push_back(r);
+            round.violation = std::max(round.violation, trial.v[r].norm());
+          }
+      }
+    return round;
+  }
+
+
+
+  ContactSolution
+  FrictionNewton::solution(const ContactProblem &problem,
+                           Iterate               at,
+                           const Trial          &trial) const
+  {
+    ContactSolution   result;
+    std::vector<bool> moved(at.du.n_blocks(), false);
+    result.force.assign(rows.size(), 0.);
+    result.shear.assign(rows.size(), {});
+    result.direction.assign(rows.size(), {});
+    for (unsigned int r = 0; r < rows.size(); ++r)
+      {
+        if (trial.states[r] != PointState::open)
+          {
+            result.active.push_back(r);
+            result.force[r] = std::max(0., at.force[r][0]);
+            result.shear[r] = Tensor<1, 2>({at.force[r][1], at.force[r][2]});
+          }
+        const double length = result.shear[r].norm();
+        if (trial.states[r] == PointState::slip && length > 0.)
+          result.direction[r] = result.shear[r] / length;
+        if (result.force[r] != problem.force[r] ||
+            (result.shear[r] - problem.shear[r]).norm() > 0.)
+          for (const BodyRow &part : rows[r].parts)
+            moved[part.body] = true;
+      }
+    // Where forces came and went displacements have but the rounding of both.
+    for (unsigned int b = 0; b < moved.size(); ++b)
+      if (!moved[b])
+        at.du.block(b) = 0.;
+    result.du = std::move(at.du);
+    return result;
+  }
+} // namespace lamella
