@@ -96,14 +96,15 @@ namespace
                          const Scene       &scene,
                          std::ostream      &out)
   {
-    if (command.resume)
-      throw InputError("--resume goes on with load steps; with Rotations = "
-                       "auto a run begins anew. Leave --resume out.");
     const LinearTrial trial(scene, text, out);
-    if (trial.suffices())
+    if (!trial.suffices())
+      run_scene(trial.chosen(), command.output, command.resume);
+    else if (!command.resume)
       trial.write(command.output, bars_afterwards(trial.chosen()));
     else
-      run_scene(trial.chosen(), command.output);
+      throw InputError("--resume goes on after load steps that are written; "
+                       "the linear run that Rotations = auto takes here writes "
+                       "all of them at its end. Leave --resume out.");
   }
 
 

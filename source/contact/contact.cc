@@ -145,6 +145,8 @@ namespace lamella
   void
   Contact::pair(const BlockVector &u, const LoadFactor &factor)
   {
+    paired_at     = u;
+    paired_factor = factor;
     const ContactSides at(undeformed, u, factor);
     interface = interface_within(at, reach);
     keep_lines();
@@ -174,6 +176,29 @@ namespace lamella
       lines->follow(*at.surface(false), *at.obstacle(), points);
     integrals = integrate(at, feet(), points);
     write(at, u, factor);
+  }
+
+
+
+  ContactMemory
+  Contact::memory() const
+  {
+    return {paired_at, paired_factor, points};
+  }
+
+
+
+  void
+  Contact::recall(const ContactMemory &known,
+                  const BlockVector   &u,
+                  const LoadFactor    &factor)
+  {
+    if (known.u.n_blocks() > 0)
+      pair(known.u, known.factor);
+    points = known.points;
+    move(u, factor);
+    // Feet that are found once more differ by rounding.
+    points = known.points;
   }
 
 
@@ -367,6 +392,8 @@ namespace lamella
     if (of.area == 0.)
       {
         row.initial_gap = reach;
+        // Not that of the last place that it faced.
+        point.normal = Tensor<1, 3>();
         return;
       }
     if (interface.obstacle != nullptr)

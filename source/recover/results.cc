@@ -17,6 +17,7 @@ namespace lamella
     state                         = State();
     state.iterations              = iterations;
     memory                        = StrategyMemory();
+    pairings.clear();
     probes.clear();
     lines.clear();
     cuts.clear();

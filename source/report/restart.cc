@@ -32,16 +32,25 @@ namespace boost
 
     template <typename Archive>
     void
-    serialize(Archive &archive, lamella::State &state, const unsigned int)
+    serialize_blocks(Archive &archive, lamella::BlockVector &u)
     {
       std::vector<dealii::types::global_dof_index> sizes;
-      for (unsigned int b = 0; b < state.u.n_blocks(); ++b)
-        sizes.push_back(state.u.block(b).size());
+      for (unsigned int b = 0; b < u.n_blocks(); ++b)
+        sizes.push_back(u.block(b).size());
       archive &sizes;
       if (Archive::is_loading::value)
-        state.u.reinit(sizes);
+        u.reinit(sizes);
       for (unsigned int b = 0; b < sizes.size(); ++b)
-        archive &state.u.block(b);
+        archive &u.block(b);
+    }
+
+
+
+    template <typename Archive>
+    void
+    serialize(Archive &archive, lamella::State &state, const unsigned int)
+    {
+      serialize_blocks(archive, state.u);
       archive &state.free_sizes &state.force &state.active &state.rest &state
         .iterations &state.free_corrections &state.contact_corrections;
       lamella::FrictionState                &friction = state.friction;
@@ -58,6 +67,28 @@ namespace boost
               const unsigned int)
     {
       archive &memory.stiffening &memory.rows;
+    }
+
+
+
+    template <typename Archive>
+    void
+    serialize(Archive &archive, lamella::GapPoint &point, const unsigned int)
+    {
+      archive &point.carrying.facet &point.carrying.st &point.opposing
+        .facet &point.opposing.st &point.area &point.part;
+    }
+
+
+
+    template <typename Archive>
+    void
+    serialize(Archive                &archive,
+              lamella::ContactMemory &memory,
+              const unsigned int)
+    {
+      serialize_blocks(archive, memory.u);
+      archive &memory.factor &memory.points;
     }
 
 
@@ -105,7 +136,8 @@ namespace boost
     serialize(Archive &archive, lamella::StepResults &step, const unsigned int)
     {
       archive &step.step &step.load_factor &step.state &step.memory &step
-        .changes &step.warnings &step.plies &step.checks.beyond &step.substeps;
+        .pairings &step.changes &step.warnings &step.plies &step.checks
+        .beyond                                            &step.substeps;
       serialize_optional(archive, step.change);
     }
 

@@ -22,8 +22,7 @@ namespace lamella
     void
     keep_ready_for_interruption(const std::string &directory,
                                 const unsigned int done,
-                                const unsigned int all,
-                                const bool         resumes)
+                                const unsigned int all)
     {
       if (!is_speaker())
         return;
@@ -38,8 +37,7 @@ namespace lamella
              "all load steps, but not what comes after them" :
              "load step" + std::string(done == 1 ? " " : "s 1 to ") +
                std::to_string(done) + " of " + std::to_string(all)) +
-          (resumes ? ". The same command with --resume goes on from there." :
-                     "."));
+          ". The same command with --resume goes on from there.");
     }
 
 
@@ -88,11 +86,7 @@ namespace lamella
       const Results &found = simulation.results();
       // Steps of an earlier run, which are not looked at again.
       const std::size_t earlier = found.steps.size();
-      const bool        resumes = !simulation.model().structure().turns();
-      keep_ready_for_interruption(directory,
-                                  earlier,
-                                  found.load_steps,
-                                  resumes);
+      keep_ready_for_interruption(directory, earlier, found.load_steps);
       try
         {
           simulation.solve([&](const Results &results) {
@@ -100,8 +94,7 @@ namespace lamella
             writer.write_step(results);
             keep_ready_for_interruption(directory,
                                         results.steps.size(),
-                                        results.load_steps,
-                                        resumes);
+                                        results.load_steps);
           });
         }
       catch (const NumericsError &error)
@@ -162,10 +155,6 @@ namespace lamella
     ResultsWriter  writer(directory, scenery_of(simulation));
     const Results &found = simulation.results();
     std::ostream  &out   = simulation.output();
-    if (resume && simulation.model().structure().turns())
-      throw InputError("--resume does not know the places that surfaces have "
-                       "slid to: a scene with Rotations = large begins anew. "
-                       "Leave --resume out.");
     if (resume)
       {
         simulation.resume(writer.resume());

@@ -102,7 +102,8 @@ namespace lamella
   Simulation::solve_as_built(const Observer &observer)
   {
     prepare();
-    if (last_is_bare && !path->has_more())
+    // What touched is told by rows where pairs may be others in the next step.
+    if (last_is_bare && (!path->has_more() || built->structure().turns()))
       complete_last_step();
     do_steps(observer);
     if (scene().find_first_failure)
@@ -138,8 +139,10 @@ namespace lamella
                        const State      &before) {
       return recorder->change_of_goals(one, other, before);
     });
-    if (!found.steps.empty())
-      path->resume(found.steps.size(), found.last().state);
+    if (found.steps.empty())
+      return;
+    path->resume(found.steps.size(), found.last().state, found.last().pairings);
+    number_moved_rows();
   }
 
 
@@ -259,6 +262,7 @@ namespace lamella
     StepResults     &last = found.steps.back();
     last                  = recorder->record(kept.step, solved, solved.state);
     last.memory           = std::move(kept.memory);
+    last.pairings         = std::move(kept.pairings);
     last.changes          = std::move(kept.changes);
     last.substeps         = kept.substeps;
     last.change           = kept.change;
@@ -298,11 +302,7 @@ namespace lamella
   {
     const State      previous = path->state();
     const SolvedStep solved   = path->advance();
-    if (built->structure().turns())
-      {
-        built->number_rows();
-        built->tell_pairs(found.contacts);
-      }
+    number_moved_rows();
     if (solved.change)
       out << "  in " << solved.substeps << " substeps; half as many differ by "
           << to_text(100. * *solved.change, 2) << " %" << std::endl;
@@ -320,6 +320,17 @@ namespace lamella
     observer(found);
     if (path->n_done() > 1)
       found.steps[path->n_done() - 2].drop_fields();
+  }
+
+
+
+  void
+  Simulation::number_moved_rows()
+  {
+    if (!built->structure().turns())
+      return;
+    built->number_rows();
+    built->tell_pairs(found.contacts);
   }
 
 

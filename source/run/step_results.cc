@@ -37,6 +37,7 @@ namespace lamella
     results.substeps    = solved.substeps;
     results.change      = solved.change;
     results.halvings    = solved.cuts;
+    results.pairings    = solved.pairings;
     results.warnings    = warnings(solved);
     const FaceTractions tractions =
       built.tractions_at(solved.state, solved.load_factor);
@@ -59,7 +60,7 @@ namespace lamella
       return !previous.force.empty() &&
              built.rows().of_contact(contact, previous.force)[row] > 0.;
     // Contacts that pair anew give their rows other numbers, but points stay.
-    if (facts.steps.empty())
+    if (facts.steps.empty() || facts.last().contacts.empty())
       return false;
     const auto &before = facts.last().contacts[contact];
     const auto &here   = place_of(built.interfaces()[contact].points[row]);

@@ -54,10 +54,22 @@ namespace lamella
             before.free_sizes.empty() ? size :
                                         std::max(size, before.free_sizes[b]));
         }
-      solved.cuts = end.cuts;
+      solved.cuts     = end.cuts;
+      solved.pairings = newton.moving().memory();
     }
     solved.checks = check(solved.state, to, last);
     return solved;
+  }
+
+
+
+  void
+  LargeStep::go_on_from(const State                      &last,
+                        const LoadFactor                 &factor,
+                        const std::vector<ContactMemory> &pairings)
+  {
+    newton.recall(pairings, last.u, factor);
+    reached = last.u;
   }
 
 

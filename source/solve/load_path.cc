@@ -230,11 +230,14 @@ namespace lamella
 
 
   void
-  LoadPath::resume(const unsigned int n_done, State state)
+  LoadPath::resume(const unsigned int                n_done,
+                   State                             state,
+                   const std::vector<ContactMemory> &pairings)
   {
     AssertIndexRange(n_done - 1, factors.size());
-    done       = n_done;
-    last       = std::move(state);
+    done = n_done;
+    last = std::move(state);
+    step->go_on_from(last, factors[done - 1], pairings);
     last_force = largest_force(step->check(last, factors[done - 1], false));
     store(factors[done - 1].of_scene(), done - 1, last);
   }

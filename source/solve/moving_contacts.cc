@@ -111,6 +111,30 @@ namespace lamella
 
 
 
+  std::vector<ContactMemory>
+  MovingContacts::memory() const
+  {
+    std::vector<ContactMemory> known;
+    for (const auto &contact : lives)
+      known.push_back(contact->memory());
+    return known;
+  }
+
+
+
+  void
+  MovingContacts::recall(const std::vector<ContactMemory> &known,
+                         const BlockVector                &u,
+                         const LoadFactor                 &factor)
+  {
+    AssertDimension(known.size(), lives.size());
+    for (unsigned int c = 0; c < lives.size(); ++c)
+      lives[c]->recall(known[c], u, factor);
+    numbered = GapRows(all);
+  }
+
+
+
   void
   MovingContacts::move(State &state, const LoadFactor &factor)
   {

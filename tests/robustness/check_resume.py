@@ -9,7 +9,8 @@ kill -9 at a random moment. What a killed run leaves is whole: rows of as many l
 steps as its summary says, in every table, and their VTU files in the collection. Then
 it goes on with --resume, and every table is that of the uninterrupted run number by number
 to 1e-12 (numdiff). So does one that is killed behind its load steps, while it looks
-for the first failure or makes error bars, and a loop with friction in its middle. --resume on what cannot go on is refused,
+for the first failure or makes error bars, a loop with friction in its middle, and bodies that slide and
+turn far, whose tables are the same to the last byte. --resume on what cannot go on is refused,
 and a file that reaches its limit at a later step leaves the steps before it; a step
 that fails fails again when resumed.
 """
@@ -167,6 +168,54 @@ PATHS = {
                   "Body upper/Kinematics/Axis elements=10"], (3,), 4)}
 
 
+# Large rotations, the same: contacts that pair anew, a roller, ends on faces, steps that are
+# halved, and a run that its linear one asks for.
+LARGE = {
+    "slide": ("tests/scenes/large_slide.prm", [], (2, 5, 8), 8),
+    "roller": ("tests/scenes/large_roller.prm", [], (7, 12), 14),
+    "corners": ("tests/scenes/large_corners.prm", [], (3, 5), 6),
+    "follower": ("tests/scenes/large_follower.prm", ["Rotations=auto"], (3,), 4)}
+
+
+def killed_in_step(words, folder, stop, n_steps):
+    """What `words` leave in the folder when they are killed in that load step."""
+    process = subprocess.Popen(words(folder), stdout=subprocess.PIPE,
+                               stderr=subprocess.DEVNULL, text=True)
+    for line in process.stdout:
+        # The linear run before has steps, too, but leaves nothing.
+        if line.startswith(f"Load step {stop} of") and (folder / "summary.json").exists():
+            break
+    process.kill()
+    process.wait()
+    steps = json.loads((folder / "summary.json").read_text())["load_steps"]
+    check(0 < steps < n_steps, f"killed in step {stop}: {steps}")
+
+
+def check_large(program, work, name):
+    """Bodies that turn go on from the places that their surfaces have slid to."""
+    scene, overrides, stops, n_steps = LARGE[name]
+
+    def words(folder):
+        return [program, str(ROOT / scene), "--output", str(folder),
+                *(word for override in overrides for word in ("--set", override))]
+
+    whole = work / f"whole_{name}"
+    done = subprocess.run(words(whole), capture_output=True, text=True)
+    check(done.returncode == 0, f"bodies that turn far, {name} {done.stderr[:200]}")
+    for stop in stops:
+        folder = work / f"killed_{name}{stop}"
+        killed_in_step(words, folder, stop, n_steps)
+        done = subprocess.run([*words(folder), "--resume"], capture_output=True, text=True)
+        off = [table for table in sorted(tables(whole).keys() | tables(folder).keys())
+               if (whole / table).read_bytes() != (folder / table).read_bytes()]
+        check(done.returncode == 0 and not off, f"  goes on to the same bytes {off} "
+              f"{done.stderr[:200]}")
+        ends = [json.loads((path / "summary.json").read_text()) for path in (whole, folder)]
+        check(all(ends[0].get(key) == ends[1].get(key) for key in
+                  ("iterations", "contacts", "supports", "warnings", "energy", "converged")),
+              "  and says the same in its summary")
+
+
 def check_path(program, work, name):
     """Friction remembers: a path that ends in its middle goes on as if it had not, each
     step in as many substeps."""
@@ -182,15 +231,7 @@ def check_path(program, work, name):
     check(done.returncode == 0, f"a path with friction, {name} {done.stderr[:200]}")
     for stop in stops:
         folder = work / f"killed_{name}{stop}"
-        process = subprocess.Popen(words(folder), stdout=subprocess.PIPE,
-                                   stderr=subprocess.DEVNULL, text=True)
-        for line in process.stdout:
-            if line.startswith(f"Load step {stop} of"):
-                break
-        process.kill()
-        process.wait()
-        steps = json.loads((folder / "summary.json").read_text())["load_steps"]
-        check(0 < steps < n_steps, f"killed in step {stop}: {steps}")
+        killed_in_step(words, folder, stop, n_steps)
         done = subprocess.run([*words(folder), "--resume"], capture_output=True, text=True)
         off = differences(whole, folder) + same_numbers(whole / "goals.csv",
                                                         folder / "goals.csv")
@@ -264,6 +305,8 @@ def main():
     check_kills_behind_steps(program, work)
     for name in PATHS:
         check_path(program, work, name)
+    for name in LARGE:
+        check_large(program, work, name)
     check_refused(program, scene, work)
     check_full_disk(program, scene, work)
     check_fails_again(program, work)

@@ -100,7 +100,7 @@ namespace lamella
     void
     serialize(Archive &archive, const unsigned int)
     {
-      archive &scene &own;
+      archive &scene &own &of_heat;
     }
 
   private:

@@ -39,6 +39,19 @@ namespace lamella
     }
   };
 
+  /// What a Contact has come to on its way that its state does not tell: a
+  /// foot stays on a facet a little beyond its side, and points are those of
+  /// the last pairing. Goes over a restart.
+  struct ContactMemory
+  {
+    /// Where it was paired: displacements and load factor; none where that was
+    /// on the undeformed bodies.
+    BlockVector u;
+    LoadFactor  factor;
+    /// The places that face each other. Empty where nothing has moved.
+    std::vector<GapPoint> points;
+  };
+
   /**
    * The life of a contact: who faces whom, and the gap there, in a state of the
    * bodies.
@@ -104,6 +117,18 @@ namespace lamella
      */
     void
     move(const BlockVector &u, const LoadFactor &factor);
+
+    /// What recall() goes on from.
+    ContactMemory
+    memory() const;
+
+    /// Leaves all as it was when @p known was taken, at the state @p u at
+    /// @p factor that the rows were of: moves from there end at the same
+    /// places, to the last bit.
+    void
+    recall(const ContactMemory &known,
+           const BlockVector   &u,
+           const LoadFactor    &factor);
 
     const std::vector<GapRow> &
     rows() const
@@ -247,6 +272,9 @@ namespace lamella
     std::unique_ptr<RollerLines> lines;
     /// Where the gaps are measured. Empty until somebody moves.
     std::vector<GapPoint> points;
+    /// Of the last pair(), as ContactMemory has them.
+    BlockVector paired_at;
+    LoadFactor  paired_factor;
     /// Of the state that the rows are of. Empty until somebody moves, or asks
     /// for slip.
     std::vector<GapIntegrals> integrals;

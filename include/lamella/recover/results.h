@@ -4,7 +4,7 @@
 #define lamella_recover_results_h
 
 #include <lamella/base/units.h>
-#include <lamella/contact/gap_rows.h>
+#include <lamella/contact/contact.h>
 #include <lamella/linear/linear_solver.h>
 #include <lamella/recover/failure_trial.h>
 #include <lamella/recover/goal_result.h>
@@ -77,6 +77,8 @@ namespace lamella
     unsigned int halvings = 0;
     /// What the strategy had learnt when the step ended.
     StrategyMemory memory;
+    /// Of bodies that turn: what each contact had come to.
+    std::vector<ContactMemory> pairings;
 
     /// Of each probe a row a ply that it touches, from the bottom.
     std::vector<std::vector<FieldRow>> probes;

@@ -154,6 +154,10 @@ namespace lamella
     make_linear_step(const MemoryBudget &budget);
     std::unique_ptr<Step>
     make_large_step(const MemoryBudget &budget);
+    /// Where bodies turn contacts may have paired anew: everybody counts
+    /// their rows again.
+    void
+    number_moved_rows();
     void
     make_solver(const MemoryBudget &budget);
     /// The stiffness with what solves with each body; tells how large a factor

@@ -38,6 +38,11 @@ namespace lamella
           const LoadFactor &factor,
           const bool        last = true) override;
 
+    void
+    go_on_from(const State                      &last,
+               const LoadFactor                 &factor,
+               const std::vector<ContactMemory> &pairings) override;
+
   private:
     /// Where the path from @p before, at @p from, to @p to begins.
     Equilibrium

@@ -69,6 +69,15 @@ namespace lamella
       return numbered;
     }
 
+    /// What each contact has come to, and all of them as they were then, in
+    /// the state @p u at @p factor (Contact::recall()).
+    std::vector<ContactMemory>
+    memory() const;
+    void
+    recall(const std::vector<ContactMemory> &known,
+           const BlockVector                &u,
+           const LoadFactor                 &factor);
+
     /// Takes the rows to @p state at @p factor (Contact::move()). Where one
     /// that bears a force finds nothing to bear it on, past an end of the other
     /// body or through it, it lets go of that if the ends of the other body

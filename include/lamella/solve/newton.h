@@ -133,6 +133,16 @@ namespace lamella
     Equilibrium
     back_at(State state, const LoadFactor &factor);
 
+    /// Has contacts as they were in the state @p u at @p factor
+    /// (MovingContacts::recall()).
+    void
+    recall(const std::vector<ContactMemory> &known,
+           const BlockVector                &u,
+           const LoadFactor                 &factor)
+    {
+      contacts.recall(known, u, factor);
+    }
+
     /// That at load factor @p to, on from @p start, whose rows are those that
     /// the contacts have now. Throws NumericsError with the last factor that
     /// was reached if it cannot be had in 2^max_cuts parts of the way.
