@@ -13,15 +13,6 @@
 
 namespace lamella
 {
-  namespace
-  {
-    /// The shares of a tolerance that a source of error has to have for
-    /// mattering, and those of what all sources do where there is none.
-    constexpr double least_of_tolerance = 0.1, least_of_all = 0.02;
-  } // namespace
-
-
-
   Estimation::Estimation(const Simulation &run,
                          std::ostream     &out,
                          ModelCache       &cache)
@@ -73,9 +64,10 @@ namespace lamella
     for (const NamedQuantity &quantity : of_run->quantities())
       {
         const GoalResult bare = of_run->bare(number++);
-        const double     most = bare.tolerance ?
-                                  least_of_tolerance * bare.most_error() :
-                                  least_of_all * first_refinement(quantity).shares;
+        const double     most =
+          bare.tolerance ?
+                rules.least_of_tolerance * bare.most_error() :
+                rules.least_of_all * first_refinement(quantity).shares;
         if (most > 0.)
           weight = std::max(weight, std::abs(share_of(step, quantity)) / most);
       }

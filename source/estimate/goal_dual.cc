@@ -27,7 +27,14 @@ namespace lamella
       const auto        &names = field_names();
       const unsigned int n =
         std::find(names.begin(), names.end(), column) - names.begin();
-      constexpr unsigned int strains = 3, stresses = 9, of_ply = 15, end = 21;
+      // Where each kind begins among the names.
+      enum : unsigned int
+      {
+        strains  = 3,
+        stresses = 9,
+        of_ply   = 15,
+        end      = 21
+      };
       if (n < strains)
         return Component{Quantity::displacement, Frame::scene, n};
       if (n < stresses)

@@ -109,7 +109,6 @@ namespace lamella
   void
   ToleranceRun::check_loads(const Simulation &next) const
   {
-    constexpr double agreement = 1e-7;
     if (simulation == nullptr)
       return;
     const auto &loads  = next.results().loads,
@@ -119,7 +118,8 @@ namespace lamella
     for (const LoadResultant &load : before)
       size += load.force.norm() + load.moment.norm() / next.results().size;
     for (unsigned int k = 0; k < loads.size(); ++k)
-      if ((loads[k].force - before[k].force).norm() > agreement * size)
+      if ((loads[k].force - before[k].force).norm() >
+          pass_rules.loads_agree * size)
         throw NumericsError(
           "load " + loads[k].name + " is " + to_text(loads[k].force) +
           " on the next model and was " + to_text(before[k].force) +

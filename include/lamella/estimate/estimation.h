@@ -25,6 +25,14 @@
 
 namespace lamella
 {
+  /// What of the steps of Estimation matters.
+  struct EstimationRules
+  {
+    /// A source does that has this share of a tolerance for some goal; or this
+    /// one of what all of them do, where there is none.
+    double least_of_tolerance = 0.1, least_of_all = 0.02;
+  };
+
   /**
    * The errors of a run's goals, from richer models of the same scene:
    *   M_0          the run
@@ -105,10 +113,12 @@ namespace lamella
     /// What the models say of it.
     GoalResult
     goal(const NamedQuantity &quantity, const unsigned int number) const;
-    const Simulation &run;
-    std::ostream     &out;
-    ModelCache       &cache;
-    OtherModels       others;
+
+    const EstimationRules rules;
+    const Simulation     &run;
+    std::ostream         &out;
+    ModelCache           &cache;
+    OtherModels           others;
     /// From goals() on.
     std::unique_ptr<const RunGoals> of_run;
     /// The run first, and M_r last if it was made.

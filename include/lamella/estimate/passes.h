@@ -33,6 +33,8 @@ namespace lamella
     /// and that become one; and what those that are bisected do at least of
     /// all.
     double most_left = 0.25, most_merged = 0.05, least_done = 0.65;
+    /// Of their size: what loads may differ by from pass to pass.
+    double loads_agree = 1e-7;
   };
 
   /// One model of a run to a tolerance, with its bars.
