@@ -380,12 +380,51 @@ def grips():
     print(twisted_strip(warm=5e-4))
 
 
+def ring(alpha, radius=15., wall=0.5, nu=0.3, n=400, harmonics=6):
+    """M / (E I k) of a tube that is bent to alpha = k R^2 / t sqrt(1 - nu^2) (Brazier): its section is
+    a ring whose wall does not stretch, of the shape in which
+      E t k^2 / 2 int z^2 ds + D / 2 int (theta' - 1 / R)^2 ds,  D = E t^3 / 12 / (1 - nu^2),
+    is least among those that `harmonics` of the wall's angle make."""
+    curvature = alpha * wall / radius ** 2 / math.sqrt(1. - nu ** 2)
+    plate = wall ** 3 / 12. / (1. - nu ** 2)
+    s = (np.arange(n) + 0.5) * 2. * np.pi / n
+    ds = radius * 2. * np.pi / n
+    orders = 2 * np.arange(1, harmonics + 1)
+
+    def heights(amplitudes):
+        angle = s + 0.5 * np.pi + np.sin(np.outer(s, orders)) @ amplitudes
+        steps = np.sin(angle) * ds
+        z = np.cumsum(steps) - 0.5 * steps
+        return z - z.mean()
+
+    def energy(amplitudes):
+        bent = np.cos(np.outer(s, orders)) @ (orders * amplitudes) / radius
+        return ds * np.sum(0.5 * wall * curvature ** 2 * heights(amplitudes) ** 2
+                           + 0.5 * plate * bent ** 2)
+
+    by = 1e-5 * np.eye(harmonics)
+    shape = np.zeros(harmonics)
+    for _ in range(20):
+        slope = [(energy(shape + a) - energy(shape - a)) / 2e-5 for a in by]
+        bend = [[(energy(shape + a + b) - energy(shape + a - b) - energy(shape - a + b)
+                  + energy(shape - a - b)) / 4e-10 for b in by] for a in by]
+        shape = shape - np.linalg.solve(bend, slope)
+    return ds * np.sum(heights(shape) ** 2) / (math.pi * radius ** 3)
+
+
+def rings():
+    print("large_tube: M / (E I k) of a ring, and of Brazier's first term")
+    for alpha in (0.1, 0.2, 0.3, 0.4, 0.47):
+        print(alpha, f"{ring(alpha):.5f} {1. - 1.5 * alpha ** 2:.3f}")
+
+
 def turning():
     """Rods beside tests/scenes/large_roller.prm, large_slide.prm, large_corners.prm,
-    turning_grip.prm, large_twist.prm and turning_spatial.prm."""
+    turning_grip.prm, large_twist.prm and turning_spatial.prm; rings beside large_tube.prm."""
     rollers()
     slides()
     ends()
     coupon()
     grips()
     in_space()
+    rings()

@@ -28,6 +28,29 @@ namespace lamella
       const Point<3> &x = place_of(point);
       return {{x[0], x[1], x[2]}};
     }
+
+
+
+    /// Gives rows of @p interface that face nothing the normal of their own
+    /// side, @p surface where it is now: not that of what they faced last.
+    void
+    face_outwards(const MeshSurface               &surface,
+                  const CarryingSurface           *functions,
+                  const std::vector<GapPoint>     &points,
+                  const std::vector<GapIntegrals> &integrals,
+                  ContactInterface                &interface)
+    {
+      for (unsigned int q = 0; q < points.size(); ++q)
+        for (const auto &[row, weight] : shares_of(functions, q, points[q]))
+          if (integrals[row].area == 0.)
+            {
+              const auto &[facet, st] = points[q].carrying;
+              const FacetMap    &map  = surface.facets()[facet].map;
+              const Tensor<1, 3> n    = map.outward(map(st));
+              interface.points[row].normal =
+                (interface.points_on_second ? -1. : 1.) * n / n.norm();
+            }
+    }
   } // namespace
 
 
@@ -145,10 +168,10 @@ namespace lamella
   void
   Contact::pair(const BlockVector &u, const LoadFactor &factor)
   {
+    const ContactSides at(undeformed, u, factor);
+    interface     = interface_within(at, reach);
     paired_at     = u;
     paired_factor = factor;
-    const ContactSides at(undeformed, u, factor);
-    interface = interface_within(at, reach);
     keep_lines();
     points.clear();
     find_points();
@@ -345,6 +368,11 @@ namespace lamella
           row.parts.push_back(second[k]);
         set_tangent_plane(k, u, factor);
       }
+    face_outwards(*sides.surface(interface.points_on_second),
+                  functions(),
+                  points,
+                  integrals,
+                  interface);
     if (undeformed.contact().friction > 0.)
       write_slips();
   }
@@ -392,8 +420,6 @@ namespace lamella
     if (of.area == 0.)
       {
         row.initial_gap = reach;
-        // Not that of the last place that it faced.
-        point.normal = Tensor<1, 3>();
         return;
       }
     if (interface.obstacle != nullptr)

@@ -94,6 +94,7 @@ namespace lamella
     Pass pass;
     pass.dofs  = next->results().n_dofs();
     pass.goals = bars_of(*next, out, cache).goals;
+    require_some_bar(pass.goals);
     for (unsigned int g = 0; g < lost_by_fields.size(); ++g)
       hold_share(pass.goals[g], Source::fields, lost_by_fields[g]);
     pass.seconds = wall.wall_time();
@@ -102,6 +103,19 @@ namespace lamella
         (pass.theories.empty() ? "" : "; ") + body.name + " " + body.theory;
     passes.add(pass, refined);
     simulation = std::move(next);
+  }
+
+
+
+  void
+  ToleranceRun::require_some_bar(const std::vector<GoalResult> &goals) const
+  {
+    const auto has_none = [](const GoalResult &goal) {
+      return !goal.trusted && goal.shares.empty();
+    };
+    if (!passes.all().empty() && !goals.empty() &&
+        std::all_of(goals.begin(), goals.end(), has_none))
+      throw NumericsError(goals.front().why);
   }
 
 

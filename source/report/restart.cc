@@ -14,6 +14,7 @@
 
 #include <fstream>
 #include <sstream>
+#include <stdexcept>
 
 namespace boost
 {
@@ -147,6 +148,13 @@ namespace boost
     void
     serialize(Archive &archive, lamella::Restart &restart, const unsigned int)
     {
+      // Who changes what is kept counts it up: programs of one version may
+      // differ in it.
+      constexpr unsigned int layout = 2;
+      unsigned int           found  = layout;
+      archive               &found;
+      if (found != layout)
+        throw std::runtime_error("another layout");
       archive &restart.version &restart.scene &restart.finished &restart
         .steps &restart.sizes &restart.vtu_files;
     }

@@ -86,11 +86,14 @@ namespace lamella
         for (unsigned int k = 0; k < contact.rows.size(); ++k)
           {
             const ContactInterface::Point &pair = contact.points[k];
-            // Of rows that move Eq. 17 of the places that face each other.
+            // Of rows that move Eq. 17 of the places that face each other, if
+            // they do.
+            const bool moves =
+              structure.turns() && !contact.rows[k].parts.empty();
             rows.push_back(
               {pair,
-               structure.turns() ? (pair.second - pair.first) * pair.normal :
-                                   contact.rows[k].initial_gap,
+               moves ? (pair.second - pair.first) * pair.normal :
+                       contact.rows[k].initial_gap,
                contact.rows[k].gap(solved.state.u, solved.load_factor),
                forces.normal[k],
                solved.checks.contacts[c].of_rows[k]});

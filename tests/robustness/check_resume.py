@@ -171,10 +171,10 @@ PATHS = {
 # Large rotations, the same: contacts that pair anew, a roller, ends on faces, steps that are
 # halved, and a run that its linear one asks for.
 LARGE = {
-    "slide": ("tests/scenes/large_slide.prm", [], (2, 5, 8), 8),
+    "slide": ("tests/scenes/large_slide.prm", [], (2, 5, 7), 8),
     "roller": ("tests/scenes/large_roller.prm", [], (7, 12), 14),
     "corners": ("tests/scenes/large_corners.prm", [], (3, 5), 6),
-    "follower": ("tests/scenes/large_follower.prm", ["Rotations=auto"], (3,), 4)}
+    "follower": ("tests/scenes/large_follower.prm", ["Rotations=auto"], (2,), 4)}
 
 
 def killed_in_step(words, folder, stop, n_steps):

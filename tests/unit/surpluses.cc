@@ -164,6 +164,31 @@ BOOST_AUTO_TEST_CASE(a_goal_s_surplus_is_about_its_change)
 
 
 
+BOOST_AUTO_TEST_CASE(a_contact_force_s_surplus_is_about_its_change)
+{
+  const auto pressed = [](const std::string &theory) {
+    return Solved("/prm/sandwich.prm",
+                  {"Theory=" + theory,
+                   "Section sandwich/Cells per ply=1",
+                   "Section sandwich/Cells across=1",
+                   "Body beam/Kinematics/Axis elements=2, 1, 2, 1, 2"});
+  };
+  const Solved        rich = pressed("LE-3"), poor = pressed("LE-2");
+  const NamedQuantity force =
+    quantity_of(NamedQuantity::Of::contact, "indentation", "fz");
+  const GoalDual dual(rich.run);
+  const double   change = rich.value(force) - poor.value(force);
+  const Surplus  surplus =
+    Surpluses(rich.run).of(dual.solve(*dual.derivative(force)).u).section;
+  BOOST_TEST_CONTEXT(change << ' ' << surplus.last)
+  {
+    BOOST_TEST(surplus.last / change > 0.5);
+    BOOST_TEST(surplus.last / change < 2.);
+  }
+}
+
+
+
 BOOST_AUTO_TEST_CASE(who_has_none_says_why)
 {
   BOOST_TEST(Surpluses::reason_for_none(laminate("LE-3").run, 3).empty());

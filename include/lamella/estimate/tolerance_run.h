@@ -61,6 +61,10 @@ namespace lamella
     /// Solves `scene` and makes its bars; the simulation and its goals.
     void
     make_pass();
+    /// Throws NumericsError if a pass that is not the first has no bar at all,
+    /// as no other model of it could be solved: the pass before says more.
+    void
+    require_some_bar(const std::vector<GoalResult> &goals) const;
     /// Throws NumericsError unless the loads of @p next sum to those of the
     /// last pass, to 1e-7 of their size.
     void
