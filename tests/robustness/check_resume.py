@@ -173,6 +173,9 @@ PATHS = {
 LARGE = {
     "slide": ("tests/scenes/large_slide.prm", [], (2, 5, 7), 8),
     "roller": ("tests/scenes/large_roller.prm", [], (7, 12), 14),
+    "pairs": ("tests/scenes/large_roller.prm",
+              ["Theory=TBT", "Contact face/Discretisation=surface to surface",
+               "Contact face/Search distance=2"], (10,), 14),
     "corners": ("tests/scenes/large_corners.prm", [], (3, 5), 6),
     "follower": ("tests/scenes/large_follower.prm", ["Rotations=auto"], (2,), 4)}
 
