@@ -168,8 +168,8 @@ PATHS = {
                   "Body upper/Kinematics/Axis elements=10"], (3,), 4)}
 
 
-# Large rotations, the same: contacts that pair anew, a roller, ends on faces, steps that are
-# halved, and a run that its linear one asks for.
+# Large rotations, the same: bodies that slide, a roller, contacts that pair anew, ends on faces,
+# and a run that its linear one asks for.
 LARGE = {
     "slide": ("tests/scenes/large_slide.prm", [], (2, 5, 7), 8),
     "roller": ("tests/scenes/large_roller.prm", [], (7, 12), 14),
@@ -181,7 +181,7 @@ LARGE = {
 
 
 def killed_in_step(words, folder, stop, n_steps):
-    """What `words` leave in the folder when they are killed in that load step."""
+    """Kills what `words` say for the folder in that load step."""
     process = subprocess.Popen(words(folder), stdout=subprocess.PIPE,
                                stderr=subprocess.DEVNULL, text=True)
     for line in process.stdout:
@@ -194,55 +194,48 @@ def killed_in_step(words, folder, stop, n_steps):
     check(0 < steps < n_steps, f"killed in step {stop}: {steps}")
 
 
-def check_large(program, work, name):
-    """Bodies that turn go on from the places that their surfaces have slid to."""
-    scene, overrides, stops, n_steps = LARGE[name]
+def resumed(program, work, name, path, *more):
+    """Of a row of PATHS or LARGE the folders of the whole run and, for each step in which it is
+    killed, of the one that went on."""
+    scene, overrides, stops, n_steps = path
 
     def words(folder):
         return [program, str(ROOT / scene), "--output", str(folder),
-                *(word for override in overrides for word in ("--set", override))]
+                *(word for override in (*overrides, *more) for word in ("--set", override))]
 
     whole = work / f"whole_{name}"
     done = subprocess.run(words(whole), capture_output=True, text=True)
-    check(done.returncode == 0, f"bodies that turn far, {name} {done.stderr[:200]}")
+    check(done.returncode == 0, f"{name} {done.stderr[:200]}")
     for stop in stops:
         folder = work / f"killed_{name}{stop}"
         killed_in_step(words, folder, stop, n_steps)
         done = subprocess.run([*words(folder), "--resume"], capture_output=True, text=True)
-        off = [table for table in sorted(tables(whole).keys() | tables(folder).keys())
-               if (whole / table).read_bytes() != (folder / table).read_bytes()]
-        check(done.returncode == 0 and not off, f"  goes on to the same bytes {off} "
-              f"{done.stderr[:200]}")
-        ends = [json.loads((path / "summary.json").read_text()) for path in (whole, folder)]
-        check(all(ends[0].get(key) == ends[1].get(key) for key in
-                  ("iterations", "contacts", "supports", "warnings", "energy", "converged")),
-              "  and says the same in its summary")
+        check(done.returncode == 0, f"  goes on: {done.returncode} {done.stderr[:200]}")
+        yield whole, folder
 
 
 def check_path(program, work, name):
     """Friction remembers: a path that ends in its middle goes on as if it had not, each
     step in as many substeps."""
-    scene, overrides, stops, n_steps = PATHS[name]
-
-    def words(folder):
-        return [program, str(ROOT / scene), "--output", str(folder), "--set",
-                "Substeps=auto", *(word for override in overrides
-                                   for word in ("--set", override))]
-
-    whole = work / f"whole_{name}"
-    done = subprocess.run(words(whole), capture_output=True, text=True)
-    check(done.returncode == 0, f"a path with friction, {name} {done.stderr[:200]}")
-    for stop in stops:
-        folder = work / f"killed_{name}{stop}"
-        killed_in_step(words, folder, stop, n_steps)
-        done = subprocess.run([*words(folder), "--resume"], capture_output=True, text=True)
+    for whole, folder in resumed(program, work, name, PATHS[name], "Substeps=auto"):
         off = differences(whole, folder) + same_numbers(whole / "goals.csv",
                                                         folder / "goals.csv")
-        check(done.returncode == 0 and not off, f"  goes on to the same {off} "
-              f"{done.stderr[:200]}")
+        check(not off, f"  to the same {off}")
         ends = [json.loads((path / "summary.json").read_text())["path"]
                 for path in (whole, folder)]
         check(ends[0] == ends[1], f"  to the last bit: {ends}")
+
+
+def check_large(program, work, name):
+    """Bodies that turn go on from the places that their surfaces have slid to."""
+    for whole, folder in resumed(program, work, name, LARGE[name]):
+        off = [table for table in sorted(tables(whole).keys() | tables(folder).keys())
+               if (whole / table).read_bytes() != (folder / table).read_bytes()]
+        check(not off, f"  to the same bytes {off}")
+        ends = [json.loads((path / "summary.json").read_text()) for path in (whole, folder)]
+        check(all(ends[0][key] == ends[1][key] for key in
+                  ("iterations", "contacts", "supports", "warnings", "energy", "converged")),
+              "  and says the same in its summary")
 
 
 def check_refused(program, scene, work):
