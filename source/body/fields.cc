@@ -69,11 +69,24 @@ namespace lamella
                    const Triad        &ply,
                    const ElasticLaw   &law)
   {
-    const Voigt strain = green_strain(H);
-    return SampleTurns(placement, ply)
-      .sample(displacement,
-              strain,
-              PolarDecomposition(H).turned_stress(law.stress(strain)));
+    const Voigt              strain = green_strain(H);
+    const PolarDecomposition F(H);
+    FieldSample              sample =
+      SampleTurns(placement, ply)
+        .sample(displacement, strain, F.turned_stress(law.stress(strain)));
+    sample.turn = placement.turn_in_scene(F.turn());
+    return sample;
+  }
+
+
+
+  void
+  to_scene_axes(FieldSample &sample)
+  {
+    // Stresses turn with the transpose of what turns strains back.
+    sample.stress =
+      transpose(strain_rotation(transpose(sample.turn))) * sample.stress;
+    sample.turn = unit_symmetric_tensor<3>();
   }
 
 
@@ -96,15 +109,17 @@ namespace lamella
   FieldSample
   mean_of(const std::vector<FieldSample> &samples)
   {
-    FieldSample  mean;
-    double       largest = 0.;
-    const double share   = 1. / samples.size();
+    FieldSample mean;
+    double      largest = 0.;
+    mean.turn           = Triad();
+    const double share  = 1. / samples.size();
     for (const FieldSample &one : samples)
       {
         mean.displacement += share * one.displacement;
         mean.strain += share * one.strain;
         mean.stress += share * one.stress;
         mean.ply_stress += share * one.ply_stress;
+        mean.turn += share * one.turn;
         largest = std::max(largest, one.stress.norm());
       }
     if (largest > 0.)

@@ -347,11 +347,15 @@ namespace lamella
       strain += section().completion_of_initial(point.cell,
                                                 point.position,
                                                 law.initial_strain());
-    return sample_of(displacement(fields_at(place), frame),
-                     strain,
-                     placement,
-                     section().ply_axes(point.cell, point.position),
-                     law);
+    FieldSample sample =
+      sample_of(displacement(fields_at(place), frame),
+                strain,
+                placement,
+                section().ply_axes(point.cell, point.position),
+                law);
+    sample.turn =
+      placement.turn_in_scene(rotation_of(frame.Q));
+    return sample;
   }
 
 

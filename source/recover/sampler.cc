@@ -29,11 +29,13 @@ namespace lamella
   Sampler::Sampler(const Bodies             &bodies,
                    const std::vector<Probe> &probes,
                    const std::vector<Line>  &lines,
-                   const std::vector<Cut>   &cuts)
+                   const std::vector<Cut>   &cuts,
+                   const bool                in_scene_axes)
     : bodies(bodies)
     , probes(probes)
     , lines(lines)
     , cuts(cuts)
+    , in_scene_axes(in_scene_axes)
   {
     const auto check_stress = [&bodies](const char *kind, const auto &request) {
       if (request.stress == StressValues::equilibrium)
@@ -234,6 +236,10 @@ namespace lamella
         results.lines.push_back(line_rows(l, recoveries));
         results.jumps.push_back(
           interface_jump(results.lines.back(), lines[l].to - lines[l].from));
+        // Where a line crosses plies is a matter of axes that turn along.
+        for (LineRow &row : results.lines.back())
+          if (in_scene_axes)
+            to_scene_axes(row.fields.sample);
         results.closures.lines.push_back(
           recoveries.closure(lines[l].body, lines[l].stress));
       }
@@ -259,6 +265,20 @@ namespace lamella
 
 
 
+  Sampler::Fields
+  Sampler::told(Fields fields) const
+  {
+    if (!in_scene_axes)
+      return fields;
+    return [fields = std::move(fields)](const Location &location) {
+      FieldSample sample = fields(location);
+      to_scene_axes(sample);
+      return sample;
+    };
+  }
+
+
+
   void
   Sampler::sample_probes(Recoveries &recoveries, StepResults &results) const
   {
@@ -267,7 +287,7 @@ namespace lamella
       {
         const auto &[body, stress] = std::tie(probes[p].body, probes[p].stress);
         const Fields fields =
-          recoveries(body, stress, entry_of("Probe", probes[p]));
+          told(recoveries(body, stress, entry_of("Probe", probes[p])));
         for (const BoxPoints &points : probe_points[p])
           results.probes[p].push_back(mean_row(p, points, fields));
         results.closures.probes.push_back(recoveries.closure(body, stress));
@@ -336,7 +356,7 @@ namespace lamella
   {
     const Body  &body = *bodies[cut.body];
     const Fields fields =
-      recoveries(cut.body, cut.stress, entry_of("Cut", cut));
+      told(recoveries(cut.body, cut.stress, entry_of("Cut", cut)));
     const unsigned int  n = cut.samples + 1;
     std::vector<CutRow> rows;
     auto cells = body.cut(cut.position, cut.samples, u.block(cut.body));
@@ -355,6 +375,8 @@ namespace lamella
                 if (location.ply == cells[c].ply)
                   row.fields.sample = fields(location);
             }
+          if (in_scene_axes)
+            to_scene_axes(row.fields.sample);
           rows.push_back(row);
         }
     return rows;

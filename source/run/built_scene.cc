@@ -276,10 +276,12 @@ namespace lamella
   void
   BuiltScene::build_requests()
   {
-    places = std::make_unique<Sampler>(whole->bodies(),
-                                       given.probes,
-                                       given.lines,
-                                       given.cuts);
+    places =
+      std::make_unique<Sampler>(whole->bodies(),
+                                given.probes,
+                                given.lines,
+                                given.cuts,
+                                given.solve.stress_axes == StressAxes::scene);
     for (const Measure &measure : given.measures)
       places->check(measure.quantity);
     given.goals.quantities = in_plies(given.goals.quantities);

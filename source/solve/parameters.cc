@@ -58,6 +58,14 @@ namespace lamella
         "TE-2 on, with Axis element = B4; solid-2) or by sections that turn "
         "(EBBT, TBT, SV, SV-N); auto: linear, or large where the "
         "linear result leaves more than 2e-3 out.");
+      prm.declare_entry(
+        "Stress axes",
+        name_of(StressAxes::material),
+        selection<StressAxes>(),
+        "Of bodies that turn: what sxx ... syz of probes, lines and cuts are "
+        "components of Cauchy's stress in, axes that have turned with the "
+        "material or those of the scene. s11 ... s23 are in the plies' axes, "
+        "which turn along.");
     }
   } // namespace
 
@@ -144,6 +152,7 @@ namespace lamella
       in["Load factors"].is_missing("give one number a load step.");
     parameters.substeps     = parse_substeps(in["Substeps"]);
     parameters.rotations    = in["Rotations"].choice<Rotations>();
+    parameters.stress_axes  = in["Stress axes"].choice<StressAxes>();
     parameters.strategy     = in["Contact strategy"].choice<Strategy>();
     const Entry solver      = in["Linear solver"];
     parameters.solver       = solver.choice<SolverKind>();

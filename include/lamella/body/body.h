@@ -103,6 +103,9 @@ namespace lamella
     /// The stress in the ply's own axes, {11, 22, 33, 12, 13, 23}: what
     /// strengths are compared with.
     Voigt ply_stress;
+    /// R, which turns with the material: of a body that turns `stress` is
+    /// R^T sigma R of Cauchy's sigma, in the scene's axes.
+    Triad turn = dealii::unit_symmetric_tensor<3>();
     /// The largest difference of stress between the places of the location over
     /// the largest stress there, Euclidean norms: what the mesh leaves open.
     double jump = 0.;

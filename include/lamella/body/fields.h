@@ -84,6 +84,11 @@ namespace lamella
                    const Triad                &ply,
                    const ElasticLaw           &law);
 
+  /// Makes the stress of @p sample, in axes that turn with the material, that
+  /// in the scene's: sigma = R s R^T. What is done is not done twice.
+  void
+  to_scene_axes(FieldSample &sample);
+
   /// What all processes make of their shares of a body: the sum of the energies
   /// and the largest of all else. Collective.
   Deformation

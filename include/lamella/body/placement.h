@@ -69,6 +69,13 @@ namespace lamella
       return axes * v;
     }
 
+    /// The rotation @p R, of the body's axes, in those of the scene.
+    Triad
+    turn_in_scene(const Triad &R) const
+    {
+      return transpose(axes) * R * axes;
+    }
+
     /// T with strain(scene axes) = T strain(body axes), order of Eq. 4 with
     /// engineering shear strains. Stresses take T^-T, as T is not orthogonal.
     ElasticTensor

@@ -29,14 +29,17 @@ namespace lamella
   class Sampler
   {
   public:
-    /// All four are referred to and have to live longer. Throws InputError for
-    /// a probe, its box or a line's end outside of its body, for a cut that its
-    /// axis does not reach, and for equilibrium of a body that is no laminate;
-    /// the message names the entry.
+    /// All four are referred to and have to live longer. Stresses of bodies
+    /// that turn are told in the scene's axes where @p in_scene_axes says so,
+    /// else in those of the material. Throws InputError for a probe, its box or
+    /// a line's end outside of its body, for a cut that its axis does not
+    /// reach, and for equilibrium of a body that is no laminate; the message
+    /// names the entry.
     Sampler(const Bodies             &bodies,
             const std::vector<Probe> &probes,
             const std::vector<Line>  &lines,
-            const std::vector<Cut>   &cuts);
+            const std::vector<Cut>   &cuts,
+            const bool                in_scene_axes = false);
 
     /**
      * Fills the probes, lines, cuts and jumps of @p results for the
@@ -106,6 +109,9 @@ namespace lamella
     /// The recoveries of one state, by body and kind.
     class Recoveries;
     using Fields = std::function<FieldSample(const Location &)>;
+    /// @p fields in the axes that are told.
+    Fields
+    told(Fields fields) const;
     /// The probes and their closure errors, into @p results.
     void
     sample_probes(Recoveries &recoveries, StepResults &results) const;
@@ -132,6 +138,7 @@ namespace lamella
     const std::vector<Probe> &probes;
     const std::vector<Line>  &lines;
     const std::vector<Cut>   &cuts;
+    const bool                in_scene_axes;
 
     /// Of each probe the points of each of its rows; of each line its places,
     /// in order.

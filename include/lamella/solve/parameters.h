@@ -47,6 +47,22 @@ namespace lamella
                                                 {Rotations::automatic, "auto"}};
   };
 
+  /// The axes in which stresses of bodies that turn are told (`Stress axes`).
+  enum class StressAxes
+  {
+    undefined,
+    material, ///< those that have turned with the material
+    scene
+  };
+
+  template <>
+  struct Names<StressAxes>
+  {
+    static constexpr NameOf<StressAxes> all[] = {{StressAxes::material,
+                                                  "material"},
+                                                 {StressAxes::scene, "scene"}};
+  };
+
   /// In how many equal parts the way from one load step to the next is done.
   struct Substeps
   {
@@ -68,8 +84,9 @@ namespace lamella
     /// and prescribed displacements, those of obstacles among them.
     std::vector<LoadFactor> load_factors;
     Substeps                substeps;
-    Rotations               rotations = Rotations::undefined;
-    Strategy                strategy  = Strategy::undefined;
+    Rotations               rotations   = Rotations::undefined;
+    StressAxes              stress_axes = StressAxes::material;
+    Strategy                strategy    = Strategy::undefined;
     /// Of which a scene sets the iterations only.
     SolverParameters loop;
     NewtonParameters newton;
