@@ -71,18 +71,20 @@ def solve(residual, guess, rounds=40):
     raise RuntimeError(f"The rod was not found: {r}")
 
 
-def on_roller(section, half_span, radius):
-    """Half a strip whose middle goes down on a roller: the angle where it touches, the
-    force, how far along the strip. Its middle section stays upright."""
+def on_roller(section, half_span, radius, mu=0.):
+    """Half a strip whose middle goes down on a roller, over which it slides inwards: the
+    angle where it touches, the normal force, how far along the strip. Its middle section
+    stays upright."""
     centre = np.array([half_span, -section.half - radius])
 
     def rod(down, guess):
         def residual(q):
             angle, force, at = q
             # The face is normal to the section's director, the rod's shear is not.
-            push = force * across(angle)
+            push = force * (across(angle) + mu * along(angle))
             x = centre + (radius + section.half) * across(angle)
-            end = shoot(section, [*x, angle, 0.], -at, push)
+            couple = arm(-section.half * across(angle), push)
+            end = shoot(section, [*x, angle, couple], -at, push)
             return np.array([end[0], end[1] + down, 100. * end[2]])
 
         return solve(residual, guess)
@@ -90,10 +92,10 @@ def on_roller(section, half_span, radius):
     return rod
 
 
-def slide(down, guess):
-    """Two cantilevers that touch where their faces are tangent: of the lower one there
-    (y, z, angle), the force, how far along the lower one and the upper one from its tip,
-    the upper one's angle."""
+def slide(down, guess, mu=0.):
+    """Two cantilevers that touch where their faces are tangent, the upper one sliding
+    towards its clamp: of the lower one there (y, z, angle), the normal force, how far along
+    the lower one and the upper one from its tip, the upper one's angle."""
     lower, upper = Section(2e3, 10., 6.), Section(2e3, 10., 5.)
 
     def residual(q):
@@ -101,13 +103,12 @@ def slide(down, guess):
         # A face is a material line: with the shear of a force that starts to act there,
         # half of it on the mean.
         face = angle - force / 2. / lower.shear
-        normal = across(face)
+        push = force * (mu * along(face) - across(face))
         x = np.array([y, z])
-        end = shoot(lower, [*x, angle, arm(lower.half * across(angle), -force * normal)],
-                    -at, -force * normal)
+        end = shoot(lower, [*x, angle, arm(lower.half * across(angle), push)], -at, push)
         y2 = x + lower.half * across(angle) + upper.half * across(other)
-        far = shoot(upper, [*y2, other, -arm(-upper.half * across(other), force * normal)],
-                    240. - from_tip, -force * normal)
+        far = shoot(upper, [*y2, other, arm(-upper.half * across(other), push)],
+                    240. - from_tip, push)
         return np.array([end[0], end[1], 100. * end[2], far[0] - 420., far[1] - 6.5 + down,
                          100. * far[2], 1e3 * (face - other + force / 2. / upper.shear)])
 

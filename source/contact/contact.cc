@@ -17,8 +17,6 @@ namespace lamella
     // Of a row's spacing, in rad, and of a row's area: what small sliding and
     // small rotations leave as they are.
     constexpr double small_sliding = 0.1, small_turn = 0.1, most_of = 0.9;
-    // cos 5 degrees.
-    constexpr double along_y = 0.996;
 
 
 
@@ -55,19 +53,6 @@ namespace lamella
 
 
 
-  std::array<Tensor<1, 3>, 2>
-  tangents_of(const Tensor<1, 3> &n)
-  {
-    const Tensor<1, 3> normal = n / n.norm();
-    Tensor<1, 3>       along;
-    along[std::abs(normal[1]) > along_y ? 0 : 1] = 1.;
-    Tensor<1, 3> t1 = along - (along * normal) * normal;
-    t1 /= t1.norm();
-    return {{t1, cross_product_3d(normal, t1)}};
-  }
-
-
-
   Contact::Contact(const ContactPair &contact,
                    const Bodies      &bodies,
                    ContactInterface  &interface)
@@ -76,21 +61,32 @@ namespace lamella
     , reach(search_reach(contact, bodies))
     , search(undeformed.contact(), bodies)
   {
-    interface = interface_within(undeformed, reach);
-    keep_lines();
+    pair_undeformed();
     if (bodies[contact.first.body]->turns())
       reach = std::max(reach, automatic_search_distance(contact, bodies));
     undeformed.decide(interface.discretisation,
                       interface.points_on_second ? PointsOn::second :
                                                    PointsOn::first);
     if (contact.friction > 0.)
-      write_slips();
+      write_slips(undeformed);
     if (contact.overclosure != Overclosure::adjust)
       return;
     find_points();
     const auto before = integrate(undeformed, feet_at_rest(), points);
     for (unsigned int k = 0; k < before.size(); ++k)
       taken_out[key(interface.points[k])] = std::max(0., -before[k].gap);
+  }
+
+
+
+  void
+  Contact::pair_undeformed()
+  {
+    interface =
+      interface_within(undeformed,
+                       search_reach(undeformed.contact(), undeformed.bodies()));
+    keep_lines();
+    points.clear();
   }
 
 
@@ -142,7 +138,8 @@ namespace lamella
   std::vector<GapIntegrals>
   Contact::integrate(const ContactSides    &sides,
                      const Feet             feet,
-                     std::vector<GapPoint> &on) const
+                     std::vector<GapPoint> &on,
+                     HeldPlaces *const      held) const
   {
     return integrate_gaps(sides,
                           interface.points_on_second,
@@ -150,7 +147,8 @@ namespace lamella
                           interface.rows.size(),
                           feet,
                           reach,
-                          on);
+                          on,
+                          held);
   }
 
 
@@ -185,6 +183,8 @@ namespace lamella
     if (interface.discretisation == Discretisation::surface_to_surface)
       for (GapPoint &point : points)
         point.area *= density(before, point) / density(now, point);
+    if (begun_at.n_blocks() > 0)
+      hold();
     move(u, factor);
   }
 
@@ -197,8 +197,35 @@ namespace lamella
     const ContactSides at(undeformed, u, factor);
     if (lines != nullptr)
       lines->follow(*at.surface(false), *at.obstacle(), points);
-    integrals = integrate(at, feet(), points);
+    integrals = integrate(at, feet(), points, held.empty() ? nullptr : &held);
     write(at, u, factor);
+  }
+
+
+
+  void
+  Contact::begin_step(const BlockVector &u, const LoadFactor &factor)
+  {
+    if (undeformed.contact().friction == 0.)
+      return;
+    begun_at     = u;
+    begun_factor = factor;
+    hold();
+    for (GapIntegrals &row : integrals)
+      row.slid = Tensor<1, 3>();
+    measure_slips(u, factor);
+  }
+
+
+
+  void
+  Contact::hold()
+  {
+    const ContactSides    then(undeformed, begun_at, begun_factor);
+    std::vector<GapPoint> on = points;
+    if (lines != nullptr)
+      lines->follow(*then.surface(false), *then.obstacle(), on);
+    held = held_places(then, interface.points_on_second, feet(), reach, on);
   }
 
 
@@ -216,9 +243,15 @@ namespace lamella
                   const BlockVector   &u,
                   const LoadFactor    &factor)
   {
+    begun_at = BlockVector();
+    held.clear();
     if (known.u.n_blocks() > 0)
       pair(known.u, known.factor);
-    points = known.points;
+    else if (paired_at.n_blocks() > 0)
+      pair_undeformed();
+    paired_at     = known.u;
+    paired_factor = known.factor;
+    points        = known.points;
     move(u, factor);
     // Feet that are found once more differ by rounding.
     points = known.points;
@@ -227,10 +260,11 @@ namespace lamella
 
 
   bool
-  Contact::add_forces_at(const BlockVector             &u,
-                         const LoadFactor              &factor,
-                         const ArrayView<const double> &lambda,
-                         BlockVector                   &f) const
+  Contact::add_forces_at(const BlockVector               &u,
+                         const LoadFactor                &factor,
+                         const ArrayView<const double>   &lambda,
+                         const std::vector<Tensor<1, 2>> &shear,
+                         BlockVector                     &f) const
   {
     const ContactSides        at(undeformed, u, factor);
     std::vector<GapPoint>     all = points, pressed;
@@ -250,15 +284,26 @@ namespace lamella
     const auto there    = integrate(at, feet(), pressed);
     std::array<std::map<unsigned int, Tensor<1, 3>>, 2> forces;
     const unsigned int n_rows = is_point ? numbers.size() : there.size();
+    const auto         first  = first_points();
+    const double       sign   = interface.points_on_second ? -1. : 1.;
     for (unsigned int k = 0; k < n_rows; ++k)
       {
-        const double force = lambda[is_point ? numbers[k] : k];
+        const unsigned int row   = is_point ? numbers[k] : k;
+        const double       force = lambda[row];
         if (force != 0. && there[k].area == 0.)
           return false;
+        // On the side that is faced; n points towards that one.
+        Tensor<1, 3> along;
+        if (!shear.empty() && force != 0.)
+          {
+            const auto t =
+              tangents_at(at, all[first[row]], sign * there[k].normal);
+            along = sign * (shear[row][0] * t[0] + shear[row][1] * t[1]);
+          }
         for (const auto &[node, of] : there[k].carrying)
-          forces[0][node] -= force * of.normal;
+          forces[0][node] -= force * of.normal + of.tangential * along;
         for (const auto &[node, of] : there[k].opposing)
-          forces[1][node] += force * of.normal;
+          forces[1][node] += force * of.normal + of.tangential * along;
       }
     add_forces_of_nodes(at, forces, f);
     return true;
@@ -373,21 +418,59 @@ namespace lamella
                   points,
                   integrals,
                   interface);
-    if (undeformed.contact().friction > 0.)
-      write_slips();
+    if (undeformed.contact().friction == 0.)
+      return;
+    write_slips(sides);
+    measure_slips(u, factor);
+  }
+
+
+
+  std::vector<unsigned int>
+  Contact::first_points() const
+  {
+    std::vector<unsigned int> first(interface.rows.size());
+    for (unsigned int q = points.size(); q-- > 0;)
+      for (const auto &[row, weight] : shares_of(functions(), q, points[q]))
+        first[row] = q;
+    return first;
+  }
+
+
+
+  Tangents
+  Contact::tangents_at(const ContactSides &sides,
+                       const GapPoint     &point,
+                       const Tensor<1, 3> &n) const
+  {
+    if (!sides.have_moved())
+      return tangents_of(n);
+    const auto &[facet, st] = point.carrying;
+    const bool second       = interface.points_on_second;
+    return carried_tangents(undeformed.surface(second)->facets()[facet].map,
+                            sides.surface(second)->facets()[facet].map,
+                            st,
+                            n);
   }
 
 
 
   void
-  Contact::write_slips()
+  Contact::write_slips(const ContactSides &sides)
   {
-    const auto parts = slip_rows();
+    find_points();
+    if (integrals.empty())
+      integrals = integrate(undeformed, feet_at_rest(), points);
+    const auto            first = first_points();
+    std::vector<Tangents> along;
+    for (unsigned int k = 0; k < interface.rows.size(); ++k)
+      along.push_back(
+        tangents_at(sides, points[first[k]], interface.points[k].normal));
+    const auto parts = slip_rows(sides, along);
     for (unsigned int k = 0; k < interface.rows.size(); ++k)
       {
-        GapRow &row         = interface.rows[k];
-        row.friction        = undeformed.contact().friction;
-        const auto tangents = tangents_of(interface.points[k].normal);
+        GapRow &row  = interface.rows[k];
+        row.friction = undeformed.contact().friction;
         SymmetricTensor<2, 3> across;
         for (const auto &[number, node] : integrals[k].carrying)
           across += node.tangential;
@@ -396,11 +479,11 @@ namespace lamella
           {
             SlipRow slip;
             slip.parts   = parts[k][a];
-            slip.tangent = tangents[a];
+            slip.tangent = along[k][a];
             slip.history = row.history;
             if (interface.obstacle != nullptr)
               slip.rate =
-                tangents[a] * (across * interface.obstacle->displacement);
+                slip.tangent * (across * interface.obstacle->displacement);
             row.slips.push_back(slip);
           }
       }
@@ -434,8 +517,26 @@ namespace lamella
 
 
 
+  void
+  Contact::measure_slips(const BlockVector &u, const LoadFactor &factor)
+  {
+    const double sign = interface.points_on_second ? -1. : 1.;
+    for (unsigned int k = 0; k < interface.rows.size(); ++k)
+      for (SlipRow &slip : interface.rows[k].slips)
+        {
+          slip.initial = 0.;
+          slip.initial =
+            sign * slip.tangent * integrals[k].slid - slip.slip(u, factor);
+        }
+  }
+
+
+
   std::vector<BodyRow>
-  Contact::slip_rows_on(const bool second, const unsigned int tangent) const
+  Contact::slip_rows_on(const ContactSides          &sides,
+                        const bool                   second,
+                        const std::vector<Tangents> &tangents,
+                        const unsigned int           a) const
   {
     const unsigned int body =
       second ? *interface.second_body : interface.first_body;
@@ -443,8 +544,7 @@ namespace lamella
     RowGeometry side;
     for (unsigned int k = 0; k < integrals.size(); ++k)
       {
-        const Tensor<1, 3> t = (second ? 1. : -1.) *
-                               tangents_of(interface.points[k].normal)[tangent];
+        const Tensor<1, 3> t = (second ? 1. : -1.) * tangents[k][a];
         side.weights.emplace_back();
         for (const auto &[number, node] :
              carries ? integrals[k].carrying : integrals[k].opposing)
@@ -452,8 +552,26 @@ namespace lamella
       }
     return body_rows(body,
                      undeformed.bodies()[body]->n_dofs(),
-                     undeformed.trace_rows(second),
+                     sides.trace_rows(second),
                      side);
+  }
+
+
+
+  std::vector<std::array<std::vector<BodyRow>, 2>>
+  Contact::slip_rows(const ContactSides          &sides,
+                     const std::vector<Tangents> &tangents) const
+  {
+    std::vector<std::array<std::vector<BodyRow>, 2>> slip(integrals.size());
+    for (const bool second : {false, true})
+      for (unsigned int a = 0; a < 2; ++a)
+        if (!second || interface.second_body)
+          {
+            const auto rows = slip_rows_on(sides, second, tangents, a);
+            for (unsigned int k = 0; k < rows.size(); ++k)
+              slip[k][a].push_back(rows[k]);
+          }
+    return slip;
   }
 
 
@@ -464,16 +582,10 @@ namespace lamella
     find_points();
     if (integrals.empty())
       integrals = integrate(undeformed, feet_at_rest(), points);
-    std::vector<std::array<std::vector<BodyRow>, 2>> slip(integrals.size());
-    for (const bool second : {false, true})
-      for (unsigned int a = 0; a < 2; ++a)
-        if (!second || interface.second_body)
-          {
-            const auto rows = slip_rows_on(second, a);
-            for (unsigned int k = 0; k < rows.size(); ++k)
-              slip[k][a].push_back(rows[k]);
-          }
-    return slip;
+    std::vector<Tangents> tangents;
+    for (const ContactInterface::Point &point : interface.points)
+      tangents.push_back(tangents_of(point.normal));
+    return slip_rows(undeformed, tangents);
   }
 
 

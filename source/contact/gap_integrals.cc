@@ -24,9 +24,10 @@ namespace lamella
       {}
 
       void
-      add(const unsigned int number,
-          const GapPoint    &point,
-          const Opposition  &at);
+      add(const unsigned int  number,
+          const GapPoint     &point,
+          const Opposition   &at,
+          const Tensor<1, 3> &slid);
 
       std::vector<GapIntegrals>
       take();
@@ -41,9 +42,10 @@ namespace lamella
 
 
     void
-    Sums::add(const unsigned int number,
-              const GapPoint    &point,
-              const Opposition  &at)
+    Sums::add(const unsigned int  number,
+              const GapPoint     &point,
+              const Opposition   &at,
+              const Tensor<1, 3> &slid)
     {
       const Tensor<1, 3>       &n     = at.normal;
       const MeshSurface::Facet &facet = carrying.facets()[point.carrying.facet];
@@ -75,6 +77,7 @@ namespace lamella
           sum.area += weight;
           sum.gap += weight * at.hit.distance;
           sum.normal += weight * n;
+          sum.slid += weight * slid;
           add_side(facet.trace_nodes, trace, weight, sum.carrying);
           if (beyond != nullptr)
             add_side(*beyond, trace_opposite, weight, sum.opposing);
@@ -92,6 +95,7 @@ namespace lamella
             const double scale = 1. / row.area;
             row.gap *= scale;
             row.normal *= scale;
+            row.slid *= scale;
             for (auto *side : {&row.carrying, &row.opposing})
               for (auto &[number, node] : *side)
                 {
@@ -179,6 +183,29 @@ namespace lamella
 
 
 
+  namespace
+  {
+    /// What @p point faces, of which it becomes the foot.
+    std::optional<Opposition>
+    opposition(const ContactSides &sides,
+               const bool          on_second,
+               const Feet          feet,
+               const double        reach,
+               GapPoint           &point)
+    {
+      const MeshSurface &carrying    = *sides.surface(on_second),
+                        *opposing    = sides.surface(!on_second);
+      const auto &[facet, st]        = point.carrying;
+      const MeshSurface::Facet &from = carrying.facets()[facet];
+      const Point<3>            x    = from.map(st).position;
+      const Tensor<1, 3>        n1   = carrying.smooth_normal(from, st);
+      return feet == Feet::kept ? kept(sides, opposing, point, x, n1, reach) :
+                                  found(sides, opposing, point, x, n1, reach);
+    }
+  } // namespace
+
+
+
   std::vector<GapIntegrals>
   integrate_gaps(const ContactSides    &sides,
                  const bool             on_second,
@@ -186,23 +213,36 @@ namespace lamella
                  const unsigned int     n_rows,
                  const Feet             feet,
                  const double           reach,
-                 std::vector<GapPoint> &points)
+                 std::vector<GapPoint> &points,
+                 HeldPlaces *const      held)
   {
-    const MeshSurface &carrying = *sides.surface(on_second),
-                      *opposing = sides.surface(!on_second);
     Sums sums(sides, on_second, functions, n_rows);
     for (unsigned int q = 0; q < points.size(); ++q)
-      {
-        const auto &[facet, st]        = points[q].carrying;
-        const MeshSurface::Facet &from = carrying.facets()[facet];
-        const Point<3>            x    = from.map(st).position;
-        const Tensor<1, 3>        n1   = carrying.smooth_normal(from, st);
-        const auto                at   = feet == Feet::kept ?
-                                           kept(sides, opposing, points[q], x, n1, reach) :
-                                           found(sides, opposing, points[q], x, n1, reach);
-        if (at)
-          sums.add(q, points[q], *at);
-      }
+      if (const auto at = opposition(sides, on_second, feet, reach, points[q]))
+        {
+          Tensor<1, 3> slid;
+          if (held != nullptr && (*held)[q])
+            slid = slide(sides, on_second, *(*held)[q], points[q], *at);
+          else if (held != nullptr)
+            (*held)[q] = held_place(sides, points[q], *at);
+          sums.add(q, points[q], *at, slid);
+        }
     return sums.take();
+  }
+
+
+
+  HeldPlaces
+  held_places(const ContactSides    &sides,
+              const bool             on_second,
+              const Feet             feet,
+              const double           reach,
+              std::vector<GapPoint> &points)
+  {
+    HeldPlaces held(points.size());
+    for (unsigned int q = 0; q < points.size(); ++q)
+      if (const auto at = opposition(sides, on_second, feet, reach, points[q]))
+        held[q] = held_place(sides, points[q], *at);
+    return held;
   }
 } // namespace lamella

@@ -108,7 +108,11 @@ namespace lamella
       sides.of_edges      = at.are_of_edges();
       std::optional<ObstacleSurface> obstacle;
       if (at.obstacle() != nullptr)
-        sides.opposing = &obstacle.emplace(at.obstacle());
+        {
+          sides.opposing = &obstacle.emplace(at.obstacle());
+          if (at.have_moved())
+            sides.inside_obstacle = at.obstacle()->depth();
+        }
       else if (!sides.of_edges)
         (on_second ? interface.unpaired : interface.unpaired_second) =
           nodes_facing_nothing(*sides.opposing_mesh, *sides.carrying, reach);

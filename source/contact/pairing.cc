@@ -165,12 +165,14 @@ namespace lamella
 
 
 
-  double
-  opposing_depth(const Sides &sides, const SurfaceHit &hit)
+  bool
+  is_too_deep(const Sides &sides, const SurfaceHit &hit, const double depth)
   {
     return sides.opposing_mesh == nullptr ?
-             std::numeric_limits<double>::infinity() :
-             sides.opposing_mesh->facets()[hit.facet].depth;
+             -hit.distance > std::max(depth, sides.inside_obstacle) :
+             is_too_deep(hit.distance,
+                         depth,
+                         sides.opposing_mesh->facets()[hit.facet].depth);
   }
 
 
@@ -260,7 +262,7 @@ namespace lamella
             continue;
           }
         const SurfaceHit &hit = facing->hit;
-        if (is_too_deep(hit.distance, point.depth, opposing_depth(sides, hit)))
+        if (is_too_deep(sides, hit, point.depth))
           {
             result.too_deep.push_back(
               {point.position, hit.position, -hit.distance});

@@ -349,8 +349,7 @@ namespace lamella
                           const double         weight,
                           const Opposition    &opposite)
     {
-      const double depth = opposing_depth(sides, opposite.hit);
-      if (is_too_deep(opposite.hit.distance, cell.facet->depth, depth))
+      if (is_too_deep(sides, opposite.hit, cell.facet->depth))
         {
           result.too_deep.push_back(
             {point.position, opposite.hit.position, -opposite.hit.distance});

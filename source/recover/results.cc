@@ -17,7 +17,6 @@ namespace lamella
     state                         = State();
     state.iterations              = iterations;
     memory                        = StrategyMemory();
-    pairings.clear();
     probes.clear();
     lines.clear();
     cuts.clear();

@@ -137,8 +137,7 @@ namespace boost
     serialize(Archive &archive, lamella::StepResults &step, const unsigned int)
     {
       archive &step.step &step.load_factor &step.state &step.memory &step
-        .pairings &step.changes &step.warnings &step.plies &step.checks
-        .beyond                                            &step.substeps;
+        .changes &step.warnings &step.plies &step.checks.beyond &step.substeps;
       serialize_optional(archive, step.change);
     }
 
@@ -150,7 +149,7 @@ namespace boost
     {
       // Who changes what is kept counts it up: programs of one version may
       // differ in it.
-      constexpr unsigned int layout = 2;
+      constexpr unsigned int layout = 3;
       unsigned int           found  = layout;
       archive               &found;
       if (found != layout)

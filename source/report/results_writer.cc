@@ -151,7 +151,6 @@ namespace lamella
     kept.load_factor = last.load_factor;
     kept.state       = last.state;
     kept.memory      = last.memory;
-    kept.pairings    = last.pairings;
     kept.changes     = last.changes;
     kept.substeps    = last.substeps;
     kept.change      = last.change;

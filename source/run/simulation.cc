@@ -141,7 +141,7 @@ namespace lamella
     });
     if (found.steps.empty())
       return;
-    path->resume(found.steps.size(), found.last().state, found.last().pairings);
+    path->resume(found.steps.size(), found.last().state);
     number_moved_rows();
   }
 
@@ -262,7 +262,6 @@ namespace lamella
     StepResults     &last = found.steps.back();
     last                  = recorder->record(kept.step, solved, solved.state);
     last.memory           = std::move(kept.memory);
-    last.pairings         = std::move(kept.pairings);
     last.changes          = std::move(kept.changes);
     last.substeps         = kept.substeps;
     last.change           = kept.change;

@@ -37,7 +37,6 @@ namespace lamella
     results.substeps    = solved.substeps;
     results.change      = solved.change;
     results.halvings    = solved.cuts;
-    results.pairings    = solved.pairings;
     results.warnings    = warnings(solved);
     const FaceTractions tractions =
       built.tractions_at(solved.state, solved.load_factor);

@@ -143,8 +143,6 @@ namespace lamella
     {
       const std::string      place = "Contact " + contact.name + "/";
       const BodyDescription &body  = scene.bodies[contact.first.body];
-      if (contact.friction > 0.)
-        refuse(place + "Friction", "", rule, "Leave it out.");
       if (contact.discretisation == Discretisation::node_to_node)
         refuse(place + "Discretisation",
                name_of(contact.discretisation),

@@ -26,8 +26,7 @@ namespace lamella
 
 
 
-    /// Throws NumericsError if @p found misses the law of friction, or obeys it
-    /// in a state that no load path leads to.
+    /// Throws NumericsError if @p found misses the law of friction.
     void
     require_law(const CoulombSolution &found)
     {
@@ -37,8 +36,6 @@ namespace lamella
         throw NumericsError(
           "The contact did not settle with friction: the law is missed by " +
           to_text(found.error, 2) + " of its size" + remedy_with_friction);
-      if (found.stability < 0)
-        fail_as_unstable();
     }
 
 
@@ -276,6 +273,7 @@ namespace lamella
     const CoulombSolution found = solve_coulomb(small, start);
     require_law(found);
 
+    solution.is_unstable = found.stability < 0;
     solution.active.clear();
     solution.direction.assign(rows.size(), {});
     for (std::size_t i = 0; i < part.size(); ++i)

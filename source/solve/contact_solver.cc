@@ -3,6 +3,7 @@
 #include <lamella/base/exceptions.h>
 #include <lamella/base/text.h>
 #include <lamella/solve/contact_solver.h>
+#include <lamella/solve/friction_step.h>
 
 #include <algorithm>
 #include <cmath>
@@ -78,8 +79,11 @@ namespace lamella
           });
         if (state.iterations == 0)
           return state;
-        const State settled       = with(state, found);
-        state                     = settled;
+        if (found.is_unstable)
+          fail_as_unstable();
+        state.u += found.du;
+        take_forces(rows, found, state);
+        const State settled       = state;
         state.contact_corrections = refine(state, factor, 1);
 
         const Misses missed = judge(state, factor);
@@ -119,23 +123,8 @@ namespace lamella
           problem.estimate[r] = previous.force[r];
         }
     if (!previous.friction.empty())
-      problem.first_forces = forces_by_rows(previous);
+      problem.first_forces = forces_by_rows(rows, previous);
     return problem;
-  }
-
-
-
-  std::vector<Tensor<1, 3>>
-  ContactSolver::forces_by_rows(const State &state) const
-  {
-    std::vector<Tensor<1, 3>> forces(rows.size());
-    for (unsigned int r = 0; r < rows.size(); ++r)
-      {
-        const Tensor<1, 2> shear =
-          along_tangents(rows[r], state.friction.shear[r]);
-        forces[r] = Tensor<1, 3>({state.force[r], shear[0], shear[1]});
-      }
-    return forces;
   }
 
 
@@ -150,50 +139,9 @@ namespace lamella
     problem.estimate = state.force;
     problem.start    = state.active;
     problem.closed   = length_of(parameters.rounding, state, factor);
-    if (state.friction.empty())
-      return problem;
-    problem.first_forces = forces_by_rows(state);
-    for (unsigned int r = 0; r < rows.size(); ++r)
-      {
-        problem.shear.push_back(
-          along_tangents(rows[r], state.friction.shear[r]));
-        problem.slip.push_back(
-          slip_of(rows[r], state.u, factor) -
-          along_tangents(rows[r], state.friction.before[r]));
-      }
-    return problem;
-  }
-
-
-
-  State
-  ContactSolver::with(State state, const ContactSolution &found) const
-  {
-    state.u += found.du;
-    state.force  = found.force;
-    state.active = found.active;
     if (!state.friction.empty())
-      for (unsigned int r = 0; r < rows.size(); ++r)
-        {
-          state.friction.shear[r]     = in_scene(rows[r], found.shear[r]);
-          state.friction.direction[r] = found.direction.empty() ?
-                                          Tensor<1, 3>() :
-                                          in_scene(rows[r], found.direction[r]);
-        }
-    return state;
-  }
-
-
-
-  Tensor<1, 2>
-  ContactSolver::slip_in_step(const State       &state,
-                              const LoadFactor  &factor,
-                              const unsigned int r) const
-  {
-    return slip_of(rows[r], state.u, factor) +
-           along_tangents(rows[r],
-                          law_softness(rows[r]) * state.friction.shear[r] -
-                            state.friction.before[r]);
+      add_friction(rows, state, factor, problem);
+    return problem;
   }
 
 
@@ -206,7 +154,7 @@ namespace lamella
                                         const double       small,
                                         Misses            &found) const
   {
-    const Tensor<1, 2> v     = slip_in_step(state, factor, r),
+    const Tensor<1, 2> v     = slip_in_step(rows[r], r, state, factor),
                        shear = along_tangents(rows[r], state.friction.shear[r]),
                        e = along_tangents(rows[r], state.friction.direction[r]);
     const bool sticks    = e.norm() == 0.;
@@ -329,40 +277,6 @@ namespace lamella
         at.contact_corrections = refine(at, factor, 1);
       }
     return false;
-  }
-
-
-
-  void
-  ContactSolver::end_step(const State      &before,
-                          const LoadFactor &factor,
-                          State            &state) const
-  {
-    if (state.friction.empty())
-      return;
-    FrictionState       &now   = state.friction;
-    const FrictionState  start = FrictionState::at_rest(rows);
-    const FrictionState &then =
-      before.friction.empty() ? start : before.friction;
-    now.path_gap = then.path_gap;
-    for (unsigned int r = 0; r < rows.size(); ++r)
-      {
-        const double slid   = slip_in_step(state, factor, r).norm(),
-                     pushed = before.force.empty() ? 0. : before.force[r],
-                     mean   = 0.5 * (state.force[r] + pushed);
-        const bool   slips  = now.direction[r].norm() > 0.;
-        const double lost   = slips ? rows[r].friction * mean * slid : 0.;
-        now.length[r]       = then.length[r] + (slips ? slid : 0.);
-        now.dissipated[r]   = then.dissipated[r] + lost;
-        now.opening[r] =
-          rows[r].gap(state.u, factor) + law_softness(rows[r]) * state.force[r];
-        now.before[r] = in_scene(rows[r], slip_of(rows[r], state.u, factor)) +
-                        law_softness(rows[r]) * now.shear[r];
-        now.path_gap -= mean * (now.opening[r] - then.opening[r]) +
-                        0.5 * (now.shear[r] + then.shear[r]) *
-                          (now.before[r] - then.before[r]) +
-                        lost;
-      }
   }
 
 
@@ -516,26 +430,6 @@ namespace lamella
 
 
   ClosedRows
-  ContactSolver::closed_rows(const State &state) const
-  {
-    ClosedRows closed(state.active);
-    for (const unsigned int r : state.active)
-      if (!rows[r].slips.empty())
-        {
-          const Tensor<1, 2> e =
-            along_tangents(rows[r], state.friction.direction[r]);
-          if (e.norm() > 0.)
-            closed.sliding.emplace_back(r, rows[r].friction * e);
-          else
-            for (unsigned int a = 0; a < rows[r].slips.size(); ++a)
-              closed.numbers.push_back(rows.slip(r, a));
-        }
-    return closed;
-  }
-
-
-
-  ClosedRows
   ContactSolver::held_rows(const State &state) const
   {
     ClosedRows held(state.active);
@@ -560,29 +454,9 @@ namespace lamella
           number == r ?
             -(rows[r].gap(state.u, factor) +
               law_softness(rows[r]) * state.force[r]) :
-            -slip_in_step(state, factor, r)[number - rows.slip(r, 0)];
+            -slip_in_step(rows[r], r, state, factor)[number - rows.slip(r, 0)];
       }
     return residual;
-  }
-
-
-
-  void
-  ContactSolver::add_forces(const ClosedRows &closed,
-                            const Vector     &dlambda,
-                            State            &state) const
-  {
-    for (unsigned int i = 0; i < closed.numbers.size(); ++i)
-      {
-        const unsigned int number = closed.numbers[i], r = rows.row_of(number);
-        if (number == r)
-          state.force[r] += dlambda[i];
-        else
-          state.friction.shear[r] +=
-            dlambda[i] * rows[r].slips[number - rows.slip(r, 0)].tangent;
-      }
-    for (const auto &[r, along] : closed.sliding)
-      state.friction.shear[r] = in_scene(rows[r], state.force[r] * along);
   }
 
 
@@ -600,13 +474,13 @@ namespace lamella
                   state.friction.empty() ? Tensor<1, 3>() :
                                            state.friction.shear[r],
                   r_u);
-    const ClosedRows closed = closed_rows(state);
+    const ClosedRows closed = closed_rows(rows, state);
     BlockVector      du;
     Vector           dlambda;
     strategy->solve(
       closed, r_u, law_residual(state, factor, closed), du, dlambda);
     state.u += du;
-    add_forces(closed, dlambda, state);
+    add_forces(rows, closed, dlambda, state);
 
     // Written so that what is not a number stays none.
     const double size = state.u.linfty_norm(), change = du.l2_norm();

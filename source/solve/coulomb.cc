@@ -60,6 +60,13 @@ namespace lamella
       Trial
       trial(const PointVectors &lambda) const;
 
+      /// The sign of the matrix of Newton's method at @p lambda.
+      int
+      sign_at(const PointVectors &lambda) const
+      {
+        return newton_step(trial(lambda), lambda).sign;
+      }
+
       /// The chain from @p start. Scaled forces.
       CoulombSolution
       chain(const PointVectors &start) const;
@@ -693,6 +700,12 @@ namespace lamella
     best.by         = by;
     best.iterations = iterations;
     best.states     = exact.trial(exact.scaled(best.force)).states;
+    if (best.stability < 0)
+      {
+        const CoulombSearch firm(softened(problem, rules.firm, best.force),
+                                 rules);
+        best.stability = firm.sign_at(firm.scaled(best.force));
+      }
     return best;
   }
 } // namespace lamella

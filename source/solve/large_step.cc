@@ -54,8 +54,8 @@ namespace lamella
             before.free_sizes.empty() ? size :
                                         std::max(size, before.free_sizes[b]));
         }
-      solved.cuts     = end.cuts;
-      solved.pairings = newton.moving().memory();
+      solved.cuts           = end.cuts;
+      solved.state.pairings = newton.moving().memory();
     }
     solved.checks = check(solved.state, to, last);
     return solved;
@@ -64,11 +64,9 @@ namespace lamella
 
 
   void
-  LargeStep::go_on_from(const State                      &last,
-                        const LoadFactor                 &factor,
-                        const std::vector<ContactMemory> &pairings)
+  LargeStep::go_on_from(const State &last, const LoadFactor &factor)
   {
-    newton.recall(pairings, last.u, factor);
+    newton.recall(last, factor);
     reached = last.u;
   }
 
@@ -81,13 +79,13 @@ namespace lamella
   {
     if (before.u.n_blocks() == 0)
       return newton.at_rest(to);
-    State state = before;
-    state.free_sizes.clear();
     if (reached.n_blocks() == 0 || !(before.u == reached))
-      return newton.back_at(std::move(state), from);
+      newton.recall(before, from);
     Equilibrium start;
-    start.state  = std::move(state);
+    start.state  = before;
     start.factor = from;
+    start.state.free_sizes.clear();
+    start.state.pairings.clear();
     return start;
   }
 

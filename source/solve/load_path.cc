@@ -4,6 +4,7 @@
 #include <lamella/base/exceptions.h>
 #include <lamella/base/text.h>
 #include <lamella/solve/beyond_linear.h>
+#include <lamella/solve/friction_step.h>
 #include <lamella/solve/load_path.h>
 #include <lamella/solve/phase.h>
 #include <lamella/solve/soundness.h>
@@ -174,7 +175,7 @@ namespace lamella
         TimerOutput::Scope scope(timer, name_of(Phase::contact));
         solved.state = solver.release_springs(
           solver.solve_contact(solved.state, factor, before), factor);
-        solver.end_step(before, factor, solved.state);
+        end_step(rows, before, factor, solved.state);
       }
     solved.checks = check(solved.state, factor, last);
     return solved;
@@ -230,14 +231,12 @@ namespace lamella
 
 
   void
-  LoadPath::resume(const unsigned int                n_done,
-                   State                             state,
-                   const std::vector<ContactMemory> &pairings)
+  LoadPath::resume(const unsigned int n_done, State state)
   {
     AssertIndexRange(n_done - 1, factors.size());
     done = n_done;
     last = std::move(state);
-    step->go_on_from(last, factors[done - 1], pairings);
+    step->go_on_from(last, factors[done - 1]);
     last_force = largest_force(step->check(last, factors[done - 1], false));
     store(factors[done - 1].of_scene(), done - 1, last);
   }

@@ -2,7 +2,7 @@
 
 #include <lamella/base/exceptions.h>
 #include <lamella/base/text.h>
-#include <lamella/solve/contact_problem.h>
+#include <lamella/solve/friction_step.h>
 #include <lamella/solve/moving_contacts.h>
 
 #include <algorithm>
@@ -10,6 +10,8 @@
 
 namespace lamella
 {
+  using namespace dealii;
+
   PressedPlaces::Key
   PressedPlaces::key(const unsigned int c, const ContactInterface::Point &point)
   {
@@ -27,11 +29,25 @@ namespace lamella
                                const State                         &state)
   {
     const GapRows rows(contacts);
-    for (const unsigned int row : state.active)
+    const auto    keep = [&](const unsigned int row) -> Pressed    &{
+      const auto [c, k] = rows.in_contact(row);
+      Pressed &kept     = places[key(c, contacts[c].points[k])];
+      kept.force        = state.force[row];
+      return kept;
+    };
+    const FrictionState &of = state.friction;
+    for (unsigned int row = 0; row < of.shear.size(); ++row)
       {
-        const auto [c, k]                     = rows.in_contact(row);
-        forces[key(c, contacts[c].points[k])] = state.force[row];
+        Pressed &kept   = keep(row);
+        kept.shear      = of.shear[row];
+        kept.direction  = of.direction[row];
+        kept.before     = of.before[row];
+        kept.length     = of.length[row];
+        kept.dissipated = of.dissipated[row];
       }
+    if (of.empty())
+      for (const unsigned int row : state.active)
+        keep(row);
   }
 
 
@@ -43,14 +59,26 @@ namespace lamella
     const GapRows rows(contacts);
     state.force.assign(rows.size(), 0.);
     state.active.clear();
+    FrictionState &of = state.friction;
+    if (!of.empty())
+      of = FrictionState::at_rest(rows);
     for (unsigned int row = 0; row < rows.size(); ++row)
       {
         const auto [c, k] = rows.in_contact(row);
-        const auto known  = forces.find(key(c, contacts[c].points[k]));
-        if (known == forces.end())
+        const auto known  = places.find(key(c, contacts[c].points[k]));
+        if (known == places.end())
           continue;
-        state.force[row] = known->second;
-        state.active.push_back(row);
+        const Pressed &kept = known->second;
+        state.force[row]    = kept.force;
+        if (of.empty() || kept.force != 0.)
+          state.active.push_back(row);
+        if (of.empty())
+          continue;
+        of.shear[row]      = kept.shear;
+        of.direction[row]  = kept.direction;
+        of.before[row]     = kept.before;
+        of.length[row]     = kept.length;
+        of.dissipated[row] = kept.dissipated;
       }
   }
 
@@ -138,6 +166,30 @@ namespace lamella
   void
   MovingContacts::move(State &state, const LoadFactor &factor)
   {
+    if (state.friction.empty())
+      return move_rows(state, factor);
+    std::vector<std::array<Tensor<1, 2>, 3>> along;
+    FrictionState                           &of = state.friction;
+    for (unsigned int r = 0; r < numbered.size(); ++r)
+      along.push_back({{along_tangents(numbered[r], of.shear[r]),
+                        along_tangents(numbered[r], of.direction[r]),
+                        along_tangents(numbered[r], of.before[r])}});
+    move_rows(state, factor);
+    for (unsigned int r = 0; r < numbered.size(); ++r)
+      {
+        // What was let go rubs no more.
+        const double bears = state.force[r] == 0. ? 0. : 1.;
+        of.shear[r]        = bears * in_scene(numbered[r], along[r][0]);
+        of.direction[r]    = bears * in_scene(numbered[r], along[r][1]);
+        of.before[r]       = in_scene(numbered[r], along[r][2]);
+      }
+  }
+
+
+
+  void
+  MovingContacts::move_rows(State &state, const LoadFactor &factor)
+  {
     for (const auto &contact : lives)
       contact->move(state.u, factor);
     std::vector<unsigned int> facing;
@@ -169,7 +221,10 @@ namespace lamella
   {
     let_go.clear();
     lost.clear();
-    move(state, factor);
+    // Its shear forces are where they were.
+    move_rows(state, factor);
+    for (const auto &contact : lives)
+      contact->begin_step(state.u, factor);
   }
 
 
@@ -178,7 +233,11 @@ namespace lamella
   MovingContacts::add_forces(const State &state, BlockVector &f) const
   {
     for (const unsigned int row : state.active)
-      numbered[row].add_to(f, state.force[row]);
+      add_force(numbered[row],
+                state.force[row],
+                state.friction.empty() ? Tensor<1, 3>() :
+                                         state.friction.shear[row],
+                f);
   }
 
 
@@ -190,9 +249,15 @@ namespace lamella
                                 BlockVector       &f) const
   {
     for (unsigned int c = 0; c < lives.size(); ++c)
-      if (!lives[c]->add_forces_at(
-            u, factor, numbered.of_contact(c, state.force), f))
-        return false;
+      {
+        std::vector<Tensor<1, 2>> shear;
+        const auto of_rows = numbered.of_contact(c, state.friction.shear);
+        for (unsigned int k = 0; k < of_rows.size(); ++k)
+          shear.push_back(along_tangents(all[c].rows[k], of_rows[k]));
+        if (!lives[c]->add_forces_at(
+              u, factor, numbered.of_contact(c, state.force), shear, f))
+          return false;
+      }
     return true;
   }
 
@@ -210,6 +275,9 @@ namespace lamella
                                     -g :
                                     std::abs(g + law_softness(numbered[row]) *
                                             state.force[row]));
+        if (state.force[row] != 0. && !state.friction.empty())
+          largest = std::max(largest,
+                             friction_error(numbered[row], row, state, factor));
       }
     return largest;
   }
@@ -256,18 +324,6 @@ namespace lamella
     for (const unsigned int c : let_go)
       if (!is_pressed(c, state))
         throw NumericsError(lost);
-  }
-
-
-
-  void
-  MovingContacts::pair(State &state, const LoadFactor &factor)
-  {
-    for (unsigned int c = 0; c < all.size(); ++c)
-      pair(c, state, factor);
-    numbered = GapRows(all);
-    state.force.assign(numbered.size(), 0.);
-    state.active.clear();
   }
 
 

@@ -2,6 +2,7 @@
 
 #include <lamella/base/exceptions.h>
 #include <lamella/base/text.h>
+#include <lamella/solve/friction_step.h>
 #include <lamella/solve/newton.h>
 
 #include <algorithm>
@@ -54,19 +55,9 @@ namespace lamella
     Equilibrium at;
     at.state.u = structure.zero();
     at.state.force.assign(contacts.rows().size(), 0.);
+    if (contacts.rows().rub())
+      at.state.friction = FrictionState::at_rest(contacts.rows());
     at.factor = factor.at_rest();
-    return at;
-  }
-
-
-
-  Equilibrium
-  Newton::back_at(State state, const LoadFactor &factor)
-  {
-    Equilibrium at;
-    at.state  = std::move(state);
-    at.factor = factor;
-    contacts.pair(at.state, factor);
     return at;
   }
 
@@ -229,6 +220,7 @@ namespace lamella
     State            &state  = at.state;
     const BlockVector before = state.u;
     contacts.begin_step(state, at.factor);
+    const PressedPlaces pressed(contacts.interfaces(), state);
     auto [moved, r, began] = beginning(to, at);
     Correction   last;
     Decay        forces, gaps;
@@ -260,6 +252,9 @@ namespace lamella
               {
                 contacts.require_kept(before, at.factor, state, to);
                 require_minimum(before, last, state, to);
+                if (last.is_unstable)
+                  fail_as_unstable();
+                end_friction(pressed, to, state);
                 at.factor = to;
                 return true;
               }
@@ -271,6 +266,18 @@ namespace lamella
           r -= here.apply(moved);
       }
     return false;
+  }
+
+
+
+  void
+  Newton::end_friction(const PressedPlaces &began,
+                       const LoadFactor    &to,
+                       State               &state) const
+  {
+    State then = state;
+    began.give(contacts.interfaces(), then);
+    end_moved_step(contacts.rows(), then, to, state);
   }
 
 

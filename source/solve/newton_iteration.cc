@@ -5,6 +5,7 @@
 
 #include <lamella/base/exceptions.h>
 #include <lamella/solve/contact_strategy.h>
+#include <lamella/solve/friction_step.h>
 #include <lamella/solve/lost_digits.h>
 #include <lamella/solve/newton.h>
 
@@ -44,7 +45,7 @@ namespace lamella
 
 
 
-  BlockVector
+  ContactSolution
   Newton::press(ContactStrategy  &strategy,
                 const GapRows    &rows,
                 const LoadFactor &to,
@@ -56,7 +57,9 @@ namespace lamella
     problem.force = problem.estimate = state.force;
     problem.start                    = state.active;
     problem.closed                   = parameters.touching * structure.size();
-    const ContactSolution found =
+    if (!state.friction.empty())
+      add_friction(rows, state, to, problem);
+    ContactSolution found =
       strategy.settle(problem, [this, rounds = 0u](const Round &round) mutable {
         if (++rounds > parameters.max_iterations)
           throw NumericsError("The contact did not settle in " +
@@ -66,11 +69,8 @@ namespace lamella
                    " rows active, " + std::to_string(round.changed.size()) +
                    " change");
       });
-    if (found.force.empty())
-      return structure.zero();
-    state.force  = found.force;
-    state.active = found.active;
-    return found.du;
+    take_forces(rows, found, state);
+    return found;
   }
 
 
@@ -109,7 +109,8 @@ namespace lamella
   {
     if (state.active.empty())
       return du;
-    const ClosedRows closed(state.active);
+    // Those that slip push along with their normal force.
+    const ClosedRows closed = closed_rows(contacts.rows(), state);
     const Vector     held(closed.numbers.size());
     Vector           forces;
     const auto       answer = [&](const BlockVector &w) {
@@ -134,9 +135,14 @@ namespace lamella
         }
     x += du;
     // To first order; the next iteration says which rows are active.
-    for (unsigned int i = 0; i < closed.numbers.size(); ++i)
-      state.force[closed.numbers[i]] =
-        std::max(0., state.force[closed.numbers[i]] + forces[i]);
+    add_forces(contacts.rows(), closed, forces, state);
+    for (const unsigned int row : state.active)
+      if (state.force[row] < 0.)
+        {
+          state.force[row] = 0.;
+          if (!state.friction.empty())
+            state.friction.shear[row] = dealii::Tensor<1, 3>();
+        }
     return x;
   }
 
@@ -150,7 +156,10 @@ namespace lamella
   {
     // Of the penalty: as little as makes it definite.
     constexpr std::array<double, 3> shares{{0., 1e-3, 0.5}};
-    const auto                      with = [&](const double share) {
+    // A row that leans has a spring for its gap, and its slip would hang on
+    // what that bears.
+    const bool may_lean = !contacts.rows().rub();
+    const auto with     = [&](const double share) {
       return std::make_unique<const LeaningRows>(contacts.interfaces(),
                                                  state,
                                                  structure.bodies().size(),
@@ -172,7 +181,7 @@ namespace lamella
         }
       catch (const LostDigits &)
         {
-          if (k + 1 == shares.size() || with(shares[k])->none())
+          if (!may_lean || k + 1 == shares.size() || with(shares[k])->none())
             throw;
         }
   }
@@ -204,9 +213,10 @@ namespace lamella
                   State             &state) const
   {
     std::unique_ptr<const LeaningRows> leaning;
-    const Linearisation about  = tangent(state, correction, to, leaning);
-    const BlockVector   before = state.u;
-    BlockVector         du     = about.solve(r);
+    const Linearisation about    = tangent(state, correction, to, leaning);
+    const BlockVector   before   = state.u;
+    BlockVector         du       = about.solve(r);
+    bool                unstable = false;
     du += moved;
     if (!contacts.none())
       {
@@ -216,13 +226,15 @@ namespace lamella
         if (leaning)
           leaning->take_springs_off(sum_of(before, moved), to, state);
         state.u += du;
-        du += press(*strategy, rows, to, state);
+        const ContactSolution pressed = press(*strategy, rows, to, state);
+        du += pressed.du;
+        unstable = pressed.is_unstable;
         if (leaning)
           leaning->put_springs_on(sum_of(before, du), to, state);
         du = follow_rows(*strategy, before, du, to, state);
       }
     shorten(du);
     state.u = structure.updated(before, du);
-    return {std::move(du), leaning != nullptr};
+    return {std::move(du), leaning != nullptr, unstable};
   }
 } // namespace lamella

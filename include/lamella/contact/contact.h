@@ -118,6 +118,12 @@ namespace lamella
     void
     move(const BlockVector &u, const LoadFactor &factor);
 
+    /// Has a step begin in the state @p u at @p factor, of which the rows are:
+    /// slips are from here on those since it. What is paired in the step slips
+    /// from where its points were then. Nothing without friction.
+    void
+    begin_step(const BlockVector &u, const LoadFactor &factor);
+
     /// What recall() goes on from.
     ContactMemory
     memory() const;
@@ -137,14 +143,16 @@ namespace lamella
     }
 
     /// f += B^T lambda with the rows that move() would leave in the state @p u
-    /// at @p factor, and their forces @p lambda; rows and points stay where
-    /// they are. What rows without a force would be is not looked at. Whether
-    /// all others have a foot.
+    /// at @p factor, and their forces @p lambda, of rows that rub with the
+    /// @p shear along their tangents; rows and points stay where they are. What
+    /// rows without a force would be is not looked at. Whether all others have
+    /// a foot.
     bool
-    add_forces_at(const BlockVector                     &u,
-                  const LoadFactor                      &factor,
-                  const dealii::ArrayView<const double> &lambda,
-                  BlockVector                           &f) const;
+    add_forces_at(const BlockVector                       &u,
+                  const LoadFactor                        &factor,
+                  const dealii::ArrayView<const double>   &lambda,
+                  const std::vector<dealii::Tensor<1, 2>> &shear,
+                  BlockVector                             &f) const;
 
     /**
      * For each row the two rows of its slip at the state of the last move(),
@@ -195,6 +203,9 @@ namespace lamella
     /// is one point, its node.
     void
     find_points();
+    /// Pairs as at the start.
+    void
+    pair_undeformed();
     /// Of a contact along the line of a roller, whose rows @p interface are
     /// those of nodes: keeps one a line. Nothing of all others.
     void
@@ -204,11 +215,13 @@ namespace lamella
     /// only the former.
     void
     name_places();
-    /// Integrates over @p on, points of this contact or copies of them.
+    /// Integrates over @p on, points of this contact or copies of them, with
+    /// what those that are @p held have slid.
     std::vector<GapIntegrals>
     integrate(const ContactSides    &sides,
               const Feet             feet,
-              std::vector<GapPoint> &on) const;
+              std::vector<GapPoint> &on,
+              HeldPlaces *const      held = nullptr) const;
     /// f += what @p forces on trace nodes of the carrying and of the opposing
     /// surface do where @p at has them.
     void
@@ -243,12 +256,38 @@ namespace lamella
     set_tangent_plane(const unsigned int k,
                       const BlockVector &u,
                       const LoadFactor  &factor);
-    /// Gives the rows their slips, by the integrals of their state.
+    /// Gives the rows their slips, by the integrals of their state, where
+    /// @p sides stand, and of moved ones what they are there.
     void
-    write_slips();
-    /// The rows on one body of all slips along the tangent number @p tangent.
+    write_slips(const ContactSides &sides);
+    /// That they are what has slid since the step began, in the state @p u at
+    /// @p factor that the integrals are of.
+    void
+    measure_slips(const BlockVector &u, const LoadFactor &factor);
+    /// Of each row the first of its points.
+    std::vector<unsigned int>
+    first_points() const;
+    /// The tangents of a row with the normal @p n where @p sides stand:
+    /// tangents_of() the normal on the undeformed; from there on they move
+    /// along with the carrying surface at @p point (carried_tangents()).
+    Tangents
+    tangents_at(const ContactSides         &sides,
+                const GapPoint             &point,
+                const dealii::Tensor<1, 3> &n) const;
+    /// slip_rows() along these @p tangents, with the trace of either body as
+    /// @p sides have it.
+    std::vector<std::array<std::vector<BodyRow>, 2>>
+    slip_rows(const ContactSides          &sides,
+              const std::vector<Tangents> &tangents) const;
+    /// The rows on one body of all slips along the tangent number @p a.
     std::vector<BodyRow>
-    slip_rows_on(const bool second, const unsigned int tangent) const;
+    slip_rows_on(const ContactSides          &sides,
+                 const bool                   second,
+                 const std::vector<Tangents> &tangents,
+                 const unsigned int           a) const;
+    /// Holds the places of the points where the step began.
+    void
+    hold();
     /// For each row how far the place opposite of one of its points is in @p
     /// now from where `points` has it, undeformed [length].
     std::vector<double>
@@ -278,6 +317,11 @@ namespace lamella
     /// Of the state that the rows are of. Empty until somebody moves, or asks
     /// for slip.
     std::vector<GapIntegrals> integrals;
+    /// Where the step began, and of each point the place that its slip is
+    /// measured from; empty without friction, and before a step.
+    BlockVector begun_at;
+    LoadFactor  begun_factor;
+    HeldPlaces  held;
     /// What `adjust` has taken out of the gaps of the undeformed, by the place
     /// of the node.
     std::map<std::array<double, 3>, double> taken_out;
@@ -285,12 +329,6 @@ namespace lamella
 
   /// The contacts of a scene, in its order; none is moved in memory.
   using Contacts = std::vector<std::unique_ptr<Contact>>;
-
-  /// Two unit vectors across @p n and each other, the first one as near to the
-  /// scene's y axis as that allows (to its x axis, where n is within 5 degrees
-  /// of y); n, t_1, t_2 is a right-handed frame.
-  std::array<dealii::Tensor<1, 3>, 2>
-  tangents_of(const dealii::Tensor<1, 3> &n);
 } // namespace lamella
 
 #endif

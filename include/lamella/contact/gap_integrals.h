@@ -5,6 +5,7 @@
 
 #include <lamella/contact/contact_sides.h>
 #include <lamella/contact/gap_rows.h>
+#include <lamella/contact/slide.h>
 
 #include <deal.II/base/symmetric_tensor.h>
 
@@ -28,6 +29,8 @@ namespace lamella
     /// The averages of g [length] and of n.
     double               gap = 0.;
     dealii::Tensor<1, 3> normal;
+    /// That of slide(), where places are held.
+    dealii::Tensor<1, 3> slid;
     /// Those of a node's function, psi_k n and psi_k (I - n n): the latter
     /// applied to any tangent t is the weight of the slip along t, so no frame
     /// is kept and none is preferred.
@@ -58,6 +61,9 @@ namespace lamella
    * n = -n_2, exactly; the average of these is the gradient of the averaged
    * gap, since what points weigh does not change.
    *
+   * With places @p held since a step began there is what points have slid
+   * since. One that comes to face something is held from there on.
+   *
    * With Feet::kept n = (n_1 - n_2) / |n_1 - n_2| and g = n . (x_2 - x_1), of
    * which that is the gradient as long as x_2 - x_1 is along n.
    */
@@ -68,7 +74,17 @@ namespace lamella
                  const unsigned int     n_rows,
                  const Feet             feet,
                  const double           reach,
-                 std::vector<GapPoint> &points);
+                 std::vector<GapPoint> &points,
+                 HeldPlaces            *held = nullptr);
+
+  /// Where each of @p points, which become the feet, faces something where @p
+  /// sides stand: held_place(). Arguments are those of integrate_gaps().
+  HeldPlaces
+  held_places(const ContactSides    &sides,
+              const bool             on_second,
+              const Feet             feet,
+              const double           reach,
+              std::vector<GapPoint> &points);
 
   /// The rows that @p point, the one with the number @p number, is part of, and
   /// what it weighs in each, a_q phi_i(X_q); @p functions as above.

@@ -60,9 +60,10 @@ namespace lamella
 
   /**
    * The slip of a pair of points along a tangent t,
-   *   s(u, f) = t . (u_2(X_2) - u_1(X_1)) + f s_rate,
-   * by the same weights as its gap, at load factor f. A force lambda_t in it
-   * loads the second side along t.
+   *   s(u, f) = t . (u_2(X_2) - u_1(X_1)) + s_init + f s_rate,
+   * by the same weights as its gap, at load factor f: from the undeformed
+   * bodies; of rows that move (Contact) from where the step began. A force
+   * lambda_t in it loads the second side along t.
    */
   struct SlipRow : PairRow
   {
@@ -70,11 +71,14 @@ namespace lamella
     dealii::Tensor<1, 3> tangent;
     /// What a rigid obstacle that moves adds at load factor 1 [length].
     double rate = 0.;
+    /// Of rows that move what makes this the slip at the state that they are
+    /// of [length].
+    double initial = 0.;
 
     double
     slip(const BlockVector &u, const LoadFactor &factor) const
     {
-      return opening(u) + factor.of(history) * rate;
+      return opening(u) + initial + factor.of(history) * rate;
     }
   };
 

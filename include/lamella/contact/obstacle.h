@@ -8,6 +8,7 @@
 
 #include <deal.II/base/point.h>
 
+#include <limits>
 #include <optional>
 #include <string>
 
@@ -53,6 +54,15 @@ namespace lamella
     displacement_at(const LoadFactor &factor) const
     {
       return factor.of(history) * displacement;
+    }
+
+    /// How deep places may be in it that the same surface is nearest to.
+    /// [length]; infinity behind a plane.
+    double
+    depth() const
+    {
+      return shape == Shape::plane ? std::numeric_limits<double>::infinity() :
+                                     radius;
     }
 
     /// What @p v has across the cylinder's axis.

@@ -163,6 +163,9 @@ namespace lamella
     /// Whether the points are those of edges, which face the nearest places of
     /// opposing_mesh, along the normals there (find_foot()).
     bool of_edges = false;
+    /// How deep in an obstacle places may be, whatever the cells are [length]:
+    /// what has moved in has to come out again.
+    double inside_obstacle = 0.;
   };
 
   /// Whether @p gap is so negative that the places lie behind each other by
@@ -170,10 +173,10 @@ namespace lamella
   bool
   is_too_deep(const double gap, const double depth_1, const double depth_2);
 
-  /// The depth of the opposing side's cell at @p hit; none of an obstacle's is
-  /// less deep than those of any mesh. [length]; infinity for an obstacle.
-  double
-  opposing_depth(const Sides &sides, const SurfaceHit &hit);
+  /// The same at @p hit of the opposing side, with the @p depth of the carrying
+  /// one; in an obstacle -gap > max(depth, Sides::inside_obstacle).
+  bool
+  is_too_deep(const Sides &sides, const SurfaceHit &hit, const double depth);
 
   /**
    * Node to surface: the points @p points of the carrying side against the

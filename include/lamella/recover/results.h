@@ -77,8 +77,6 @@ namespace lamella
     unsigned int halvings = 0;
     /// What the strategy had learnt when the step ended.
     StrategyMemory memory;
-    /// Of bodies that turn: what each contact had come to.
-    std::vector<ContactMemory> pairings;
 
     /// Of each probe a row a ply that it touches, from the bottom.
     std::vector<std::vector<FieldRow>> probes;

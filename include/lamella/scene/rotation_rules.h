@@ -14,8 +14,8 @@ namespace lamella
    *
    * Throws InputError for what large rotations are not made for, entry by
    * entry: theories that cannot deform as a turned one does, axes that lock,
-   * solid-1, node-dependent theories, Stabilisation and Hold, friction, pairs
-   * of nodes, the full strategy, error bars and tolerances, stresses by
+   * solid-1, node-dependent theories, Stabilisation and Hold, pairs of
+   * nodes, the full strategy, error bars and tolerances, stresses by
    * equilibrium, several processes.
    */
   Scene

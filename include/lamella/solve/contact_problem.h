@@ -70,6 +70,9 @@ namespace lamella
     /// With friction, of each row: the shear force, and its direction where the
     /// row slips, else zero.
     std::vector<dealii::Tensor<1, 2>> shear = {}, direction = {};
+    /// With friction: whether no load path leads to this answer
+    /// (CoulombSolution::stability); who ends with it has to fail.
+    bool is_unstable = false;
   };
 
   /**

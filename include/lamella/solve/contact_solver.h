@@ -5,9 +5,8 @@
 
 #include <lamella/base/arithmetic.h>
 #include <lamella/solve/contact_strategy.h>
-#include <lamella/solve/friction_state.h>
+#include <lamella/solve/state.h>
 
-#include <algorithm>
 #include <functional>
 #include <memory>
 #include <string>
@@ -15,59 +14,6 @@
 
 namespace lamella
 {
-  /// The primal and dual unknowns of a scene at one load factor: displacements
-  /// and contact forces, and how they were come by. Empty: no state at all, as
-  /// before the first load step.
-  struct State
-  {
-    /// Displacements of all bodies, a block each: expanded, so prescribed DoFs
-    /// have their values.
-    BlockVector u;
-    /// Of each body: the largest displacement of the linear solution without
-    /// contact, at the same load factor; empty where stabilising springs hold a
-    /// body, which moves far without contact. Of bodies that turn a hundred
-    /// times the largest on the way to it.
-    std::vector<double> free_sizes;
-    /// Of each gap row: the contact force lambda, positive in compression; zero
-    /// in rows that are not active. It loads the bodies with B^T lambda.
-    std::vector<double> force;
-    /// Numbers of the active rows, ascending.
-    std::vector<unsigned int> active;
-    /// Empty unless a contact has friction.
-    FrictionState friction;
-
-    /// Where the stabilising springs are without force; empty: at u = 0.
-    SpringRest rest;
-
-    /// Rounds of the search for the active rows, those of all releases of the
-    /// springs added up.
-    unsigned int iterations = 0;
-    /// Maximum norm of each correction over that of u: of the free linear
-    /// solution, and of the solution with contact on its last active set. The
-    /// first of `free_corrections` (the solution itself is left out) measures
-    /// the digits that the assembled matrix lost.
-    std::vector<double> free_corrections, contact_corrections;
-
-    /// Lengths of @p body below this are what rounding leaves where loads
-    /// cancel, as of leaves that equal pressures press on each other and that
-    /// do not move: of what they would move by without contact.
-    double
-    rounding(const unsigned int body) const
-    {
-      return free_sizes.empty() ? 0. : arithmetic::rounding * free_sizes[body];
-    }
-
-    /// The largest of all bodies.
-    double
-    rounding() const
-    {
-      double largest = 0.;
-      for (unsigned int b = 0; b < free_sizes.size(); ++b)
-        largest = std::max(largest, rounding(b));
-      return largest;
-    }
-  };
-
   /// When iterations end. All tolerances of the loop are here; those without
   /// a unit are relative to the displacements (ContactSolver::size_of()).
   struct SolverParameters
@@ -226,11 +172,6 @@ namespace lamella
     ClosedRows
     held_rows(const State &state) const;
 
-    /// Ends the load step that has come from @p before to @p state at @p
-    /// factor: what friction remembers of it (FrictionState).
-    void
-    end_step(const State &before, const LoadFactor &factor, State &state) const;
-
     /// What was learnt so far, as it is kept for a resumed run.
     StrategyMemory
     memory() const
@@ -301,32 +242,11 @@ namespace lamella
                            const double       small,
                            Misses            &found) const;
 
-    /// v of row @p r: its slip since the step before, with the softness of the
-    /// law.
-    dealii::Tensor<1, 2>
-    slip_in_step(const State       &state,
-                 const LoadFactor  &factor,
-                 const unsigned int r) const;
-
-    /// What does not move in @p state.
-    ClosedRows
-    closed_rows(const State &state) const;
     /// What the law asks for of each number of @p closed, r_lambda.
     Vector
     law_residual(const State      &state,
                  const LoadFactor &factor,
                  const ClosedRows &closed) const;
-    /// Adds @p dlambda to the forces of @p state; of rows that slip the shear
-    /// follows.
-    void
-    add_forces(const ClosedRows &closed,
-               const Vector     &dlambda,
-               State            &state) const;
-
-    /// Of each row the normal force and the shear along its tangents.
-    std::vector<dealii::Tensor<1, 3>>
-    forces_by_rows(const State &state) const;
-
     /// misses() of a refined state, where digits may be lost to its last
     /// correction.
     Misses
@@ -351,10 +271,6 @@ namespace lamella
     /// the estimates.
     ContactProblem
     problem_about(const State &state, const LoadFactor &factor) const;
-
-    /// @p state with what a strategy found about it.
-    State
-    with(State state, const ContactSolution &found) const;
 
     /// For rows that depend on each other, where refining a state moves forces
     /// among them, also below zero, by rounding: replaces @p state by that of

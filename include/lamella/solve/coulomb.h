@@ -53,7 +53,9 @@ namespace lamella
     double error = 0.;
     /// The sign of det(R W C), with the rows R of closed points that do not
     /// move and the columns C of their forces: 1 or -1, an answer that is
-    /// unstable; 1 if no point is closed.
+    /// unstable; 1 if no point is closed. Patterns that W hardly feels, of more
+    /// points than a surface can follow, have no say: it is that of W with a
+    /// softness.
     int stability = 1;
     /// The step of the chain that ended the first proximal point, and systems
     /// of equations solved in all.
@@ -69,6 +71,9 @@ namespace lamella
     /// Of the largest diagonal entry of a point: what is added to W so that
     /// it is definite, and iterated out.
     double softness = 1e-10;
+    /// The same for the sign of an answer that is unstable without. (A section
+    /// that hardly bends across has 3e-9, against 1e-6 of what rubs there.)
+    double firm = 1e-4;
     /// Of that iteration; a step of it that is off by more than `failed` is
     /// the last, and so are two on end that better nothing, at rounding.
     unsigned int max_rounds = 30, idle = 2;

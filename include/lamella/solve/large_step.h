@@ -39,9 +39,7 @@ namespace lamella
           const bool        last = true) override;
 
     void
-    go_on_from(const State                      &last,
-               const LoadFactor                 &factor,
-               const std::vector<ContactMemory> &pairings) override;
+    go_on_from(const State &last, const LoadFactor &factor) override;
 
   private:
     /// Where the path from @p before, at @p from, to @p to begins.

@@ -32,8 +32,6 @@ namespace lamella
     std::optional<double> change   = {};
     /// How often it was halved on the way.
     unsigned int cuts = 0;
-    /// Of bodies that turn: what each contact has come to.
-    std::vector<ContactMemory> pairings = {};
   };
 
   /**
@@ -74,12 +72,10 @@ namespace lamella
           const LoadFactor &factor,
           const bool        last = true) = 0;
 
-    /// Goes on from @p last, a state at @p factor that another run has come to,
-    /// its contacts to @p pairings. Of linear kinematics all is in the state.
+    /// Goes on from @p last, a state at @p factor that another run has come
+    /// to. Of linear kinematics there is nothing to do.
     virtual void
-    go_on_from(const State &,
-               const LoadFactor &,
-               const std::vector<ContactMemory> &)
+    go_on_from(const State &, const LoadFactor &)
     {}
   };
 
@@ -160,12 +156,10 @@ namespace lamella
     }
 
     /// Goes on after the first @p n_done steps, of which the last, at least
-    /// one, came to @p last and its contacts to @p pairings (SolvedStep). What
-    /// another run checked is not kept with its state: checks are made again.
+    /// one, came to @p last. What another run checked is not kept with its
+    /// state: checks are made again.
     void
-    resume(const unsigned int                n_done,
-           State                             last,
-           const std::vector<ContactMemory> &pairings = {});
+    resume(const unsigned int n_done, State last);
 
     /// The steps that are done.
     unsigned int

@@ -14,19 +14,18 @@
 
 namespace lamella
 {
-  /// The forces of gap rows by where their points are on the body that carries
-  /// them, contact by contact: what stays the same when contacts pair anew and
-  /// rows get other numbers.
+  /// The forces of gap rows, and what friction remembers of them, by where
+  /// their points are on the body that carries them, contact by contact: what
+  /// stays the same when contacts pair anew and rows get other numbers.
   class PressedPlaces
   {
   public:
     PressedPlaces() = default;
-    /// Of rows without friction.
     PressedPlaces(const std::vector<ContactInterface> &contacts,
                   const State                         &state);
 
-    /// Gives @p state the forces in the rows of @p contacts; nothing in those
-    /// whose points are not among these.
+    /// Gives @p state these in the rows of @p contacts; nothing in those whose
+    /// points are not among them.
     void
     give(const std::vector<ContactInterface> &contacts, State &state) const;
 
@@ -36,13 +35,22 @@ namespace lamella
     static Key
     key(const unsigned int c, const ContactInterface::Point &point);
 
-    std::map<Key, double> forces;
+    /// Of a row its force, and of FrictionState what there is of it.
+    struct Pressed
+    {
+      double               force = 0.;
+      dealii::Tensor<1, 3> shear, direction, before;
+      double               length = 0., dissipated = 0.;
+    };
+    /// All rows where any contact rubs, else those that bear a force.
+    std::map<Key, Pressed> places;
   };
 
   /**
    * The contacts of bodies that move far: their gap rows are moved with the
-   * surfaces, and surfaces that come to face each other are paired anew.
-   * Without friction. Refers to the lists of the scene, which it writes
+   * surfaces, and surfaces that come to face each other are paired anew. Where
+   * they rub slips are those since the step began, and shear forces turn with
+   * the frames of their rows. Refers to the lists of the scene, which it writes
    * (Contact).
    */
   class MovingContacts
@@ -86,7 +94,8 @@ namespace lamella
     void
     move(State &state, const LoadFactor &factor);
 
-    /// move() to the start of a step, in which nothing is lost yet.
+    /// Has a step begin in @p state at @p factor, where the rows are taken, in
+    /// which nothing is lost yet.
     void
     begin_step(State &state, const LoadFactor &factor);
 
@@ -110,8 +119,9 @@ namespace lamella
                   const LoadFactor  &factor,
                   BlockVector       &f) const;
 
-    /// The largest |g + a lambda| of an active row of @p state and -g of any
-    /// other at @p factor, a length; rows are those of the state.
+    /// The largest |g + a lambda| of an active row of @p state, -g of any
+    /// other and friction_error() at @p factor, a length; rows are those of the
+    /// state.
     double
     law_error(const State &state, const LoadFactor &factor) const;
 
@@ -124,11 +134,6 @@ namespace lamella
     bool
     see_what_touches(State &state, const LoadFactor &factor);
 
-    /// Pairs all contacts anew in @p state, at @p factor, which rows were not
-    /// of: it is left without contact forces. Throws as see_what_touches().
-    void
-    pair(State &state, const LoadFactor &factor);
-
     /// Throws NumericsError where from @p before at @p from to @p state at @p
     /// to a body went through a roller, so that nothing touches it, or rows let
     /// go and nothing bears a force between their bodies.
@@ -139,6 +144,9 @@ namespace lamella
                  const LoadFactor  &to);
 
   private:
+    /// Takes rows, but not the shear forces that are along them, to @p state.
+    void
+    move_rows(State &state, const LoadFactor &factor);
     /// Throws NumericsError: @p how contact @p c is lost.
     [[noreturn]] void
     lose(const unsigned int c, const std::string &how);

@@ -128,19 +128,12 @@ namespace lamella
     Equilibrium
     at_rest(const LoadFactor &factor = 1.) const;
 
-    /// @p state at load factor @p factor, where the path has been before:
-    /// contacts are paired anew there, and what they press is found again.
-    Equilibrium
-    back_at(State state, const LoadFactor &factor);
-
-    /// Has contacts as they were in the state @p u at @p factor
+    /// Has contacts as they were in @p state at @p factor
     /// (MovingContacts::recall()).
     void
-    recall(const std::vector<ContactMemory> &known,
-           const BlockVector                &u,
-           const LoadFactor                 &factor)
+    recall(const State &state, const LoadFactor &factor)
     {
-      contacts.recall(known, u, factor);
+      contacts.recall(state.pairings, state.u, factor);
     }
 
     /// That at load factor @p to, on from @p start, whose rows are those that
@@ -172,6 +165,13 @@ namespace lamella
     double
     largest_turn(const LoadFactor &from, const LoadFactor &to) const;
 
+    /// Ends a step that has come to @p state at @p to from forces that
+    /// @p began it: what friction remembers.
+    void
+    end_friction(const PressedPlaces &began,
+                 const LoadFactor    &to,
+                 State               &state) const;
+
     /// One step, with the stress that corrections predict or without; whether
     /// it ended. Counts its iterations in @p at.
     bool
@@ -181,11 +181,12 @@ namespace lamella
     bool
     attempt(const LoadFactor &to, Equilibrium &at);
 
-    /// What an iteration has changed, and whether rows had to lean for it.
+    /// What an iteration has changed, whether rows had to lean for it, and
+    /// whether what they rub with is stable.
     struct Correction
     {
       BlockVector du;
-      bool        leans = false;
+      bool        leans = false, is_unstable = false;
     };
 
     /// One iteration: adds to @p state the correction that @p r, the unbalanced
@@ -219,9 +220,9 @@ namespace lamella
                     const LoadFactor  &to) const;
 
     /// Presses the gaps of @p rows in @p state at @p to by the @p strategy: its
-    /// forces and active rows, and what that moves bodies by, which is
-    /// returned.
-    BlockVector
+    /// forces and active rows, and what that moves bodies by, which is in what
+    /// is returned.
+    ContactSolution
     press(ContactStrategy  &strategy,
           const GapRows    &rows,
           const LoadFactor &to,
