@@ -353,8 +353,7 @@ namespace lamella
                 placement,
                 section().ply_axes(point.cell, point.position),
                 law);
-    sample.turn =
-      placement.turn_in_scene(rotation_of(frame.Q));
+    sample.turn = placement.turn_in_scene(rotation_of(frame.Q));
     return sample;
   }
 

@@ -53,8 +53,9 @@ namespace boost
     {
       serialize_blocks(archive, state.u);
       archive &state.free_sizes &state.force &state.active &state.rest &state
-        .iterations &state.free_corrections &state.contact_corrections;
-      lamella::FrictionState                &friction = state.friction;
+        .iterations &state.free_corrections &state.contact_corrections &state
+        .pairings;
+      lamella::FrictionState &friction = state.friction;
       archive &friction.shear &friction.direction &friction.before &friction
         .length &friction.dissipated &friction.opening &friction.path_gap;
     }

@@ -177,6 +177,9 @@ LARGE = {
               ["Theory=TBT", "Contact face/Discretisation=surface to surface",
                "Contact face/Search distance=2"], (10,), 14),
     "corners": ("tests/scenes/large_corners.prm", [], (3, 5), 6),
+    "friction": ("tests/scenes/large_slide.prm",
+                 ["Contact faces/Friction=0.3", "Theory=TBT", "Contact faces/Search distance=2"],
+                 (3, 6), 8),
     "follower": ("tests/scenes/large_follower.prm", ["Rotations=auto"], (2,), 4)}
 
 

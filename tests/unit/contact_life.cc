@@ -399,6 +399,246 @@ BOOST_AUTO_TEST_CASE(what_is_left_behind_is_lost_and_what_comes_is_not_seen)
 
 
 
+namespace
+{
+  Tensor<2, 3>
+  unit()
+  {
+    return dealii::unit_symmetric_tensor<3>();
+  }
+
+
+
+  /// What rubs: who carries the points, and against what.
+  struct Rubbing
+  {
+    Discretisation                  discretisation;
+    PointsOn                        points_on;
+    std::shared_ptr<const Obstacle> against;
+  };
+
+
+
+  std::vector<Rubbing>
+  all_that_rub()
+  {
+    std::vector<Rubbing> all;
+    for (const auto discretisation :
+         {Discretisation::node_to_surface, Discretisation::surface_to_surface})
+      {
+        for (const auto on : {PointsOn::first, PointsOn::second})
+          all.push_back({discretisation, on, nullptr});
+        for (const auto shape :
+             {Obstacle::Shape::plane, Obstacle::Shape::cylinder})
+          all.push_back({discretisation, PointsOn::first, obstacle(shape)});
+      }
+    all.push_back({Discretisation::edge_to_surface, PointsOn::first, nullptr});
+    return all;
+  }
+
+
+
+  ContactPair
+  pair_of(const Rubbing &what)
+  {
+    ContactPair contact = between(what.discretisation, what.against);
+    contact.points_on   = what.points_on;
+    contact.friction    = 0.3;
+    return contact;
+  }
+
+
+
+  /// Turned as a whole unless an obstacle stands there, strained, and touching.
+  BlockVector
+  touching(const Bodies &bodies, const Rubbing &what)
+  {
+    Tensor<2, 3> G;
+    if (!what.against)
+      G = turn(0.6);
+    G[0][0] += 0.02;
+    G[1][1] -= 0.03;
+    BlockVector u = both(bodies, G);
+    u.block(0) +=
+      affine(*bodies[0], {}, (unit() + G) * Tensor<1, 3>({0., 0., -distance}));
+    return u;
+  }
+
+
+
+  std::vector<Tensor<1, 2>>
+  slips(const Contact &contact, const BlockVector &u, const LoadFactor &factor)
+  {
+    std::vector<Tensor<1, 2>> result;
+    for (const GapRow &row : contact.rows())
+      {
+        result.emplace_back();
+        for (unsigned int a = 0; a < row.slips.size(); ++a)
+          result.back()[a] = row.slips[a].slip(u, factor);
+      }
+    return result;
+  }
+
+
+
+  double
+  largest(const std::vector<Tensor<1, 2>> &slips)
+  {
+    double most = 0.;
+    for (const Tensor<1, 2> &slip : slips)
+      most = std::max(most, slip.norm());
+    return most;
+  }
+} // namespace
+
+
+
+BOOST_AUTO_TEST_CASE(slips_are_those_since_the_step_began)
+{
+  constexpr double h = 1e-5, factor = 0.7;
+  for (const Rubbing &what : all_that_rub())
+    BOOST_TEST_CONTEXT(name_of(what.discretisation)
+                       << " on " << name_of(what.points_on) << " against "
+                       << (what.against ? what.against->name : "a body"))
+    {
+      const Bodies      bodies = two_strips("LE-2", "LE-2");
+      ContactInterface  interface;
+      Contact           contact(pair_of(what), bodies, interface);
+      const BlockVector u = touching(bodies, what), d = any(bodies, 5);
+      contact.pair(u, factor);
+      contact.begin_step(u, factor);
+      BOOST_REQUIRE(!contact.rows().empty());
+      BOOST_TEST(largest(slips(contact, u, factor)) < 1e-12);
+      std::vector<double> gap;
+      for (const GapRow &row : contact.rows())
+        gap.push_back(std::abs(row.gap(u, factor)));
+      // Rows that touch are their gradients there, with the way of an obstacle;
+      // the foot of one that does not is moved by turns, too.
+      BlockVector near = u;
+      near.add(h, d);
+      auto predicted = slips(contact, near, factor + h);
+      near.add(-2. * h, d);
+      const auto back = slips(contact, near, factor - h);
+      for (unsigned int k = 0; k < back.size(); ++k)
+        predicted[k] -= back[k];
+      std::vector<bool> faces(back.size(), true);
+      for (const double side : {-1., 1.})
+        {
+          near = u;
+          near.add(side * h, d);
+          contact.move(near, factor + side * h);
+          const auto found = slips(contact, near, factor + side * h);
+          for (unsigned int k = 0; k < found.size(); ++k)
+            {
+              predicted[k] -= side * found[k];
+              faces[k] = faces[k] && !contact.rows()[k].parts.empty();
+            }
+        }
+      for (unsigned int k = 0; k < predicted.size(); ++k)
+        if (faces[k])
+          BOOST_TEST(predicted[k].norm() < (1e-6 + 10. * gap[k]) * 2. * h);
+      // What is paired in the step has slid since it began.
+      near = u;
+      near.block(0) += affine(*bodies[0], {}, Tensor<1, 3>({0., 0.2, 0.}));
+      contact.move(near, factor);
+      const double before = largest(slips(contact, near, factor));
+      contact.pair(near, factor);
+      BOOST_TEST(before > 0.1);
+      BOOST_TEST(std::abs(largest(slips(contact, near, factor)) - before) <
+                 0.02);
+    }
+}
+
+
+
+BOOST_AUTO_TEST_CASE(bodies_that_turn_together_do_not_slip)
+{
+  for (const Rubbing &what : all_that_rub())
+    if (!what.against)
+      BOOST_TEST_CONTEXT(name_of(what.discretisation)
+                         << " on " << name_of(what.points_on))
+      {
+        const Bodies      bodies = two_strips("LE-2", "LE-2");
+        ContactInterface  interface;
+        Contact           contact(pair_of(what), bodies, interface);
+        const BlockVector start = both(bodies, turn(0.3));
+        contact.pair(start, 0.);
+        contact.begin_step(start, 0.);
+        const auto        frames = contact.rows();
+        const BlockVector turned =
+          both(bodies, turn(1.3), Tensor<1, 3>({3., -1., 2.}));
+        contact.move(turned, 0.);
+        BOOST_TEST(largest(slips(contact, turned, 0.)) < 1e-11);
+        // Their frames have turned along.
+        const Tensor<2, 3> by =
+          (unit() + turn(1.3)) * transpose(unit() + turn(0.3));
+        for (unsigned int k = 0; k < frames.size(); ++k)
+          for (unsigned int a = 0; a < 2; ++a)
+            BOOST_TEST((contact.rows()[k].slips[a].tangent -
+                        by * frames[k].slips[a].tangent)
+                         .norm() < 1e-11);
+        // The upper one slides along the lower one by a known way.
+        const Tensor<1, 3> way =
+          (unit() + turn(1.3)) * Tensor<1, 3>({0.1, 0.5, 0.});
+        BlockVector slid = turned;
+        slid.block(0) += affine(*bodies[0], {}, way);
+        contact.move(slid, 0.);
+        for (const GapRow &row : contact.rows())
+          for (const SlipRow &slip : row.slips)
+            if (!row.parts.empty())
+              BOOST_TEST(std::abs(slip.slip(slid, 0.) + way * slip.tangent) <
+                         1e-10);
+      }
+}
+
+
+
+BOOST_AUTO_TEST_CASE(forces_of_a_state_nearby_are_those_of_rows_moved_there)
+{
+  constexpr double factor = 0.7;
+  for (const Rubbing &what : all_that_rub())
+    BOOST_TEST_CONTEXT(name_of(what.discretisation)
+                       << " on " << name_of(what.points_on) << " against "
+                       << (what.against ? what.against->name : "a body"))
+    {
+      const Bodies      bodies = two_strips("LE-2", "LE-2");
+      ContactInterface  interface;
+      Contact           contact(pair_of(what), bodies, interface);
+      const BlockVector start = touching(bodies, what);
+      BlockVector       u     = start;
+      contact.pair(start, factor);
+      contact.begin_step(start, factor);
+      u.add(0.01, any(bodies, 7));
+      contact.move(u, factor);
+      // At the rims some face nothing there.
+      std::vector<bool> faces;
+      for (const GapRow &row : contact.rows())
+        faces.push_back(!row.parts.empty());
+      contact.move(start, factor);
+      std::vector<double>       lambda;
+      std::vector<Tensor<1, 2>> shear;
+      for (unsigned int k = 0; k < contact.rows().size(); ++k)
+        {
+          lambda.push_back(k % 3 == 0 || !faces[k] ? 0. : 1. + 0.1 * k);
+          shear.push_back(lambda.back() * Tensor<1, 2>({0.2, -0.1 * (k % 2)}));
+        }
+      BlockVector f = zero(bodies), expected = zero(bodies);
+      BOOST_TEST(contact.add_forces_at(u, factor, lambda, shear, f));
+      contact.move(u, factor);
+      for (unsigned int k = 0; k < lambda.size(); ++k)
+        {
+          const GapRow &row = contact.rows()[k];
+          row.add_to(expected, lambda[k]);
+          for (unsigned int a = 0; a < row.slips.size(); ++a)
+            row.slips[a].add_to(expected, shear[k][a]);
+        }
+      f -= expected;
+      BOOST_TEST(f.linfty_norm() < 1e-11 * expected.linfty_norm());
+    }
+}
+
+
+
 BOOST_AUTO_TEST_CASE(slip_is_what_is_across_the_normal)
 {
   for (const auto discretisation : {Discretisation::node_to_node,
