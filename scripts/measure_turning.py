@@ -12,6 +12,7 @@ from measure_tools import ROOT, table
 ROLLER = ROOT / "tests/scenes/large_roller.prm"
 COUPON = ROOT / "prm/flexure_large.prm"
 SLIDE = ROOT / "tests/scenes/large_slide.prm"
+BELT = ROOT / "tests/scenes/turning_capstan.prm"
 CORNERS = ROOT / "tests/scenes/large_corners.prm"
 
 
@@ -158,16 +159,17 @@ def path(rod, ways, guess):
     return dict(zip(ways, found))
 
 
-def rollers():
-    rods = path(on_roller(Section(3e3, 12., 1.6), 90., 7.), np.arange(5., 75., 5.),
+def rollers(mu=0.):
+    rods = path(on_roller(Section(3e3, 12., 1.6), 90., 7., mu), np.arange(5., 75., 5.),
                 [0.08, 3. * 12288. / 90. ** 3 * 5., 90.])
     rows = []
     for down in (20., 40., 60.):
         angle, force, at = rods[down]
-        up, along_it = force * math.cos(angle), force * math.sin(angle)
+        push = force * (across(angle) + mu * along(angle))
+        up, along_it = push[1], -push[0]
         row = [f"{down:g}", f"{up:.5f}", f"{along_it:.5f}", f"{at:.3f}"]
         for theory in ("LE-1", "TBT", "SV"):
-            run = BarRun(ROLLER, [f"Theory={theory}",
+            run = BarRun(ROLLER, [f"Theory={theory}", f"Contact face/Friction={mu or 'none'}",
                                   f"Load factors={down / 140.},{down / 70.}"])
             mine = run.summary["contacts"]["face"]["force"]
             row += [f"{-mine[2] / up - 1.:.1e}", f"{mine[1] / along_it - 1.:.1e}"]
@@ -176,16 +178,18 @@ def rollers():
            "TBT: up", "along", "SV: up", "along"], rows)
 
 
-def slides():
-    rods = path(slide, np.arange(10., 250., 10.),
+def slides(mu=0.):
+    rods = path(lambda down, guess: slide(down, guess, mu), np.arange(10., 250., 10.),
                 [240., -2., -0.02, 0.8, 240., 60., -0.02])
     rows = []
     for down in (60., 120., 180., 240.):
         angle, force, at = (rods[down][k] for k in (2, 3, 4))
         factors = ",".join(str(way / 240.) for way in np.arange(30., down + 1., 30.))
+        force *= math.sqrt(1. + mu ** 2)
         row = [f"{down:g}", f"{force:.5f}", f"{at:.3f}", f"{angle:.4f}"]
         for theory, elements in (("LE-1", 12), ("TBT", 12), ("TBT", 24)):
-            run = BarRun(SLIDE, [f"Load factors={factors}", f"Theory={theory}"] +
+            run = BarRun(SLIDE, [f"Load factors={factors}", f"Theory={theory}",
+                                 f"Contact faces/Friction={mu or 'none'}"] +
                          [f"Body {body}/Kinematics/Axis elements={elements}"
                           for body in ("lower", "upper")])
             mine = np.linalg.norm(run.summary["contacts"]["faces"]["force"])
@@ -194,6 +198,47 @@ def slides():
         rows.append(row)
     table(["clamp down", "force, rods", "touches at", "turn there", "LE-1, 12", "iterations",
            "TBT, 12", "iterations", "TBT, 24", "iterations"], rows)
+
+
+def dissipated(of_rods, ways, guess, mu, slid, force):
+    """Of a path of rods that slide all the way, by the trapezoidal rule."""
+    rods = path(of_rods, ways, guess)
+    energy, last = 0., None
+    for way in ways:
+        here = (slid(rods[way]), force(rods[way]))
+        if last is not None:
+            energy += mu * 0.5 * (here[1] + last[1]) * (here[0] - last[0])
+        last = here
+    return energy
+
+
+def belts(mu=0.2):
+    """The force that hauls a belt over a quarter of a drum, and that lets it down."""
+    rows = []
+    for name, way, sign in (("hauled", -6., 1.), ("let down", 6., -1.)):
+        known = 20. * math.exp(sign * mu * math.pi / 2.)
+        for theory in ("TBT", "SV"):
+            run = BarRun(BELT, [f"Theory={theory}", f"Support haul/u=0, {way}, 0"])
+            force = -run.summary["supports"]["haul"]["reaction"][1]
+            rows.append([name, theory, f"{known:.4f}", f"{force:.4f}",
+                         f"{force / known - 1.:.1e}", str(sum(run.summary["iterations"]))])
+    table(["belt", "theory", "Euler", "force", "off", "iterations"], rows)
+
+
+def rubbing_turning(mu=0.3):
+    """Friction with large rotations beside rods whose forces are off the normal by the angle
+    of friction (tests/scenes/large_roller.prm, large_slide.prm), and beside Euler's belt
+    (turning_capstan.prm)."""
+    rollers(mu)
+    slides(mu)
+    print("dissipated over the roller to 60:", f"""{dissipated(
+        on_roller(Section(3e3, 12., 1.6), 90., 7., mu), np.arange(0.5, 60.1, 0.5),
+        [0.008, 0.025, 90.], mu, lambda q: q[2] + 7. * q[0], lambda q: q[1]):.4f}""")
+    print("dissipated on the face to 240:", f"""{dissipated(
+        lambda down, guess: slide(down, guess, mu), np.arange(2.5, 240.1, 2.5),
+        [240., -0.5, -0.005, 0.2, 240., 60., -0.005], mu, lambda q: q[4] - q[5],
+        lambda q: q[3]):.3f}""")
+    belts()
 
 
 def ends():

@@ -88,8 +88,11 @@ namespace lamella
   PolarDecomposition::PolarDecomposition(const Gradient &H)
   {
     Tensor<2, 3> inverse;
-    for (const auto &[square, direction] : eigenvectors(
-           2. * strain_tensor(green_strain(H)) + unit_symmetric_tensor<3>()))
+    // The default method does not end for some that are nearly the unit tensor.
+    for (const auto &[square, direction] :
+         eigenvectors(2. * strain_tensor(green_strain(H)) +
+                        unit_symmetric_tensor<3>(),
+                      SymmetricTensorEigenvectorMethod::jacobi))
       {
         const Tensor<2, 3> projector = outer_product(direction, direction);
         U += std::sqrt(square) * projector;

@@ -3,6 +3,7 @@
 #include <lamella/solve/friction_step.h>
 
 #include <algorithm>
+#include <set>
 
 namespace lamella
 {
@@ -200,12 +201,17 @@ namespace lamella
                  const LoadFactor &factor,
                  State            &state)
   {
+    std::set<unsigned int> pressed;
+    for (const unsigned int r : state.active)
+      pressed.insert(rows.in_contact(r).first);
     for (unsigned int r = 0; r < state.friction.shear.size(); ++r)
       {
-        // Where what touches wanders points that it leaves have rubbed, too.
+        // Where what touches wanders points that it leaves have rubbed, too;
+        // a contact that opens has been through the air for the most part.
         const double mean  = mean_force(before, state, r);
         const bool   slips = state.friction.direction[r].norm() > 0. ||
-                           (state.force[r] == 0. && mean > 0.);
+                           (state.force[r] == 0. && mean > 0. &&
+                            pressed.count(rows.in_contact(r).first) > 0);
         add_loss(rows[r],
                  r,
                  mean,

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace lamella
 {
@@ -62,12 +63,14 @@ namespace lamella
     FrictionState &of = state.friction;
     if (!of.empty())
       of = FrictionState::at_rest(rows);
+    std::map<Key, Pressed> dropped = places;
     for (unsigned int row = 0; row < rows.size(); ++row)
       {
         const auto [c, k] = rows.in_contact(row);
         const auto known  = places.find(key(c, contacts[c].points[k]));
         if (known == places.end())
           continue;
+        dropped.erase(known->first);
         const Pressed &kept = known->second;
         state.force[row]    = kept.force;
         if (of.empty() || kept.force != 0.)
@@ -80,6 +83,22 @@ namespace lamella
         of.length[row]     = kept.length;
         of.dissipated[row] = kept.dissipated;
       }
+    if (!of.empty())
+      keep_dissipated(dropped, rows, of);
+  }
+
+
+
+  void
+  PressedPlaces::keep_dissipated(const std::map<Key, Pressed> &dropped,
+                                 const GapRows                &rows,
+                                 FrictionState                &of)
+  {
+    std::map<unsigned int, double> left;
+    for (const auto &[where, kept] : dropped)
+      left[static_cast<unsigned int>(where[0])] += kept.dissipated;
+    for (unsigned int row = 0; row < rows.size(); ++row)
+      of.dissipated[row] += std::exchange(left[rows.in_contact(row).first], 0.);
   }
 
 

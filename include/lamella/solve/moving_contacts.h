@@ -42,6 +42,13 @@ namespace lamella
       dealii::Tensor<1, 3> shear, direction, before;
       double               length = 0., dissipated = 0.;
     };
+    /// Gives what rows that are no more, @p dropped, have dissipated to the
+    /// first of their contact, so that its sum stays.
+    static void
+    keep_dissipated(const std::map<Key, Pressed> &dropped,
+                    const GapRows                &rows,
+                    FrictionState                &of);
+
     /// All rows where any contact rubs, else those that bear a force.
     std::map<Key, Pressed> places;
   };
