@@ -135,6 +135,16 @@ namespace lamella
 
 
 
+  void
+  Contact::find_integrals()
+  {
+    find_points();
+    if (integrals.empty())
+      integrals = integrate(undeformed, feet_at_rest(), points);
+  }
+
+
+
   std::vector<GapIntegrals>
   Contact::integrate(const ContactSides    &sides,
                      const Feet             feet,
@@ -283,9 +293,11 @@ namespace lamella
     const bool is_point = functions() == nullptr;
     const auto there    = integrate(at, feet(), pressed);
     std::array<std::map<unsigned int, Tensor<1, 3>>, 2> forces;
-    const unsigned int n_rows = is_point ? numbers.size() : there.size();
-    const auto         first  = first_points();
-    const double       sign   = interface.points_on_second ? -1. : 1.;
+    const unsigned int        n_rows = is_point ? numbers.size() : there.size();
+    const double              sign   = interface.points_on_second ? -1. : 1.;
+    std::vector<unsigned int> first;
+    if (!shear.empty())
+      first = first_points();
     for (unsigned int k = 0; k < n_rows; ++k)
       {
         const unsigned int row   = is_point ? numbers[k] : k;
@@ -458,9 +470,7 @@ namespace lamella
   void
   Contact::write_slips(const ContactSides &sides)
   {
-    find_points();
-    if (integrals.empty())
-      integrals = integrate(undeformed, feet_at_rest(), points);
+    find_integrals();
     const auto            first = first_points();
     std::vector<Tangents> along;
     for (unsigned int k = 0; k < interface.rows.size(); ++k)
@@ -579,9 +589,7 @@ namespace lamella
   std::vector<std::array<std::vector<BodyRow>, 2>>
   Contact::slip_rows()
   {
-    find_points();
-    if (integrals.empty())
-      integrals = integrate(undeformed, feet_at_rest(), points);
+    find_integrals();
     std::vector<Tangents> tangents;
     for (const ContactInterface::Point &point : interface.points)
       tangents.push_back(tangents_of(point.normal));

@@ -356,7 +356,7 @@ namespace lamella
   {
     const Body  &body = *bodies[cut.body];
     const Fields fields =
-      told(recoveries(cut.body, cut.stress, entry_of("Cut", cut)));
+      recoveries(cut.body, cut.stress, entry_of("Cut", cut));
     const unsigned int  n = cut.samples + 1;
     std::vector<CutRow> rows;
     auto cells = body.cut(cut.position, cut.samples, u.block(cut.body));

@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 namespace lamella
 {
@@ -63,14 +62,12 @@ namespace lamella
     FrictionState &of = state.friction;
     if (!of.empty())
       of = FrictionState::at_rest(rows);
-    std::map<Key, Pressed> dropped = places;
     for (unsigned int row = 0; row < rows.size(); ++row)
       {
         const auto [c, k] = rows.in_contact(row);
         const auto known  = places.find(key(c, contacts[c].points[k]));
         if (known == places.end())
           continue;
-        dropped.erase(known->first);
         const Pressed &kept = known->second;
         state.force[row]    = kept.force;
         if (of.empty() || kept.force != 0.)
@@ -84,21 +81,26 @@ namespace lamella
         of.dissipated[row] = kept.dissipated;
       }
     if (!of.empty())
-      keep_dissipated(dropped, rows, of);
+      keep_dissipated(contacts, of);
   }
 
 
 
   void
-  PressedPlaces::keep_dissipated(const std::map<Key, Pressed> &dropped,
-                                 const GapRows                &rows,
-                                 FrictionState                &of)
+  PressedPlaces::keep_dissipated(const std::vector<ContactInterface> &contacts,
+                                 FrictionState                       &of) const
   {
-    std::map<unsigned int, double> left;
-    for (const auto &[where, kept] : dropped)
-      left[static_cast<unsigned int>(where[0])] += kept.dissipated;
-    for (unsigned int row = 0; row < rows.size(); ++row)
-      of.dissipated[row] += std::exchange(left[rows.in_contact(row).first], 0.);
+    unsigned int first = 0;
+    for (unsigned int c = 0; c < contacts.size(); ++c)
+      {
+        std::set<Key> here;
+        for (const ContactInterface::Point &point : contacts[c].points)
+          here.insert(key(c, point));
+        for (const auto &[where, kept] : places)
+          if (where[0] == c && here.count(where) == 0 && !here.empty())
+            of.dissipated[first] += kept.dissipated;
+        first += contacts[c].rows.size();
+      }
   }
 
 

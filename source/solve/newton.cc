@@ -215,12 +215,14 @@ namespace lamella
 
 
   bool
-  Newton::step(const LoadFactor &to, const bool predicted, Equilibrium &at)
+  Newton::step(const LoadFactor    &to,
+               const PressedPlaces &pressed,
+               const bool           predicted,
+               Equilibrium         &at)
   {
     State            &state  = at.state;
     const BlockVector before = state.u;
     contacts.begin_step(state, at.factor);
-    const PressedPlaces pressed(contacts.interfaces(), state);
     auto [moved, r, began] = beginning(to, at);
     Correction   last;
     Decay        forces, gaps;
@@ -252,8 +254,6 @@ namespace lamella
               {
                 contacts.require_kept(before, at.factor, state, to);
                 require_minimum(before, last, state, to);
-                if (last.is_unstable)
-                  fail_as_unstable();
                 end_friction(pressed, to, state);
                 at.factor = to;
                 return true;
@@ -297,7 +297,7 @@ namespace lamella
       {
         try
           {
-            if (step(to, predicted, at))
+            if (step(to, pressed, predicted, at))
               return true;
           }
         catch (const NumericsError &error)

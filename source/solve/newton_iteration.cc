@@ -194,6 +194,8 @@ namespace lamella
                           const State       &state,
                           const LoadFactor  &to) const
   {
+    if (last.is_unstable)
+      fail_as_unstable();
     BlockVector way = state.u;
     way -= before;
     if (!last.leans &&

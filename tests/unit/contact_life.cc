@@ -419,6 +419,16 @@ namespace
 
 
 
+  std::string
+  words(const Rubbing &what)
+  {
+    return std::string(name_of(what.discretisation)) + " on " +
+           name_of(what.points_on) + " against " +
+           (what.against ? what.against->name : "a body");
+  }
+
+
+
   std::vector<Rubbing>
   all_that_rub()
   {
@@ -497,9 +507,7 @@ BOOST_AUTO_TEST_CASE(slips_are_those_since_the_step_began)
 {
   constexpr double h = 1e-5, factor = 0.7;
   for (const Rubbing &what : all_that_rub())
-    BOOST_TEST_CONTEXT(name_of(what.discretisation)
-                       << " on " << name_of(what.points_on) << " against "
-                       << (what.against ? what.against->name : "a body"))
+    BOOST_TEST_CONTEXT(words(what))
     {
       const Bodies      bodies = two_strips("LE-2", "LE-2");
       ContactInterface  interface;
@@ -555,8 +563,7 @@ BOOST_AUTO_TEST_CASE(bodies_that_turn_together_do_not_slip)
 {
   for (const Rubbing &what : all_that_rub())
     if (!what.against)
-      BOOST_TEST_CONTEXT(name_of(what.discretisation)
-                         << " on " << name_of(what.points_on))
+      BOOST_TEST_CONTEXT(words(what))
       {
         const Bodies      bodies = two_strips("LE-2", "LE-2");
         ContactInterface  interface;
@@ -597,9 +604,7 @@ BOOST_AUTO_TEST_CASE(forces_of_a_state_nearby_are_those_of_rows_moved_there)
 {
   constexpr double factor = 0.7;
   for (const Rubbing &what : all_that_rub())
-    BOOST_TEST_CONTEXT(name_of(what.discretisation)
-                       << " on " << name_of(what.points_on) << " against "
-                       << (what.against ? what.against->name : "a body"))
+    BOOST_TEST_CONTEXT(words(what))
     {
       const Bodies      bodies = two_strips("LE-2", "LE-2");
       ContactInterface  interface;

@@ -203,6 +203,9 @@ namespace lamella
     /// is one point, its node.
     void
     find_points();
+    /// The same with integrals, those of the undeformed where nobody has moved.
+    void
+    find_integrals();
     /// Pairs as at the start.
     void
     pair_undeformed();

@@ -42,12 +42,11 @@ namespace lamella
       dealii::Tensor<1, 3> shear, direction, before;
       double               length = 0., dissipated = 0.;
     };
-    /// Gives what rows that are no more, @p dropped, have dissipated to the
-    /// first of their contact, so that its sum stays.
-    static void
-    keep_dissipated(const std::map<Key, Pressed> &dropped,
-                    const GapRows                &rows,
-                    FrictionState                &of);
+    /// Gives what rows that are no more among those of @p contacts have
+    /// dissipated to the first of their contact, so that its sum stays.
+    void
+    keep_dissipated(const std::vector<ContactInterface> &contacts,
+                    FrictionState                       &of) const;
 
     /// All rows where any contact rubs, else those that bear a force.
     std::map<Key, Pressed> places;

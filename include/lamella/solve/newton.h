@@ -172,10 +172,13 @@ namespace lamella
                  const LoadFactor    &to,
                  State               &state) const;
 
-    /// One step, with the stress that corrections predict or without; whether
-    /// it ended. Counts its iterations in @p at.
+    /// One step from what is @p pressed, with the stress that corrections
+    /// predict or without; whether it ended. Counts its iterations in @p at.
     bool
-    step(const LoadFactor &to, const bool predicted, Equilibrium &at);
+    step(const LoadFactor    &to,
+         const PressedPlaces &pressed,
+         const bool           predicted,
+         Equilibrium         &at);
 
     /// The same both ways; where it fails @p at stays but for the count.
     bool
@@ -212,7 +215,8 @@ namespace lamella
     /// Throws LostDigits where the tangent of @p state at @p to is not definite
     /// with the rows that bear a force there. That of the last correction was,
     /// and is not looked at again if this was small beside the way from
-    /// @p before and leant on nothing: rows may have opened.
+    /// @p before and leant on nothing: rows may have opened. Throws
+    /// NumericsError where what rubs is unstable.
     void
     require_minimum(const BlockVector &before,
                     const Correction  &last,
