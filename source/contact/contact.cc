@@ -3,7 +3,7 @@
 #include <lamella/base/arithmetic.h>
 #include <lamella/base/exceptions.h>
 #include <lamella/contact/contact.h>
-#include <lamella/contact/roller_passage.h>
+#include <lamella/contact/passage.h>
 
 #include <algorithm>
 #include <cmath>
@@ -697,16 +697,50 @@ namespace lamella
 
 
 
-  bool
-  Contact::has_passed_roller(const BlockVector &before,
-                             const LoadFactor  &from,
-                             const BlockVector &u,
-                             const LoadFactor  &to) const
+  std::optional<SunkPlace>
+  Contact::sunk_place(const BlockVector &u, const LoadFactor &factor) const
   {
-    if (interface.obstacle == nullptr)
+    const Obstacle *const obstacle = interface.obstacle.get();
+    if (obstacle == nullptr || obstacle->shape != Obstacle::Shape::cylinder ||
+        lines != nullptr || !taken_out.empty())
+      return {};
+    const ContactSides now(undeformed, u, factor);
+    return RollerLines::deepest_in(*now.obstacle(),
+                                   *undeformed.surface(false),
+                                   *now.surface(false));
+  }
+
+
+
+  bool
+  Contact::goes_through(const BlockVector &before,
+                        const LoadFactor  &from,
+                        const BlockVector &u,
+                        const LoadFactor  &to) const
+  {
+    if (interface.obstacle != nullptr)
+      {
+        const ContactSides then(undeformed, before, from),
+          now(undeformed, u, to);
+        return lamella::goes_through({*then.surface(false), *then.obstacle()},
+                                     {*now.surface(false), *now.obstacle()});
+      }
+    // What `adjust` has taken out of gaps is no depth.
+    if (!taken_out.empty())
       return false;
-    const ContactSides then(undeformed, before, from), now(undeformed, u, to);
-    return goes_through({*then.surface(false), *then.obstacle()},
-                        {*now.surface(false), *now.obstacle()});
+    // What comes from beside has its first foot somewhere on the way.
+    constexpr unsigned int parts   = 4;
+    BlockVector            reached = before;
+    for (unsigned int k = 1; k <= parts; ++k)
+      {
+        BlockVector next = before;
+        next.sadd(1. - double(k) / parts, double(k) / parts, u);
+        const ContactSides then(undeformed, reached, to),
+          now(undeformed, next, to);
+        if (lamella::goes_through(then, now))
+          return true;
+        reached = next;
+      }
+    return false;
   }
 } // namespace lamella

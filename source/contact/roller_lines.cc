@@ -8,6 +8,7 @@
 #include <limits>
 #include <map>
 #include <optional>
+#include <set>
 
 namespace lamella
 {
@@ -209,5 +210,36 @@ namespace lamella
     for (unsigned int k = 0; k < points.size(); ++k)
       points[k].carrying =
         nearest_place(lines[k], now, roller, points[k].carrying);
+  }
+
+
+
+  std::optional<SunkPlace>
+  RollerLines::deepest_in(const Obstacle    &roller,
+                          const MeshSurface &surface,
+                          const MeshSurface &now)
+  {
+    const double   unit = arithmetic::as_written * surface.body().size();
+    std::set<long> stations;
+    for (const MeshSurface::GridNode &node : surface.grid_nodes())
+      stations.insert(std::lround(station_of(roller, node.position) / unit));
+    std::optional<SunkPlace> deepest;
+    for (const long station : stations)
+      {
+        const Line line = line_at(surface, roller, station * unit);
+        if (line.empty())
+          continue;
+        const auto at = nearest_place(
+          line, now, roller, {line.front().facet, {line.front().s, 0.}});
+        const FacetMap    &map   = now.facets()[at.facet].map;
+        const auto         place = map(at.st);
+        const Tensor<1, 3> r =
+          roller.across_axis(place.position - roller.point);
+        const double depth = roller.radius - r.norm();
+        if (r * map.outward(place) < 0. &&
+            depth > (deepest ? deepest->depth : 0.))
+          deepest = SunkPlace{place.position, depth};
+      }
+    return deepest;
   }
 } // namespace lamella

@@ -3,8 +3,13 @@
 #include <lamella/contact/foot.h>
 #include <lamella/contact/sunk_end.h>
 
+#include <cmath>
+
 namespace lamella
 {
+  // Below the cosine of any two normals.
+  constexpr double whatever_it_faces = -2.;
+
   std::optional<SunkEnd>
   deepest_end(const ContactSides &sides, const double reach)
   {
@@ -14,9 +19,15 @@ namespace lamella
         const MeshSurface &other = *sides.surface(!second);
         for (const SurfacePoint &point : sides.end_points(second))
           {
-            const auto foot = find_foot(
-              other, point.position, point.normal, reach, {}, edge_faces_from);
-            if (!foot)
+            const auto foot_of = [&](const double opposed) {
+              return find_foot(
+                other, point.position, point.normal, reach, {}, opposed);
+            };
+            const auto foot = foot_of(edge_faces_from);
+            // Where another place is nearer that it does not face it is beside
+            // the body, and the foot is on the far side.
+            if (!foot || std::abs(foot_of(whatever_it_faces)->distance) <
+                           std::abs(foot->distance))
               continue;
             if (-foot->distance > (deepest ? deepest->depth : 0.))
               deepest = {second,

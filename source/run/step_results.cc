@@ -229,8 +229,9 @@ namespace lamella
                            solved.load_factor,
                            built.rows().among_contact(k, solved.state.active)));
     add(warnings_of_rollers(solved));
+    add(warnings_of_sunk_rollers(solved));
     add(warnings_of_ends(solved));
-    add(warnings_of_holds(solved.checks));
+    add(warnings_of_holds(solved));
     if (solved.change && *solved.change > scene.solve.substeps.tolerance)
       warnings.push_back(
         "twice as many substeps, " + std::to_string(solved.substeps) +
@@ -272,6 +273,42 @@ namespace lamella
             to_text(off, 2) +
             " rad: take Discretisation = line to roller, or shorter elements "
             "wherever it touches");
+      }
+    return warnings;
+  }
+
+
+
+  std::vector<std::string>
+  StepRecorder::warnings_of_sunk_rollers(const SolvedStep &solved) const
+  {
+    // Of the displacements.
+    constexpr double         worth_saying = 1e-2;
+    std::vector<std::string> warnings;
+    for (unsigned int c = 0; c < built.interfaces().size(); ++c)
+      {
+        const ContactInterface &contact = built.interfaces()[c];
+        if (!built.rows().among_contact(c, solved.state.active).empty())
+          continue;
+        const auto sunk =
+          built.contact_lives()[c]->sunk_place(solved.state.u,
+                                               solved.load_factor);
+        if (!sunk ||
+            sunk->depth <
+              std::max(worth_saying * solved.checks.max_displacement,
+                       arithmetic::as_written * contact.obstacle->radius))
+          continue;
+        // With that between two nodes their averages of the gap are zero.
+        const double spacing =
+          std::sqrt(4. * contact.obstacle->radius * sunk->depth);
+        warnings.push_back(
+          "contact " + contact.name + ": nothing touches, but '" +
+          contact.second_name + "' is inside of the body at " +
+          to_text(sunk->position) + ", between its points, by " +
+          to_text(sunk->depth, 2) + ": have these nearer than " +
+          to_text(spacing, 2) +
+          " there (three an axis element B4), or take Rotations = large and "
+          "Discretisation = line to roller");
       }
     return warnings;
   }
@@ -338,12 +375,19 @@ namespace lamella
 
 
   std::vector<std::string>
-  StepRecorder::warnings_of_holds(const Checks &checks) const
+  StepRecorder::warnings_of_holds(const SolvedStep &solved) const
   {
     // Of the largest force, a moment over the scene's size.
     constexpr double         worth_saying = 1e-3;
-    double                   largest      = 0.;
+    const Checks            &checks       = solved.checks;
     std::vector<std::string> warnings;
+    // What balances on the undeformed body (check_balance_of_held()) need not
+    // where it has gone.
+    double largest = 0.;
+    if (checks.is_large)
+      largest = std::max(
+        structure.load(solved.load_factor, solved.state.u).linfty_norm(),
+        arithmetic::as_written * structure.heat_load().l2_norm());
     for (const Resultant &reaction : checks.reactions)
       largest = std::max(largest, reaction.force.norm());
     for (const KuhnTucker &contact : checks.contacts)
@@ -355,15 +399,17 @@ namespace lamella
           std::max(reaction.force.norm(),
                    reaction.moment.norm() / structure.size()) /
           largest;
-        if (scene.supports[s].hold && !checks.contacts.empty() &&
-            share > worth_saying)
+        if (scene.supports[s].hold && share > worth_saying &&
+            (checks.is_large || !checks.contacts.empty()))
           warnings.push_back(
             "the hold of body '" +
             structure.bodies()[scene.supports[s].hold->body]->name() +
             "' bears a force of " + to_text(reaction.force) +
             " and a moment of " + to_text(reaction.moment) + ", " +
-            to_text(100. * share, 2) +
-            " % of the largest force: contact forces off their main direction "
+            to_text(100. * share, 2) + " % of the largest force: " +
+            (checks.is_large ?
+               "where bodies have gone loads and contact forces " :
+               "contact forces off their main direction ") +
             "do not balance in motions that it takes out. Put a support where "
             "the real one is, if that is too much");
       }

@@ -52,13 +52,6 @@ namespace lamella
                "elements of lower degree lock where they bend and stretch at "
                "once",
                "Take B4.");
-      if (body.stabilisation > 0.)
-        refuse(place + "Stabilisation",
-               "",
-               rule,
-               "Hold the body by a Support.");
-      if (body.is_held)
-        refuse(place + "Hold", "", rule, "Hold the body by a Support.");
     }
 
 

@@ -196,8 +196,7 @@ namespace lamella
                     const Vector &u,
                     const double  nothing)
     {
-      constexpr double digits   = 1e3 * std::numeric_limits<double>::epsilon();
-      const double     rounding = std::max(digits * u.linfty_norm(), nothing);
+      const double rounding = std::max(rounding_of_places(u), nothing);
       return 0.5 * largest_stiffness * rounding * rounding;
     }
 
@@ -387,6 +386,15 @@ namespace lamella
       find_centres(checks.reactions, tangent.of().size());
     }
   } // namespace
+
+
+
+  double
+  rounding_of_places(const Vector &u)
+  {
+    constexpr double digits = 1e3 * std::numeric_limits<double>::epsilon();
+    return digits * u.linfty_norm();
+  }
 
 
 

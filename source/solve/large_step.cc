@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <lamella/base/arithmetic.h>
 #include <lamella/solve/large_step.h>
 #include <lamella/solve/phase.h>
 #include <lamella/solve/soundness.h>
@@ -49,7 +50,9 @@ namespace lamella
       constexpr double digits = 100.;
       for (unsigned int b = 0; b < solved.state.u.n_blocks(); ++b)
         {
-          const double size = digits * solved.state.u.block(b).linfty_norm();
+          double size = digits * solved.state.u.block(b).linfty_norm();
+          if (!end.rounding.empty())
+            size = std::max(size, end.rounding[b] / arithmetic::rounding);
           solved.state.free_sizes.push_back(
             before.free_sizes.empty() ? size :
                                         std::max(size, before.free_sizes[b]));

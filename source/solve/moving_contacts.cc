@@ -338,9 +338,9 @@ namespace lamella
                                const LoadFactor  &to)
   {
     for (unsigned int c = 0; c < lives.size(); ++c)
-      if (lives[c]->has_passed_roller(before, from, state.u, to))
+      if (lives[c]->goes_through(before, from, state.u, to))
         lose(c,
-             ": its body went through '" + all[c].obstacle->name +
+             ": its body went through '" + all[c].second_name +
                "' in one step.");
     for (const unsigned int c : let_go)
       if (!is_pressed(c, state))

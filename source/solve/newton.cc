@@ -2,6 +2,7 @@
 
 #include <lamella/base/exceptions.h>
 #include <lamella/base/text.h>
+#include <lamella/solve/checks.h>
 #include <lamella/solve/friction_step.h>
 #include <lamella/solve/newton.h>
 
@@ -42,9 +43,6 @@ namespace lamella
     for (const auto &body : structure.bodies())
       sizes.push_back(body->rows_turn() ? body->dof_sizes() :
                                           std::vector<double>());
-    if (structure.has_springs())
-      throw InputError("Large rotations know no Stabilisation yet: take a "
-                       "Support in place of it.");
   }
 
 
@@ -66,8 +64,17 @@ namespace lamella
   BlockVector
   Newton::unbalanced(const State &state, const LoadFactor &factor) const
   {
-    BlockVector r = structure.residual(state.u, factor);
+    BlockVector r = structure.residual(state.u, factor, state.rest);
     contacts.add_forces(state, r);
+    return r;
+  }
+
+
+
+  BlockVector
+  Newton::condensed(const Linearisation &here, BlockVector r)
+  {
+    here.condense(r);
     return r;
   }
 
@@ -81,17 +88,19 @@ namespace lamella
                   Equilibrium         &at) const
   {
     const BlockVector load     = structure.load(factor, at.state.u);
-    BlockVector       internal = load, left = r;
+    BlockVector       internal = load;
     contacts.add_forces(at.state, internal);
     internal -= r;
-    here.condense(left);
-    const double norm = left.l2_norm();
+    const double norm = condensed(here, r).l2_norm();
     // From rest, where nothing but an obstacle moves, there was nothing.
     if (began == 0.)
       began = norm;
-    at.residual  = norm <= parameters.nothing * began ?
-                     0. :
-                     norm / std::max(internal.l2_norm(), load.l2_norm());
+    // Of nothing there is no share.
+    const double share = norm / std::max(internal.l2_norm(), load.l2_norm());
+    at.residual =
+      norm <= parameters.nothing * began && !(share <= parameters.balanced) ?
+        0. :
+        share;
     at.law_error = contacts.law_error(at.state, factor);
     progress("iteration " + std::to_string(at.state.iterations) + ": " +
              to_text(at.residual, 2) + " of the forces unbalanced" +
@@ -126,9 +135,14 @@ namespace lamella
   bool
   Newton::is_equilibrium(const Decay &unbalanced, const double change) const
   {
+    // Forces that are nothing tell nothing of how far it is.
+    if (unbalanced.now == 0.)
+      return change <= parameters.still * structure.size();
     return unbalanced.now <= parameters.balanced ||
            (unbalanced.now < parameters.floor &&
-            unbalanced.stands(parameters.stalls)) ||
+            unbalanced.stands(parameters.stalls) &&
+            (!structure.has_springs() ||
+             change < parameters.settles * structure.size())) ||
            (unbalanced.now < parameters.near &&
             change < parameters.still * structure.size());
   }
@@ -136,9 +150,23 @@ namespace lamella
 
 
   bool
-  Newton::is_held(const BlockVector &moved) const
+  Newton::is_rounding(const Linearisation &here,
+                      const BlockVector   &r,
+                      const BlockVector   &u) const
   {
-    return length_of(moved) <= parameters.still * structure.size();
+    for (unsigned int b = 0; b < u.n_blocks(); ++b)
+      if (!(r.block(b).l2_norm() <=
+            here.largest_stiffness(b) * rounding_of_places(u.block(b))))
+        return false;
+    return true;
+  }
+
+
+
+  bool
+  Newton::is_still(const BlockVector &way) const
+  {
+    return length_of(way) <= parameters.still * structure.size();
   }
 
 
@@ -154,18 +182,32 @@ namespace lamella
 
 
 
+  std::vector<double>
+  Newton::lengths_of(const BlockVector &u) const
+  {
+    std::vector<double> largest;
+    for (unsigned int b = 0; b < sizes.size(); ++b)
+      if (sizes[b].empty())
+        largest.push_back(u.block(b).linfty_norm());
+      else
+        {
+          largest.push_back(0.);
+          for (DofIndex dof = 0; dof < sizes[b].size(); ++dof)
+            largest.back() =
+              std::max(largest.back(),
+                       std::abs(u.block(b)[dof]) * sizes[b][dof]);
+        }
+    return largest;
+  }
+
+
+
   double
   Newton::length_of(const BlockVector &u) const
   {
-    double largest = 0.;
-    for (unsigned int b = 0; b < sizes.size(); ++b)
-      if (sizes[b].empty())
-        largest = std::max(largest, u.block(b).linfty_norm());
-      else
-        for (DofIndex dof = 0; dof < sizes[b].size(); ++dof)
-          largest =
-            std::max(largest, std::abs(u.block(b)[dof]) * sizes[b][dof]);
-    return largest;
+    const std::vector<double> lengths = lengths_of(u);
+    return lengths.empty() ? 0. :
+                             *std::max_element(lengths.begin(), lengths.end());
   }
 
 
@@ -192,9 +234,16 @@ namespace lamella
     if (result.moved.l2_norm() > 0.)
       result.r -= here.apply(result.moved);
     // An obstacle that moves leaves the start in equilibrium.
-    result.size = std::max({result.r.l2_norm(),
-                            structure.load(to, at.state.u).l2_norm(),
-                            structure.internal_forces(at.state.u).l2_norm()});
+    const BlockVector load = structure.load(to, at.state.u),
+                      internal =
+                        structure.internal_forces(at.state.u, at.state.rest);
+    result.size =
+      std::max({result.r.l2_norm(), load.l2_norm(), internal.l2_norm()});
+    // Where nothing touches yet there may be nothing but what bodies that were
+    // carried along have of rounding.
+    if (!contacts.none() && at.state.active.empty() && load.l2_norm() == 0. &&
+        is_rounding(here, internal, at.state.u))
+      result.size = 0.;
     return result;
   }
 
@@ -247,20 +296,28 @@ namespace lamella
         moved = here.way_to_supports(to, to);
         forces.add(at.residual);
         gaps.add(at.law_error);
-        if (is_equilibrium(forces, length_of(last.du)) && is_held(moved) &&
-            keeps_law(gaps, length_of(state.u)))
+        const double change   = length_of(last.du);
+        const bool   balances = is_equilibrium(forces, change);
+        if (is_still(moved) && keeps_law(gaps, length_of(state.u)) &&
+            (balances || (is_still(last.du) &&
+                          is_rounding(here, condensed(here, r), state.u))))
           {
             if (contacts.none() || !contacts.see_what_touches(state, to))
               {
                 contacts.require_kept(before, at.factor, state, to);
                 require_minimum(before, last, state, to);
                 end_friction(pressed, to, state);
-                at.factor = to;
+                at.factor   = to;
+                at.rounding = balances && at.residual > 0. ?
+                                std::vector<double>() :
+                                lengths_of(last.du);
                 return true;
               }
             if (++pairings > parameters.max_pairings)
               return false;
             r = unbalanced(state, to);
+            // Bodies that come to touch on the way begin to bear forces.
+            began = 0.;
           }
         if (moved.l2_norm() > 0.)
           r -= here.apply(moved);

@@ -13,8 +13,8 @@
 #include <deal.II/lac/solver_gmres.h>
 
 #include <algorithm>
-#include <array>
 #include <utility>
+#include <vector>
 
 namespace lamella
 {
@@ -104,6 +104,7 @@ namespace lamella
   Newton::follow_rows(ContactStrategy   &strategy,
                       const BlockVector &u,
                       const BlockVector &du,
+                      const double       firmer,
                       const LoadFactor  &to,
                       State             &state) const
   {
@@ -114,8 +115,9 @@ namespace lamella
     const Vector     held(closed.numbers.size());
     Vector           forces;
     const auto       answer = [&](const BlockVector &w) {
-      BlockVector x = structure.zero();
-      strategy.solve(closed, turn_of_rows(state, u, w, to), held, x, forces);
+      BlockVector x = structure.zero(), f = turn_of_rows(state, u, w, to);
+      add_spring_forces(firmer, w, f);
+      strategy.solve(closed, f, held, x, forces);
       return x;
     };
     const double          enough = parameters.follows * du.l2_norm();
@@ -134,6 +136,10 @@ namespace lamella
           return du;
         }
     x += du;
+    // What no row holds without springs stays with them, until rows do.
+    if (structure.has_springs() &&
+        length_of(x) > parameters.released * length_of(du))
+      return du;
     // To first order; the next iteration says which rows are active.
     add_forces(contacts.rows(), closed, forces, state);
     for (const unsigned int row : state.active)
@@ -148,46 +154,6 @@ namespace lamella
 
 
 
-  Linearisation
-  Newton::tangent(const State                        &state,
-                  const BlockVector                  &correction,
-                  const LoadFactor                   &to,
-                  std::unique_ptr<const LeaningRows> &leaning) const
-  {
-    // Of the penalty: as little as makes it definite.
-    constexpr std::array<double, 3> shares{{0., 1e-3, 0.5}};
-    // A row that leans has a spring for its gap, and its slip would hang on
-    // what that bears.
-    const bool may_lean = !contacts.rows().rub();
-    const auto with     = [&](const double share) {
-      return std::make_unique<const LeaningRows>(contacts.interfaces(),
-                                                 state,
-                                                 structure.bodies().size(),
-                                                 share);
-    };
-    for (unsigned int k = 0;; ++k)
-      try
-        {
-          if (k > 0)
-            leaning = with(shares[k]);
-          return Linearisation(structure,
-                               state.u,
-                               asked,
-                               monitor,
-                               correction,
-                               to,
-                               leaning ? leaning->springs() :
-                                         LeaningRows::Springs());
-        }
-      catch (const LostDigits &)
-        {
-          if (!may_lean || k + 1 == shares.size() || with(shares[k])->none())
-            throw;
-        }
-  }
-
-
-
   void
   Newton::require_minimum(const BlockVector &before,
                           const Correction  &last,
@@ -196,13 +162,15 @@ namespace lamella
   {
     if (last.is_unstable)
       fail_as_unstable();
+    if (structure.has_springs())
+      require_held(state, to);
     BlockVector way = state.u;
     way -= before;
     if (!last.leans &&
         length_of(last.du) <= parameters.settled * length_of(way))
       return;
-    std::unique_ptr<const LeaningRows> leaning;
-    tangent(state, BlockVector(), to, leaning);
+    Aid none;
+    tangent(state, BlockVector(), to, none);
   }
 
 
@@ -214,8 +182,9 @@ namespace lamella
                   const LoadFactor  &to,
                   State             &state) const
   {
-    std::unique_ptr<const LeaningRows> leaning;
-    const Linearisation about    = tangent(state, correction, to, leaning);
+    Aid                 aid;
+    const Linearisation about    = tangent(state, correction, to, aid);
+    const auto         &leaning  = aid.leaning;
     const BlockVector   before   = state.u;
     BlockVector         du       = about.solve(r);
     bool                unstable = false;
@@ -233,10 +202,13 @@ namespace lamella
         unstable = pressed.is_unstable;
         if (leaning)
           leaning->put_springs_on(sum_of(before, du), to, state);
-        du = follow_rows(*strategy, before, du, to, state);
+        du = follow_rows(*strategy, before, du, aid.firmer, to, state);
       }
     shorten(du);
     state.u = structure.updated(before, du);
+    // In the tangent alone: nowhere they bear a force.
+    if (structure.has_springs())
+      state.rest = structure.spring_lengths(state.u);
     return {std::move(du), leaning != nullptr, unstable};
   }
 } // namespace lamella

@@ -190,13 +190,19 @@ namespace lamella
     std::optional<SunkEnd>
     sunk_end(const BlockVector &u, const LoadFactor &factor) const;
 
-    /// Whether the body went through a roller between two states, each a
-    /// displacement at a load factor (goes_through()).
+    /// The deepest place of the body in a roller in the state @p u at @p
+    /// factor, of points or between them (RollerLines::deepest_in()); none if
+    /// that is what rows are of, and against all else.
+    std::optional<SunkPlace>
+    sunk_place(const BlockVector &u, const LoadFactor &factor) const;
+
+    /// Whether a body went through a roller, or one body through the other,
+    /// between two states, each a displacement at a load factor.
     bool
-    has_passed_roller(const BlockVector &before,
-                      const LoadFactor  &from,
-                      const BlockVector &u,
-                      const LoadFactor  &to) const;
+    goes_through(const BlockVector &before,
+                 const LoadFactor  &from,
+                 const BlockVector &u,
+                 const LoadFactor  &to) const;
 
   private:
     /// Sees to it that there are points: those of the pairing, and where a row

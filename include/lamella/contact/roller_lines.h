@@ -7,10 +7,19 @@
 #include <lamella/contact/mesh_surface.h>
 #include <lamella/contact/obstacle.h>
 
+#include <optional>
 #include <vector>
 
 namespace lamella
 {
+  /// A place of a surface inside a roller, where it is now, and how deep
+  /// [length].
+  struct SunkPlace
+  {
+    dealii::Point<3> position;
+    double           depth = 0.;
+  };
+
   /**
    * Where a roller touches the surface of a beam that goes over it: material
    * lines of the surface along the beam, one at each station along the roller's
@@ -40,6 +49,15 @@ namespace lamella
     follow(const MeshSurface     &now,
            const Obstacle        &roller,
            std::vector<GapPoint> &points) const;
+
+    /// The deepest place in @p roller, where it stands, of the lines through
+    /// all nodes of @p surface, as it is @p now, at which the axis is ahead.
+    /// Points of a surface see it only if they are near. None where nothing is
+    /// inside, and where the roller lies along the body.
+    static std::optional<SunkPlace>
+    deepest_in(const Obstacle    &roller,
+               const MeshSurface &surface,
+               const MeshSurface &now);
 
   private:
     /// A facet that a line goes through, along t, at this s.

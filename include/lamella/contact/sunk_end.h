@@ -20,9 +20,9 @@ namespace lamella
   };
 
   /// The deepest node of either end of @p sides, two bodies, behind the surface
-  /// of the other where they stand, with feet at most @p reach away [length]:
-  /// inside of it, or through it. Faces that slide over an end have no row for
-  /// it, unless it is among the points.
+  /// of the other where they stand, with feet at most @p reach away [length],
+  /// the nearest places of all: inside of it. Faces that slide over an end have
+  /// no row for it, unless it is among the points.
   std::optional<SunkEnd>
   deepest_end(const ContactSides &sides, const double reach);
 } // namespace lamella

@@ -75,13 +75,17 @@ namespace lamella
     /// Of bodies that turn, where rollers touch them at few points.
     std::vector<std::string>
     warnings_of_rollers(const SolvedStep &solved) const;
+    /// Of rollers that are inside of a body between the points of a contact
+    /// none of which touches.
+    std::vector<std::string>
+    warnings_of_sunk_rollers(const SolvedStep &solved) const;
     /// Of bodies that turn, where an end of one lies in another.
     std::vector<std::string>
     warnings_of_ends(const SolvedStep &solved) const;
-    /// What the holds of bodies bear where contact forces do not balance in
+    /// What the holds of bodies bear where forces do not balance in
     /// motions that they take out.
     std::vector<std::string>
-    warnings_of_holds(const Checks &checks) const;
+    warnings_of_holds(const SolvedStep &solved) const;
     /// What is to be said of stresses whose equilibrium does not close.
     std::vector<std::string>
     warnings_of_closures(const Closures &closures) const;

@@ -71,6 +71,11 @@ namespace lamella
     double max_displacement = 0.;
   };
 
+  /// The last digits of the displacements @p u of a body, some of them
+  /// [length]: what makes forces and energies of no meaning.
+  double
+  rounding_of_places(const Vector &u);
+
   /**
    * The checks of @p state at load factor @p factor. What is rounding in an
    * energy is told by the stiffness of @p tangent. @p contacts are those

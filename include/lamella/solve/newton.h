@@ -42,6 +42,16 @@ namespace lamella
     /// of a correction is left, in at most so many back substitutions.
     double       difference = arithmetic::alike, follows = 1e-3;
     unsigned int max_follows = 20;
+    /// By how much further than with stabilising springs an iteration goes
+    /// without them, at most.
+    double released = 10.;
+    /// Corrections of this share of the size of the scene are small where
+    /// springs make them so.
+    double settles = 1e-7;
+    /// A motion that springs hold is unstable where its stiffness is below
+    /// minus that share of what presses over the size of the scene, and else
+    /// neutral.
+    double falls = 0.2;
     /// How often contacts pair anew in a step.
     unsigned int max_pairings = 3;
     /// A last correction of this share of the way of a step ends it without a
@@ -69,11 +79,13 @@ namespace lamella
     /// Unbalanced forces over internal forces or loads; the length by which
     /// gaps miss the contact law.
     double residual = 0., law_error = 0.;
+    /// Of each body the length of the last correction where all forces are
+    /// rounding, of bodies that supports carry away; else empty.
+    std::vector<double> rounding;
   };
 
   /**
    * Newton's method for structures whose internal forces are not linear,
-   * without stabilising springs,
    *   f_int(u) = f(t) + B(u)^T lambda,   u = G v + u_p(t),
    * with the contact law of the gaps g(u, t) >= 0 of surfaces that have moved,
    * B their gradient, from one load factor to the next.
@@ -90,6 +102,9 @@ namespace lamella
    * predicted (GreenAnswer): from 17 iterations down to 7 in a cantilever that
    * rolls up in one step. Where that fails the step is tried with the
    * stress as it is, and then in halves.
+   *
+   * Stabilising springs are in K alone: they are without force where each
+   * iterate is, and hold back corrections of what nothing but contact holds.
    *
    * It ends where forces balance, gaps keep the law, and no surfaces touch that
    * are not paired; else these are paired anew and it goes on. (Which of rows
@@ -108,7 +123,7 @@ namespace lamella
     /// Takes a line of text.
     using Progress = std::function<void(const std::string &)>;
 
-    /// Without contact. Throws InputError if @p structure has springs.
+    /// Without contact.
     explicit Newton(const Structure        &structure,
                     const SolverKind        asked      = SolverKind::automatic,
                     const NewtonParameters &parameters = NewtonParameters());
@@ -203,14 +218,22 @@ namespace lamella
             const LoadFactor  &to,
             State             &state) const;
 
+    /// What makes a tangent definite that has no other hold: rows that lean, or
+    /// stabilising springs that are as many times firmer.
+    struct Aid
+    {
+      std::unique_ptr<const LeaningRows> leaning;
+      double                             firmer = 1.;
+    };
+
     /// The tangent of @p state, after the @p correction that led there, at @p
-    /// to; with @p leaning rows where bodies have no other hold. Throws
-    /// LostDigits where it is not definite with these either.
+    /// to; with an @p aid where it needs one. Throws LostDigits where none is
+    /// enough.
     Linearisation
-    tangent(const State                        &state,
-            const BlockVector                  &correction,
-            const LoadFactor                   &to,
-            std::unique_ptr<const LeaningRows> &leaning) const;
+    tangent(const State       &state,
+            const BlockVector &correction,
+            const LoadFactor  &to,
+            Aid               &aid) const;
 
     /// Throws LostDigits where the tangent of @p state at @p to is not definite
     /// with the rows that bear a force there. That of the last correction was,
@@ -223,6 +246,19 @@ namespace lamella
                     const State       &state,
                     const LoadFactor  &to) const;
 
+    /**
+     * Throws NumericsError where @p state at @p to is stable by its springs
+     * alone. With R their rows, so that R^T R is what they have in K, and C the
+     * compliance of K with the rows that bear a force held, the motions
+     * V = C R^T are all that they hold, of the energy
+     *   V^T (K - R^T R - H) V = G - G G - V^T H V,   G = R C R^T,
+     * which must not be negative beside the work of what presses on the way of
+     * such a motion over the size of the scene. Neutral ones are let pass, as
+     * of a block that may slide; what rubs is judged by its own law.
+     */
+    void
+    require_held(const State &state, const LoadFactor &to) const;
+
     /// Presses the gaps of @p rows in @p state at @p to by the @p strategy: its
     /// forces and active rows, and what that moves bodies by, which is in what
     /// is returned.
@@ -233,17 +269,25 @@ namespace lamella
           State            &state) const;
 
     /// What the correction @p du of the state @p u becomes where rows turn as
-    /// bodies move: with H = sum lambda Hess g of the forces of @p state, which
-    /// come along,
-    ///   K du - B^T dlambda = r + H du,
+    /// bodies move, and no spring is to hold them: with H = sum lambda Hess g
+    /// of the forces of @p state, which come along, and S the springs in K, so
+    /// many times @p firmer,
+    ///   K du - B^T dlambda = r + (H + S) du,
     /// for the rows that are active, by GMRES; @p du itself where that does not
     /// end.
     BlockVector
     follow_rows(ContactStrategy   &strategy,
                 const BlockVector &u,
                 const BlockVector &du,
+                const double       firmer,
                 const LoadFactor  &to,
                 State             &state) const;
+
+    /// f += S w of the stabilising springs, so many times @p firmer.
+    void
+    add_spring_forces(const double       firmer,
+                      const BlockVector &w,
+                      BlockVector       &f) const;
 
     /// H @p w about the state @p u, by central differences of B^T lambda; zero
     /// where a row is lost on the way.
@@ -257,6 +301,9 @@ namespace lamella
     /// rows turn by the sizes of their DoFs: warpings are no lengths.
     double
     length_of(const BlockVector &u) const;
+    /// That of each body.
+    std::vector<double>
+    lengths_of(const BlockVector &u) const;
 
     /// Shortens the @p change of bodies that would turn too far in it.
     void
@@ -266,6 +313,10 @@ namespace lamella
     /// it is.
     BlockVector
     unbalanced(const State &state, const LoadFactor &factor) const;
+
+    /// The unbalanced forces @p r, condensed @p here.
+    static BlockVector
+    condensed(const Linearisation &here, BlockVector r);
 
     /// Says in @p at, and to who listens, what is left of forces and gaps: the
     /// unbalanced forces @p r @p here at @p factor, condensed, over the loads
@@ -297,14 +348,21 @@ namespace lamella
     bool
     is_equilibrium(const Decay &unbalanced, const double change) const;
 
+    /// Whether the forces @p r @p here are, on each body, no more than the last
+    /// digits of the displacements @p u make.
+    bool
+    is_rounding(const Linearisation &here,
+                const BlockVector   &r,
+                const BlockVector   &u) const;
+
     /// Throws NumericsError: how far it came, and what became of the rest.
     [[noreturn]] void
     fail_beyond(const LoadFactor &reached, const LoadFactor &to) const;
 
-    /// Whether supports hold what they have to where they are still to move
-    /// bodies by @p moved.
+    /// Whether to move bodies by @p way leaves them where they are: what
+    /// supports are still to do, or a correction.
     bool
-    is_held(const BlockVector &moved) const;
+    is_still(const BlockVector &way) const;
 
     /// Whether gaps that miss the contact law by these lengths, at
     /// displacements of that @p size, are those of the law.

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#ifndef lamella_contact_roller_passage_h
-#define lamella_contact_roller_passage_h
+#ifndef lamella_contact_passage_h
+#define lamella_contact_passage_h
 
+#include <lamella/contact/contact_sides.h>
 #include <lamella/contact/mesh_surface.h>
 #include <lamella/contact/obstacle.h>
 
@@ -29,6 +30,20 @@ namespace lamella
    */
   bool
   goes_through(const BesideRoller &before, const BesideRoller &after);
+
+  /**
+   * Whether one of two bodies has gone through the other between two states:
+   * whether a node of either surface that was ahead of the other one, or in it
+   * by no more than the cells there are deep, is behind by more, where pairing
+   * looks for nothing (is_too_deep()). A node that came around an end is taken
+   * for one that went through, if it had its foot before and after: a shorter
+   * step tells.
+   *
+   * Feet are sought as far as the two surfaces move towards each other, so that
+   * small steps cost nothing.
+   */
+  bool
+  goes_through(const ContactSides &before, const ContactSides &after);
 } // namespace lamella
 
 #endif

@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <lamella/contact/foot.h>
+#include <lamella/contact/pairing.h>
+#include <lamella/contact/passage.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <utility>
+#include <vector>
+
+namespace lamella
+{
+  using namespace dealii;
+
+  namespace
+  {
+    /// From the axis to a place, across it, and whether the axis is ahead
+    /// there.
+    struct Beside
+    {
+      Tensor<1, 3> r;
+      bool         is_ahead;
+    };
+
+
+
+    Beside
+    beside(const Obstacle &roller, const FacetMap &map, const Point<2> &st)
+    {
+      const auto         place = map(st);
+      const Tensor<1, 3> r = roller.across_axis(place.position - roller.point);
+      return {r, r * map.outward(place) < 0.};
+    }
+
+
+
+    /// How near the chord from @p a to @p b comes to the origin.
+    double
+    nearest_of_chord(const Tensor<1, 3> &a, const Tensor<1, 3> &b)
+    {
+      const Tensor<1, 3> d      = b - a;
+      const double       length = d * d;
+      const double t = length > 0. ? std::clamp(-(a * d) / length, 0., 1.) : 0.;
+      return (a + t * d).norm();
+    }
+
+
+
+    /// Into how many parts a facet is divided each way.
+    unsigned int
+    parts_of(const FacetMap &map, const double longest)
+    {
+      constexpr double most = 40.;
+      double           size = 0.;
+      for (const Point<2> &st : {Point<2>(1., 0.), Point<2>(0., 1.)})
+        size =
+          std::max(size, map(st).position.distance(map({0., 0.}).position));
+      return std::clamp(std::ceil(size / longest), 2., most);
+    }
+  } // namespace
+
+
+
+  bool
+  goes_through(const BesideRoller &before, const BesideRoller &after)
+  {
+    const Obstacle &roller = before.roller;
+    if (roller.shape != Obstacle::Shape::cylinder)
+      return false;
+    for (unsigned int f = 0; f < before.surface.facets().size(); ++f)
+      {
+        const FacetMap &from = before.surface.facets()[f].map,
+                       &to   = after.surface.facets()[f].map;
+        const unsigned int n = parts_of(from, 0.5 * roller.radius);
+        for (unsigned int i = 0; i <= n; ++i)
+          for (unsigned int j = 0; j <= n; ++j)
+            {
+              const Point<2> st(double(i) / n, double(j) / n);
+              const Beside   was = beside(roller, from, st),
+                           is    = beside(after.roller, to, st);
+              if (was.is_ahead && !is.is_ahead &&
+                  nearest_of_chord(was.r, is.r) < roller.radius)
+                return true;
+            }
+      }
+    return false;
+  }
+
+
+
+  namespace
+  {
+    /// The longest way from one of @p before to the same of @p after.
+    double
+    longest_way(const std::vector<SurfacePoint> &before,
+                const std::vector<SurfacePoint> &after)
+    {
+      double longest = 0.;
+      for (unsigned int k = 0; k < before.size(); ++k)
+        longest =
+          std::max(longest, before[k].position.distance(after[k].position));
+      return longest;
+    }
+
+
+
+    /// The shallowest and the deepest of the cells below @p points.
+    std::pair<double, double>
+    depths(const std::vector<SurfacePoint> &points)
+    {
+      const auto [least, most] =
+        std::minmax_element(points.begin(),
+                            points.end(),
+                            [](const SurfacePoint &a, const SurfacePoint &b) {
+                              return a.depth < b.depth;
+                            });
+      return {least->depth, most->depth};
+    }
+
+
+
+    /// Whether @p point is behind @p surface, by more than cells are deep if it
+    /// is to be @p too_deep and by less otherwise; feet @p reach away at most.
+    bool
+    faces(const MeshSurface  &surface,
+          const SurfacePoint &point,
+          const double        reach,
+          const bool          too_deep)
+    {
+      const auto foot =
+        find_foot(surface, point.position, point.normal, reach, {});
+      return foot &&
+             is_too_deep(foot->distance,
+                         point.depth,
+                         surface.facets()[foot->facet].depth) == too_deep;
+    }
+  } // namespace
+
+
+
+  bool
+  goes_through(const ContactSides &before, const ContactSides &after)
+  {
+    std::array<std::vector<SurfacePoint>, 2> were, are;
+    double way = 0., depth = std::numeric_limits<double>::max(), most = 0.;
+    for (const bool second : {false, true})
+      {
+        were[second] = before.points(second);
+        are[second]  = after.points(second);
+        if (were[second].empty())
+          return false;
+        way += longest_way(were[second], are[second]);
+        const auto [shallow, deep] = depths(were[second]);
+        depth                      = std::min(depth, shallow);
+        most                       = std::max(most, deep);
+      }
+    if (way < depth)
+      return false;
+    // Behind it may have been by that much, too.
+    const double reach = way + most;
+    for (const bool second : {false, true})
+      for (unsigned int k = 0; k < were[second].size(); ++k)
+        if (faces(*after.surface(!second), are[second][k], reach, true) &&
+            faces(*before.surface(!second), were[second][k], reach, false))
+          return true;
+    return false;
+  }
+} // namespace lamella
