@@ -718,15 +718,12 @@ namespace lamella
                         const BlockVector &u,
                         const LoadFactor  &to) const
   {
+    const ContactSides then(undeformed, before, from), now(undeformed, u, to);
     if (interface.obstacle != nullptr)
-      {
-        const ContactSides then(undeformed, before, from),
-          now(undeformed, u, to);
-        return lamella::goes_through({*then.surface(false), *then.obstacle()},
-                                     {*now.surface(false), *now.obstacle()});
-      }
+      return lamella::goes_through({*then.surface(false), *then.obstacle()},
+                                   {*now.surface(false), *now.obstacle()});
     // What `adjust` has taken out of gaps is no depth.
-    if (!taken_out.empty())
+    if (!taken_out.empty() || !may_go_through(then, now))
       return false;
     // What comes from beside has its first foot somewhere on the way.
     constexpr unsigned int parts   = 4;
@@ -735,9 +732,8 @@ namespace lamella
       {
         BlockVector next = before;
         next.sadd(1. - double(k) / parts, double(k) / parts, u);
-        const ContactSides then(undeformed, reached, to),
-          now(undeformed, next, to);
-        if (lamella::goes_through(then, now))
+        if (lamella::goes_through(ContactSides(undeformed, reached, to),
+                                  ContactSides(undeformed, next, to)))
           return true;
         reached = next;
       }

@@ -141,30 +141,55 @@ namespace lamella
 
 
 
+  namespace
+  {
+    /// The nodes of both surfaces before and after, how far they move towards
+    /// each other at most, and the shallowest and the deepest cell below them.
+    struct Passage
+    {
+      Passage(const ContactSides &before, const ContactSides &after)
+      {
+        for (const bool second : {false, true})
+          {
+            were[second] = before.points(second);
+            are[second]  = after.points(second);
+            way += longest_way(were[second], are[second]);
+            if (were[second].empty())
+              continue;
+            const auto [shallow, deep] = depths(were[second]);
+            least                      = std::min(least, shallow);
+            most                       = std::max(most, deep);
+          }
+      }
+
+      std::array<std::vector<SurfacePoint>, 2> were, are;
+      double way = 0., least = std::numeric_limits<double>::max(), most = 0.;
+    };
+  } // namespace
+
+
+
+  bool
+  may_go_through(const ContactSides &before, const ContactSides &after)
+  {
+    const Passage passage(before, after);
+    return passage.way >= passage.least;
+  }
+
+
+
   bool
   goes_through(const ContactSides &before, const ContactSides &after)
   {
-    std::array<std::vector<SurfacePoint>, 2> were, are;
-    double way = 0., depth = std::numeric_limits<double>::max(), most = 0.;
-    for (const bool second : {false, true})
-      {
-        were[second] = before.points(second);
-        are[second]  = after.points(second);
-        if (were[second].empty())
-          return false;
-        way += longest_way(were[second], are[second]);
-        const auto [shallow, deep] = depths(were[second]);
-        depth                      = std::min(depth, shallow);
-        most                       = std::max(most, deep);
-      }
-    if (way < depth)
-      return false;
+    const Passage passage(before, after);
     // Behind it may have been by that much, too.
-    const double reach = way + most;
+    const double reach = passage.way + passage.most;
     for (const bool second : {false, true})
-      for (unsigned int k = 0; k < were[second].size(); ++k)
-        if (faces(*after.surface(!second), are[second][k], reach, true) &&
-            faces(*before.surface(!second), were[second][k], reach, false))
+      for (unsigned int k = 0; k < passage.were[second].size(); ++k)
+        if (faces(
+              *after.surface(!second), passage.are[second][k], reach, true) &&
+            faces(
+              *before.surface(!second), passage.were[second][k], reach, false))
           return true;
     return false;
   }

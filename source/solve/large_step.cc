@@ -51,8 +51,12 @@ namespace lamella
       for (unsigned int b = 0; b < solved.state.u.n_blocks(); ++b)
         {
           double size = digits * solved.state.u.block(b).linfty_norm();
+          // What has carried one body along has pressed on others.
           if (!end.rounding.empty())
-            size = std::max(size, end.rounding[b] / arithmetic::rounding);
+            size = std::max(size,
+                            *std::max_element(end.rounding.begin(),
+                                              end.rounding.end()) /
+                              arithmetic::rounding);
           solved.state.free_sizes.push_back(
             before.free_sizes.empty() ? size :
                                         std::max(size, before.free_sizes[b]));

@@ -240,9 +240,14 @@ namespace lamella
     result.size =
       std::max({result.r.l2_norm(), load.l2_norm(), internal.l2_norm()});
     // Where nothing touches yet there may be nothing but what bodies that were
-    // carried along have of rounding.
-    if (!contacts.none() && at.state.active.empty() && load.l2_norm() == 0. &&
-        is_rounding(here, internal, at.state.u))
+    // carried along have of rounding, and what they have pressed others by.
+    double rounding = 0.;
+    if (!contacts.none() && at.state.active.empty() && load.l2_norm() == 0.)
+      for (unsigned int b = 0; b < internal.n_blocks(); ++b)
+        rounding = std::max(rounding,
+                            here.largest_stiffness(b) *
+                              rounding_of_places(at.state.u.block(b)));
+    if (result.size <= rounding)
       result.size = 0.;
     return result;
   }

@@ -39,11 +39,15 @@ namespace lamella
    * for one that went through, if it had its foot before and after: a shorter
    * step tells.
    *
-   * Feet are sought as far as the two surfaces move towards each other, so that
-   * small steps cost nothing.
+   * Feet are sought as far as the two surfaces move towards each other.
    */
   bool
   goes_through(const ContactSides &before, const ContactSides &after);
+
+  /// Whether the two surfaces move towards each other by as much as a cell is
+  /// deep at least: nothing goes through else.
+  bool
+  may_go_through(const ContactSides &before, const ContactSides &after);
 } // namespace lamella
 
 #endif
