@@ -79,6 +79,20 @@ namespace lamella
 
 
 
+  std::vector<FieldSample>
+  Beam::samples_at(const std::vector<SectionPoint> &points,
+                   const std::vector<AxisPoint>    &places,
+                   const Vector                    &u) const
+  {
+    std::vector<FieldSample> samples;
+    for (const AxisPoint &on_axis : places)
+      for (const SectionPoint &point : points)
+        samples.push_back(sample_at(point, on_axis, u));
+    return samples;
+  }
+
+
+
   FieldSample
   Beam::sample(const Location &where, const Vector &u) const
   {
@@ -359,12 +373,55 @@ namespace lamella
 
 
   void
+  Beam::for_each_turned_cell(const GridIntervals   &n,
+                             const Vector          &u,
+                             const UseOfOutputCell &use) const
+  {
+    const unsigned int n_cells = beam_section->n_cells(), in_line = n[0] + 1,
+                       in_cell = in_line * (n[2] + 1);
+    std::vector<SectionPoint> points;
+    std::vector<OutputCell>   cells;
+    for (unsigned int c = 0; c < n_cells; ++c)
+      {
+        cells.push_back(empty_output_cell(c));
+        for (unsigned int k = 0; k < in_cell; ++k)
+          points.push_back(beam_section->evaluate(
+            c, {double(k % in_line) / n[0], double(k / in_line) / n[2]}));
+      }
+    const auto [begin, end] = beam_axis->own_cells();
+    for (unsigned int axis_cell = begin; axis_cell < end; ++axis_cell)
+      {
+        std::vector<AxisPoint> places;
+        for (unsigned int j = 0; j <= n[1]; ++j)
+          places.push_back(beam_axis->evaluate(axis_cell, double(j) / n[1]));
+        const std::vector<FieldSample> samples = samples_at(points, places, u);
+        for (unsigned int c = 0; c < n_cells; ++c)
+          {
+            OutputCell cell = cells[c];
+            for (unsigned int k = 0; k <= n[2]; ++k)
+              for (unsigned int j = 0; j < places.size(); ++j)
+                for (unsigned int i = 0; i < in_line; ++i)
+                  {
+                    const unsigned int p = c * in_cell + k * in_line + i;
+                    const Point<2>    &x = points[p].position;
+                    cell.positions.push_back(
+                      placement.to_scene({x[0], places[j].y, x[1]}));
+                    cell.samples.push_back(samples[j * points.size() + p]);
+                  }
+            use((axis_cell - begin) * n_cells + c, cell);
+          }
+      }
+  }
+
+
+
+  void
   Beam::for_each_output_cell(const GridIntervals   &n,
                              const Vector          &u,
                              const UseOfOutputCell &use) const
   {
     if (turns())
-      return Body::for_each_output_cell(n, u, use);
+      return for_each_turned_cell(n, u, use);
     std::vector<double> etas;
     for (unsigned int j = 0; j <= n[1]; ++j)
       etas.push_back(double(j) / n[1]);

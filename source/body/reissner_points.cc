@@ -8,12 +8,88 @@
 #include <lamella/body/reissner_beam.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 
 namespace lamella
 {
   using namespace dealii;
+
+  // ---- a section in a state
+
+  ReissnerBeam::SectionState
+  ReissnerBeam::section_state(const unsigned int cell, const Frame &frame) const
+  {
+    SectionState state{frame, strains(frame), {}, {}};
+    state.value.assign(section().n_fields(), 0.);
+    state.derivative.assign(section().n_fields(), 0.);
+    const auto set = [&](const unsigned int alpha, const double by) {
+      if (alpha < section().n_fields())
+        state.derivative[alpha] = by;
+    };
+    set(RigidField::translation_x, state.e[0]);
+    set(RigidField::translation_y, state.e[1]);
+    set(RigidField::translation_z, state.e[2]);
+    set(RigidField::slope_z, -h * state.e[3]);
+    set(RigidField::rotation_y, h * state.e[4]);
+    set(RigidField::slope_x, h * state.e[5]);
+    const std::vector<unsigned int> &warpings = laws[cell]->warpings;
+    for (unsigned int a = 0; a < warpings.size(); ++a)
+      {
+        const double *mode = fields().mode(warpings[a] - fields().first_mode());
+        for (unsigned int alpha = 0; alpha < section().n_fields(); ++alpha)
+          {
+            state.value[alpha] += mode[alpha] * frame.a[a];
+            state.derivative[alpha] += mode[alpha] * frame.da[a];
+          }
+      }
+    return state;
+  }
+
+
+
+  ReissnerBeam::SectionState
+  ReissnerBeam::section_state(const AxisPoint &on_axis, const Vector &u) const
+  {
+    return section_state(on_axis.cell,
+                         frame_at(on_axis, element(on_axis.cell, u)));
+  }
+
+
+
+  Tensor<1, 3>
+  ReissnerBeam::from_centre(const SectionPoint &point) const
+  {
+    // The slopes are (x - x_c) / h and (z - z_c) / h along y.
+    const auto along = [&](const unsigned int alpha) {
+      const auto found =
+        std::find(point.fields->begin(), point.fields->end(), alpha);
+      return found == point.fields->end() ?
+               0. :
+               point.value[found - point.fields->begin()][1];
+    };
+    return Tensor<1, 3>(
+      {h * along(RigidField::slope_x), 0., h * along(RigidField::slope_z)});
+  }
+
+
+
+  Tensor<1, 3>
+  ReissnerBeam::displacement(const SectionPoint &point,
+                             const SectionState &state) const
+  {
+    const Tensor<2, 3> R = rotation_of(state.frame.Q);
+    const Tensor<1, 3> X = from_centre(point);
+    Tensor<1, 3>       warping;
+    for (unsigned int k = 0; k < point.fields->size(); ++k)
+      warping += state.value[(*point.fields)[k]] * point.value[k];
+    return state.frame.r + (R * X - X) + R * warping;
+  }
+
+
+
+  // ---- points of it
 
   ReissnerBeam::PointFields
   ReissnerBeam::fields_at(const Location::Place &place) const
@@ -23,16 +99,7 @@ namespace lamella
       section().evaluate(place.cell % n, {place.unit[0], place.unit[2]});
     PointFields result;
     result.on_axis = axis().evaluate(cell, place.unit[1]);
-    // The slopes are (x - x_c) / h and (z - z_c) / h along y.
-    const auto value = [&](const unsigned int alpha) {
-      const auto found =
-        std::find(point.fields->begin(), point.fields->end(), alpha);
-      return found == point.fields->end() ?
-               Tensor<1, 3>() :
-               point.value[found - point.fields->begin()];
-    };
-    result.X[0] = h * value(RigidField::slope_x)[1];
-    result.X[2] = h * value(RigidField::slope_z)[1];
+    result.X       = from_centre(point);
     for (const unsigned int alpha : laws[cell]->warpings)
       {
         const double *mode = fields().mode(alpha - fields().first_mode());
@@ -56,19 +123,12 @@ namespace lamella
 
 
 
-  Tensor<1, 3>
-  ReissnerBeam::displacement(const PointFields &at, const Frame &frame)
-  {
-    const Tensor<2, 3> R = rotation_of(frame.Q);
-    return frame.r + (R * at.X - at.X) + R * warping(at, frame);
-  }
-
-
-
   Tensor<2, 3>
   ReissnerBeam::turn_at(const Location &location, const Vector &u) const
   {
-    const AxisPoint point = fields_at(location.places[0]).on_axis;
+    const Location::Place &place = location.places[0];
+    const AxisPoint        point =
+      axis().evaluate(place.cell / section().n_cells(), place.unit[1]);
     return transpose(placement.axes) *
            rotation_of(frame_at(point, element(point.cell, u)).Q) *
            placement.axes;
@@ -80,15 +140,28 @@ namespace lamella
   ReissnerBeam::displacements(const std::vector<Location> &locations,
                               const Vector                &u) const
   {
+    // The nodes of a surface are few points of the section at few of the axis.
+    std::map<std::pair<unsigned int, double>, SectionState> states;
+    std::map<std::pair<unsigned int, std::array<double, 2>>, SectionPoint>
+                              points;
+    const unsigned int        n = section().n_cells();
     std::vector<Tensor<1, 3>> result;
     for (const Location &where : locations)
       {
         Tensor<1, 3> mean;
         for (const Location::Place &place : where.places)
           {
-            const PointFields at   = fields_at(place);
-            const unsigned    cell = at.on_axis.cell;
-            mean += displacement(at, frame_at(at.on_axis, element(cell, u)));
+            const unsigned int cell = place.cell / n, c = place.cell % n;
+            const Point<3>    &unit = place.unit;
+            const auto [state, is_new_state] =
+              states.try_emplace({cell, unit[1]});
+            if (is_new_state)
+              state->second = section_state(axis().evaluate(cell, unit[1]), u);
+            const auto [point, is_new_point] =
+              points.try_emplace({c, {{unit[0], unit[2]}}});
+            if (is_new_point)
+              point->second = section().evaluate(c, {unit[0], unit[2]});
+            mean += displacement(point->second, state->second);
           }
         result.push_back(
           placement.vector_to_scene(mean / double(where.places.size())));
@@ -286,40 +359,43 @@ namespace lamella
 
 
   Voigt
-  ReissnerBeam::strain_at(const SectionPoint        &point,
-                          const unsigned int         cell,
-                          const std::vector<double> &e) const
+  ReissnerBeam::strain_at(const SectionPoint &point,
+                          const SectionState &state) const
   {
-    const std::vector<unsigned int> &warpings = laws[cell]->warpings;
-    const unsigned int               m        = warpings.size();
-    // The numbers of the section's fields: of value and of derivative.
-    std::vector<double> value(section().n_fields(), 0.),
-      derivative(section().n_fields(), 0.);
-    const auto set = [&](const unsigned int alpha, const double by) {
-      if (alpha < section().n_fields())
-        derivative[alpha] = by;
-    };
-    set(RigidField::translation_x, e[0]);
-    set(RigidField::translation_y, e[1]);
-    set(RigidField::translation_z, e[2]);
-    set(RigidField::slope_z, -h * e[3]);
-    set(RigidField::rotation_y, h * e[4]);
-    set(RigidField::slope_x, h * e[5]);
-    Voigt strain = e[n_strains - 1] * twist_strain(point);
+    Voigt strain = state.e[n_strains - 1] * twist_strain(point);
     for (unsigned int k = 0; k < point.fields->size(); ++k)
       {
         const unsigned int alpha = (*point.fields)[k];
-        for (unsigned int a = 0; a < m; ++a)
-          {
-            const double by =
-              fields().mode(warpings[a] - fields().first_mode())[alpha];
-            value[alpha] += by * e[n_strains + a];
-            derivative[alpha] += by * e[n_strains + m + a];
-          }
-        strain +=
-          value[alpha] * point.in_plane[k] + derivative[alpha] * point.along[k];
+        strain += state.value[alpha] * point.in_plane[k] +
+                  state.derivative[alpha] * point.along[k];
       }
     return strain;
+  }
+
+
+
+  FieldSample
+  ReissnerBeam::sample_of_section(const SectionPoint &point,
+                                  const double        y,
+                                  const SectionState &state) const
+  {
+    const ElasticLaw law =
+      law_at(point.cell,
+             point.position,
+             placement.to_scene({point.position[0], y, point.position[1]}));
+    Voigt strain = strain_at(point, state);
+    if (is_heated())
+      strain += section().completion_of_initial(point.cell,
+                                                point.position,
+                                                law.initial_strain());
+    FieldSample sample =
+      sample_of(displacement(point, state),
+                strain,
+                placement,
+                section().ply_axes(point.cell, point.position),
+                law);
+    sample.turn = placement.turn_in_scene(rotation_of(state.frame.Q));
+    return sample;
   }
 
 
@@ -329,47 +405,38 @@ namespace lamella
                           const AxisPoint    &on_axis,
                           const Vector       &u) const
   {
-    const Frame  frame = frame_at(on_axis, element(on_axis.cell, u));
-    const double length =
-      axis().cell_end(on_axis.cell) - axis().cell_begin(on_axis.cell);
-    const Location::Place place{on_axis.cell * section().n_cells() + point.cell,
-                                {point.unit[0],
-                                 (on_axis.y - axis().cell_begin(on_axis.cell)) /
-                                   length,
-                                 point.unit[1]}};
-    const ElasticLaw      law =
-      law_at(point.cell,
-             point.position,
-             placement.to_scene(
-               {point.position[0], on_axis.y, point.position[1]}));
-    Voigt strain = strain_at(point, on_axis.cell, strains(frame));
-    if (is_heated())
-      strain += section().completion_of_initial(point.cell,
-                                                point.position,
-                                                law.initial_strain());
-    FieldSample sample =
-      sample_of(displacement(fields_at(place), frame),
-                strain,
-                placement,
-                section().ply_axes(point.cell, point.position),
-                law);
-    sample.turn = placement.turn_in_scene(rotation_of(frame.Q));
-    return sample;
+    return sample_of_section(point, on_axis.y, section_state(on_axis, u));
+  }
+
+
+
+  std::vector<FieldSample>
+  ReissnerBeam::samples_at(const std::vector<SectionPoint> &points,
+                           const std::vector<AxisPoint>    &places,
+                           const Vector                    &u) const
+  {
+    std::vector<FieldSample> samples;
+    for (const AxisPoint &on_axis : places)
+      {
+        const SectionState state = section_state(on_axis, u);
+        for (const SectionPoint &point : points)
+          samples.push_back(sample_of_section(point, on_axis.y, state));
+      }
+    return samples;
   }
 
 
 
   void
-  ReissnerBeam::add_strains(const unsigned int         cell,
-                            const std::vector<double> &e,
-                            Deformation               &deformation) const
+  ReissnerBeam::add_strains(const SectionState &state,
+                            Deformation        &deformation) const
   {
     const auto &points  = section().integration_points();
     const auto &weights = section().integration_weights();
     double      square = 0., area = 0., change = 0.;
     for (unsigned int k = 0; k < points.size(); ++k)
       {
-        const Voigt strain = strain_at(points[k], cell, e);
+        const Voigt strain = strain_at(points[k], state);
         for (const double value : eigenvalues(strain_tensor(strain)))
           deformation.max_strain =
             std::max(deformation.max_strain, std::abs(value));
@@ -377,7 +444,7 @@ namespace lamella
         area += weights[k];
       }
     for (unsigned int c = 0; c < 3; ++c)
-      change += stiffening[c] * e[3 + c] * e[3 + c];
+      change += stiffening[c] * state.e[3 + c] * state.e[3 + c];
     deformation.max_mean_strain =
       std::max(deformation.max_mean_strain, std::sqrt(square / area));
     deformation.shape_change =
@@ -397,18 +464,19 @@ namespace lamella
           is_heated() ? heat_stresses(cell) : std::vector<Vector>();
         for (unsigned int k = 0; k < stations[cell].size(); ++k)
           {
-            const Station            &station = stations[cell][k];
-            const Frame               frame   = frame_at(station.point, at);
-            const std::vector<double> e       = strains(frame);
-            Vector                    s       = stresses(*laws[cell], e);
+            const Station     &station = stations[cell][k];
+            const SectionState state =
+              section_state(cell, frame_at(station.point, at));
+            const std::vector<double> &e = state.e;
+            Vector                     s = stresses(*laws[cell], e);
             s *= 0.5;
             if (is_heated())
               s -= of_heat[k];
             result.energy += station.weight * (Vector(e.begin(), e.end()) * s);
-            add_strains(cell, e, result);
-            result.max_rotation =
-              std::max(result.max_rotation,
-                       rotation_vector_of(frame.Q / frame.Q.norm()).norm());
+            add_strains(state, result);
+            result.max_rotation = std::max(
+              result.max_rotation,
+              rotation_vector_of(state.frame.Q / state.frame.Q.norm()).norm());
           }
       }
     return over_processes(result);

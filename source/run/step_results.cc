@@ -374,6 +374,34 @@ namespace lamella
 
 
 
+  double
+  StepRecorder::largest_moment(const SolvedStep &solved) const
+  {
+    // Couples bear on thin sections with forces that are far larger than what
+    // they are over the size of the scene.
+    const double size    = structure.size();
+    double       largest = 0.;
+    for (const LoadResultant &load : structure.load_resultants())
+      largest = std::max(largest,
+                         load.force.norm() * size >
+                             arithmetic::as_written * load.moment.norm() ?
+                           load.force.norm() * size :
+                           load.moment.norm());
+    largest *= std::abs(solved.load_factor.of_scene());
+    for (const Resultant &reaction : solved.checks.reactions)
+      largest = std::max(largest, reaction.force.norm() * size);
+    for (const KuhnTucker &contact : solved.checks.contacts)
+      largest = std::max(largest, contact.force.norm() * size);
+    // Loads that balance on their own, and heat, leave rounding.
+    const double of_nodes =
+      size *
+      std::max(structure.load(solved.load_factor, solved.state.u).linfty_norm(),
+               arithmetic::as_written * structure.heat_load().l2_norm());
+    return largest > arithmetic::as_written * of_nodes ? largest : of_nodes;
+  }
+
+
+
   std::vector<std::string>
   StepRecorder::warnings_of_holds(const SolvedStep &solved) const
   {
@@ -392,13 +420,13 @@ namespace lamella
       largest = std::max(largest, reaction.force.norm());
     for (const KuhnTucker &contact : checks.contacts)
       largest = std::max(largest, contact.force.norm());
+    const double of_moments =
+      checks.is_large ? largest_moment(solved) : largest * structure.size();
     for (unsigned int s = 0; s < scene.supports.size(); ++s)
       {
         const Resultant &reaction = checks.reactions[s];
-        const double     share =
-          std::max(reaction.force.norm(),
-                   reaction.moment.norm() / structure.size()) /
-          largest;
+        const double     share    = std::max(reaction.force.norm() / largest,
+                                      reaction.moment.norm() / of_moments);
         if (scene.supports[s].hold && share > worth_saying &&
             (checks.is_large || !checks.contacts.empty()))
           warnings.push_back(
@@ -406,7 +434,7 @@ namespace lamella
             structure.bodies()[scene.supports[s].hold->body]->name() +
             "' bears a force of " + to_text(reaction.force) +
             " and a moment of " + to_text(reaction.moment) + ", " +
-            to_text(100. * share, 2) + " % of the largest force: " +
+            to_text(100. * share, 2) + " % of the largest: " +
             (checks.is_large ?
                "where bodies have gone loads and contact forces " :
                "contact forces off their main direction ") +

@@ -50,6 +50,7 @@ namespace lamella
   FieldSpace::FieldSpace(std::shared_ptr<const Section> section)
     : base(std::move(section))
     , modes(base->n_fields(), 0)
+    , of_fields(measured())
   {}
 
 
@@ -58,6 +59,7 @@ namespace lamella
                          FieldColumns                   columns)
     : base(std::move(section))
     , modes(std::move(columns))
+    , of_fields(measured())
   {
     if (n_modes() == 0)
       return;
@@ -107,7 +109,7 @@ namespace lamella
 
 
   std::vector<double>
-  FieldSpace::sizes() const
+  FieldSpace::measured() const
   {
     std::vector<double> squares(n_fields(), 0.);
     const auto          look_at = [&squares](const unsigned int  alpha,

@@ -52,11 +52,7 @@ namespace lamella
         {
           double size = digits * solved.state.u.block(b).linfty_norm();
           // What has carried one body along has pressed on others.
-          if (!end.rounding.empty())
-            size = std::max(size,
-                            *std::max_element(end.rounding.begin(),
-                                              end.rounding.end()) /
-                              arithmetic::rounding);
+          size = std::max(size, end.rounding / arithmetic::rounding);
           solved.state.free_sizes.push_back(
             before.free_sizes.empty() ? size :
                                         std::max(size, before.free_sizes[b]));

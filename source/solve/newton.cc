@@ -15,6 +15,18 @@ namespace lamella
   {
     const std::vector<ContactInterface> no_interfaces;
     const Contacts                      no_contacts;
+
+
+
+    /// What the last digits of the displacements @p u make of forces of the
+    /// body @p b.
+    double
+    rounding_of_forces(const Linearisation &here,
+                       const BlockVector   &u,
+                       const unsigned int   b)
+    {
+      return here.largest_stiffness(b) * rounding_of_places(u.block(b));
+    }
   } // namespace
 
 
@@ -91,14 +103,17 @@ namespace lamella
     BlockVector       internal = load;
     contacts.add_forces(at.state, internal);
     internal -= r;
-    const double norm = condensed(here, r).l2_norm();
+    const BlockVector left = condensed(here, r);
+    const double      norm = left.l2_norm();
     // From rest, where nothing but an obstacle moves, there was nothing.
     if (began == 0.)
       began = norm;
     // Of nothing there is no share.
     const double share = norm / std::max(internal.l2_norm(), load.l2_norm());
     at.residual =
-      norm <= parameters.nothing * began && !(share <= parameters.balanced) ?
+      norm <= parameters.nothing * began && !(share <= parameters.balanced) &&
+          // What springs alone hold one body with is no rounding of another.
+          (!structure.has_springs() || is_rounding(here, left, at.state.u)) ?
         0. :
         share;
     at.law_error = contacts.law_error(at.state, factor);
@@ -155,8 +170,7 @@ namespace lamella
                       const BlockVector   &u) const
   {
     for (unsigned int b = 0; b < u.n_blocks(); ++b)
-      if (!(r.block(b).l2_norm() <=
-            here.largest_stiffness(b) * rounding_of_places(u.block(b))))
+      if (!(r.block(b).l2_norm() <= rounding_of_forces(here, u, b)))
         return false;
     return true;
   }
@@ -182,32 +196,18 @@ namespace lamella
 
 
 
-  std::vector<double>
-  Newton::lengths_of(const BlockVector &u) const
-  {
-    std::vector<double> largest;
-    for (unsigned int b = 0; b < sizes.size(); ++b)
-      if (sizes[b].empty())
-        largest.push_back(u.block(b).linfty_norm());
-      else
-        {
-          largest.push_back(0.);
-          for (DofIndex dof = 0; dof < sizes[b].size(); ++dof)
-            largest.back() =
-              std::max(largest.back(),
-                       std::abs(u.block(b)[dof]) * sizes[b][dof]);
-        }
-    return largest;
-  }
-
-
-
   double
   Newton::length_of(const BlockVector &u) const
   {
-    const std::vector<double> lengths = lengths_of(u);
-    return lengths.empty() ? 0. :
-                             *std::max_element(lengths.begin(), lengths.end());
+    double largest = 0.;
+    for (unsigned int b = 0; b < sizes.size(); ++b)
+      if (sizes[b].empty())
+        largest = std::max(largest, u.block(b).linfty_norm());
+      else
+        for (DofIndex dof = 0; dof < sizes[b].size(); ++dof)
+          largest =
+            std::max(largest, std::abs(u.block(b)[dof]) * sizes[b][dof]);
+    return largest;
   }
 
 
@@ -244,9 +244,7 @@ namespace lamella
     double rounding = 0.;
     if (!contacts.none() && at.state.active.empty() && load.l2_norm() == 0.)
       for (unsigned int b = 0; b < internal.n_blocks(); ++b)
-        rounding = std::max(rounding,
-                            here.largest_stiffness(b) *
-                              rounding_of_places(at.state.u.block(b)));
+        rounding = std::max(rounding, rounding_of_forces(here, at.state.u, b));
     if (result.size <= rounding)
       result.size = 0.;
     return result;
@@ -313,9 +311,7 @@ namespace lamella
                 require_minimum(before, last, state, to);
                 end_friction(pressed, to, state);
                 at.factor   = to;
-                at.rounding = balances && at.residual > 0. ?
-                                std::vector<double>() :
-                                lengths_of(last.du);
+                at.rounding = balances && at.residual > 0. ? 0. : change;
                 return true;
               }
             if (++pairings > parameters.max_pairings)
@@ -393,6 +389,10 @@ namespace lamella
       (contacts.none() ? "" :
                          " A body that nothing but another body keeps from "
                          "buckling is not found either (obstacles may).") +
+      (structure.has_springs() ?
+         " Where little holds a body with Stabilisation, smaller or larger "
+         "springs may find it (1e-8 to 1e-5)." :
+         "") +
       (last_failure.empty() ? "" : " (" + last_failure + ")"));
   }
 

@@ -162,8 +162,8 @@ namespace lamella
   {
     if (last.is_unstable)
       fail_as_unstable();
-    if (structure.has_springs())
-      require_held(state, to);
+    if (structure.has_springs() && require_held(state, to))
+      return;
     BlockVector way = state.u;
     way -= before;
     if (!last.leans &&

@@ -196,17 +196,18 @@ namespace lamella
 
 
 
-  void
+  bool
   Newton::require_held(const State &state, const LoadFactor &to) const
   {
-    Aid                 aid;
-    const Linearisation about = tangent(state, BlockVector(), to, aid);
+    const double pressing = size_of_forces(structure, state, to);
+    if (contacts.rows().rub() || pressing == 0.)
+      return false;
     // What is carried along has rounding for stresses.
     const BlockVector internal = structure.internal_forces(state.u, state.rest);
-    const double      pressing = size_of_forces(structure, state, to);
-    if (contacts.rows().rub() || pressing == 0. ||
-        is_rounding(about, internal, state.u))
-      return;
+    if (is_rounding(Linearisation(structure, state.u), internal, state.u))
+      return false;
+    Aid                 aid;
+    const Linearisation about = tangent(state, BlockVector(), to, aid);
     const GapRows rows  = aid.leaning ? aid.leaning->rows() : contacts.rows();
     const auto    loads = loads_of_springs(structure, aid.firmer);
     const auto    modes = answers(about, rows, state, loads);
@@ -232,5 +233,6 @@ namespace lamella
         "Nothing but stabilising springs keeps a body where it is: under what "
         "bears on it it would turn over or run away. Give it a Support where "
         "the real one is.");
+    return true;
   }
 } // namespace lamella

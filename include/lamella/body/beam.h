@@ -261,7 +261,8 @@ namespace lamella
     picture_degrees() const override;
     /**
      * A product, too: the fields' coefficients are formed once at each place
-     * along the axis, the functions of the section once at each of its points.
+     * along the axis, the functions of the section once at each of its points
+     * (of sections that turn, samples_at() what these are).
      * Numbers are (own element of the axis) times (cells of the section) plus
      * (cell of the section). Memory: the coefficients of all places of this
      * process.
@@ -325,6 +326,13 @@ namespace lamella
     sample_at(const SectionPoint &point,
               const AxisPoint    &on_axis,
               const Vector       &u) const;
+
+    /// sample_at() @p points of the section at @p places along one element of
+    /// the axis: all points of a place one after the other.
+    virtual std::vector<FieldSample>
+    samples_at(const std::vector<SectionPoint> &points,
+               const std::vector<AxisPoint>    &places,
+               const Vector                    &u) const;
 
     /// The law of the section cell @p cell at the section's point @p at, with
     /// the initial strain of heat at @p x, which is that point in the scene.
@@ -396,6 +404,13 @@ namespace lamella
     /// node the differences to them.
     std::vector<std::vector<double>>
     coefficients_of_element(const unsigned int cell, const Vector &u) const;
+
+    /// for_each_output_cell() of what turns: the points of the section are
+    /// evaluated once, and sampled element by element of the axis.
+    void
+    for_each_turned_cell(const GridIntervals   &n,
+                         const Vector          &u,
+                         const UseOfOutputCell &use) const;
 
     /// Those at the places @p etas in [0, 1] of the axis element @p cell.
     AxisStates

@@ -115,6 +115,10 @@ namespace lamella
     sample_at(const SectionPoint &point,
               const AxisPoint    &on_axis,
               const Vector       &u) const override;
+    std::vector<FieldSample>
+    samples_at(const std::vector<SectionPoint> &points,
+               const std::vector<AxisPoint>    &places,
+               const Vector                    &u) const override;
     /// A block for each own element of the axis.
     void
     for_each_tangent_block(
@@ -324,13 +328,36 @@ namespace lamella
     add_warping_tangent(const unsigned int                cell,
                         dealii::LAPACKFullMatrix<double> &K) const;
 
+    /// A section in a state.
+    struct SectionState
+    {
+      Frame frame;
+      /// e, and what the warpings and the frame's strains are of each field of
+      /// the section: of its value and of its derivative along the axis.
+      std::vector<double> e, value, derivative;
+    };
+    /// That of a section of the element @p cell.
+    SectionState
+    section_state(const unsigned int cell, const Frame &frame) const;
+    SectionState
+    section_state(const AxisPoint &on_axis, const Vector &u) const;
+
     PointFields
     fields_at(const Location::Place &place) const;
-    /// Phi a and the displacement of the point @p at, in axes of the body.
+    /// X of PointFields.
+    dealii::Tensor<1, 3>
+    from_centre(const SectionPoint &point) const;
+    /// Phi a of the point @p at, in axes of the body.
     static dealii::Tensor<1, 3>
     warping(const PointFields &at, const Frame &frame);
-    static dealii::Tensor<1, 3>
-    displacement(const PointFields &at, const Frame &frame);
+    /// The displacement of @p point, in axes of the body.
+    dealii::Tensor<1, 3>
+    displacement(const SectionPoint &point, const SectionState &state) const;
+    /// What is shown of @p point of a section at @p y that is in @p state.
+    FieldSample
+    sample_of_section(const SectionPoint &point,
+                      const double        y,
+                      const SectionState &state) const;
     /// R (X + Phi a) there.
     static TurnedVector
     turned_point(const PointFields &at, const Frame &frame);
@@ -361,19 +388,13 @@ namespace lamella
                   const unsigned int                spin,
                   dealii::LAPACKFullMatrix<double> &K);
 
-    /// Takes what sections with the strains @p e of the element @p cell have
-    /// into @p deformation.
+    /// Takes what a section in @p state has into @p deformation.
     void
-    add_strains(const unsigned int         cell,
-                const std::vector<double> &e,
-                Deformation               &deformation) const;
+    add_strains(const SectionState &state, Deformation &deformation) const;
 
-    /// The strain at @p point of the section where that of the frame is @p e,
-    /// of the element @p cell.
+    /// The strain at @p point of a section in @p state.
     Voigt
-    strain_at(const SectionPoint        &point,
-              const unsigned int         cell,
-              const std::vector<double> &e) const;
+    strain_at(const SectionPoint &point, const SectionState &state) const;
 
     /// The reference length of the section.
     double h;

@@ -9,7 +9,8 @@
 
 #include <deal.II/base/symmetric_tensor.h>
 
-#include <map>
+#include <boost/container/flat_map.hpp>
+
 #include <vector>
 
 namespace lamella
@@ -39,7 +40,7 @@ namespace lamella
       dealii::Tensor<1, 3>          normal;
       dealii::SymmetricTensor<2, 3> tangential;
     };
-    std::map<unsigned int, OfNode> carrying, opposing;
+    boost::container::flat_map<unsigned int, OfNode> carrying, opposing;
   };
 
   /// What decides on the place opposite of a material point.

@@ -82,6 +82,10 @@ namespace lamella
     /// Of bodies that turn, where an end of one lies in another.
     std::vector<std::string>
     warnings_of_ends(const SolvedStep &solved) const;
+    /// The largest couple of a load, or force of a load, a support or a contact
+    /// over the size of the scene, where forces of nodes are not all there is.
+    double
+    largest_moment(const SolvedStep &solved) const;
     /// What the holds of bodies bear where forces do not balance in
     /// motions that they take out.
     std::vector<std::string>

@@ -111,8 +111,11 @@ namespace lamella
 
     /// Of each field the largest displacement that a unit of it makes at the
     /// integration points; 1 of one that makes none there.
-    std::vector<double>
-    sizes() const;
+    const std::vector<double> &
+    sizes() const
+    {
+      return of_fields;
+    }
 
     /// The field @p alpha as numbers for the fields of the section.
     Vector
@@ -170,8 +173,13 @@ namespace lamella
     dealii::LAPACKFullMatrix<double>
     times_dense(const Matrix &S) const;
 
+    /// sizes().
+    std::vector<double>
+    measured() const;
+
     std::shared_ptr<const Section> base;
     FieldColumns                   modes;
+    std::vector<double>            of_fields;
     /// B^T S B for S_00, S_01, S_10, S_11 and S_shear.
     std::array<dealii::LAPACKFullMatrix<double>, 5> dense;
   };

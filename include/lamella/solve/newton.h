@@ -79,9 +79,9 @@ namespace lamella
     /// Unbalanced forces over internal forces or loads; the length by which
     /// gaps miss the contact law.
     double residual = 0., law_error = 0.;
-    /// Of each body the length of the last correction where all forces are
-    /// rounding, of bodies that supports carry away; else empty.
-    std::vector<double> rounding;
+    /// The length of the last correction where all forces are rounding, of
+    /// bodies that supports carry away; else 0.
+    double rounding = 0.;
   };
 
   /**
@@ -248,15 +248,16 @@ namespace lamella
 
     /**
      * Throws NumericsError where @p state at @p to is stable by its springs
-     * alone. With R their rows, so that R^T R is what they have in K, and C the
-     * compliance of K with the rows that bear a force held, the motions
-     * V = C R^T are all that they hold, of the energy
-     *   V^T (K - R^T R - H) V = G - G G - V^T H V,   G = R C R^T,
-     * which must not be negative beside the work of what presses on the way of
-     * such a motion over the size of the scene. Neutral ones are let pass, as
-     * of a block that may slide; what rubs is judged by its own law.
+     * alone, LostDigits where it is not even by them. Whether it was looked at:
+     * not where nothing presses, and what rubs is judged by its own law. With R
+     * their rows, so that R^T R is what they have in K, and C the compliance of
+     * K with the rows that bear a force held, the motions V = C R^T are all
+     * that they hold, of the energy V^T (K - R^T R - H) V = G - G G - V^T H V,
+     * G = R C R^T, which must not be negative beside the work of what presses
+     * on the way of such a motion over the size of the scene. Neutral ones are
+     * let pass, as of a block that may slide.
      */
-    void
+    bool
     require_held(const State &state, const LoadFactor &to) const;
 
     /// Presses the gaps of @p rows in @p state at @p to by the @p strategy: its
@@ -301,10 +302,6 @@ namespace lamella
     /// rows turn by the sizes of their DoFs: warpings are no lengths.
     double
     length_of(const BlockVector &u) const;
-    /// That of each body.
-    std::vector<double>
-    lengths_of(const BlockVector &u) const;
-
     /// Shortens the @p change of bodies that would turn too far in it.
     void
     shorten(BlockVector &change) const;
