@@ -458,6 +458,30 @@ def ring(alpha, radius=15., wall=0.5, nu=0.3, n=400, harmonics=6):
     return ds * np.sum(heights(shape) ** 2) / (math.pi * radius ** 3)
 
 
+def frame(section, up, guess, leg=120., pushed_at=24.):
+    """Lee's frame of tests/scenes/large_frame.prm, of rods: the angle at the hinge of the upright
+    leg, the force there, and what pushes the other leg up by so much."""
+    def residual(q):
+        force = q[1:3]
+        corner = shoot(section, [0., leg, q[0] - 0.5 * math.pi, 0.], leg, force)
+        corner[2] += 0.5 * math.pi
+        pushed = shoot(section, corner, pushed_at, force)
+        end = shoot(section, pushed, leg - pushed_at, force - np.array([0., q[3]]))
+        return np.array([pushed[1] - up, end[0] - leg, end[1], end[3]])
+
+    return solve(residual, guess)
+
+
+def frames():
+    print("large_frame: pushed up by, force of rods 1 and (Lee's) 2 thick")
+    for height in (1., 2.):
+        section, size = Section(720., 3., height), 0.125 * height ** 3
+        found = path(lambda up, guess: frame(section, up, guess), np.arange(2.5, 56., 2.5),
+                     np.array([0.02, 0.02 * size, 0.1 * size, 0.2 * size]))
+        for up in (10., 20., 40., 47.5, 50., 55.):
+            print(height, up, f"{found[up][3]:.7f}")
+
+
 def rings():
     print("large_tube: M / (E I k) of a ring, and of Brazier's first term")
     for alpha in (0.1, 0.2, 0.3, 0.4, 0.47):
@@ -466,7 +490,7 @@ def rings():
 
 def turning():
     """Rods beside tests/scenes/large_roller.prm, large_slide.prm, large_corners.prm,
-    turning_grip.prm, large_twist.prm and turning_spatial.prm; rings beside large_tube.prm."""
+    turning_grip.prm, large_twist.prm, turning_spatial.prm and large_frame.prm; rings beside large_tube.prm."""
     rollers()
     slides()
     ends()
@@ -474,3 +498,4 @@ def turning():
     grips()
     in_space()
     rings()
+    frames()
