@@ -490,7 +490,8 @@ def rings():
 
 def turning():
     """Rods beside tests/scenes/large_roller.prm, large_slide.prm, large_corners.prm,
-    turning_grip.prm, large_twist.prm, turning_spatial.prm and large_frame.prm; rings beside large_tube.prm."""
+    turning_grip.prm, large_twist.prm, turning_spatial.prm and large_frame.prm; rings beside
+    large_tube.prm."""
     rollers()
     slides()
     ends()

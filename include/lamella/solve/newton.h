@@ -249,13 +249,15 @@ namespace lamella
     /**
      * Throws NumericsError where @p state at @p to is stable by its springs
      * alone, LostDigits where it is not even by them. Whether it was looked at:
-     * not where nothing presses, and what rubs is judged by its own law. With R
-     * their rows, so that R^T R is what they have in K, and C the compliance of
-     * K with the rows that bear a force held, the motions V = C R^T are all
-     * that they hold, of the energy V^T (K - R^T R - H) V = G - G G - V^T H V,
-     * G = R C R^T, which must not be negative beside the work of what presses
-     * on the way of such a motion over the size of the scene. Neutral ones are
-     * let pass, as of a block that may slide.
+     * not where nothing presses, and what rubs is judged by its own law.
+     *
+     * With R their rows, so that R^T R is what they have in K, and C the
+     * compliance of K with the rows that bear a force held, the motions
+     * V = C R^T are all that they hold, of the energy
+     *   V^T (K - R^T R - H) V = G - G G - V^T H V,   G = R C R^T,
+     * which must not be negative beside the work of what presses on the way of
+     * such a motion over the size of the scene. Neutral ones are let pass, as
+     * of a block that may slide.
      */
     bool
     require_held(const State &state, const LoadFactor &to) const;
