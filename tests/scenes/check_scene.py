@@ -4,12 +4,14 @@
 
 Usage: check_scene.py LAMELLA FILE.expect WORKDIR
 
-A .expect file holds comments (#), one line `run SCENE.prm [arguments]` (the
-path relative to the file), at most one line `again [arguments]` (the same scene
-once more, with other arguments), and rows
+A .expect file holds comments (#) and one or more cases. A case is a line
+`run SCENE.prm [arguments]` (the path relative to the file; `new:KIND` is the scene
+that `lamella new --kind KIND` writes), at most one line `again [arguments]` (the same
+scene once more, with other arguments), and rows
 
     KEY | VALUE | TOLERANCE | SOURCE
 
+A line `all [arguments]` before the first case gives arguments that all cases share.
 SOURCE says where the expected number comes from and is never empty. TOLERANCE
 is `0.1%` (relative), `abs 1e-9`, `exact`, `below` (|result| <= VALUE), `limit`
 (result <= VALUE) or `above` (result >= VALUE). KEY is one of
@@ -60,6 +62,7 @@ import shlex
 import shutil
 import subprocess
 import sys
+from dataclasses import dataclass, field
 from pathlib import Path
 
 
@@ -70,30 +73,47 @@ class Fault(Exception):
 # ---- the .expect file
 
 
+@dataclass
+class Case:
+    """One `run` line of a .expect file with what follows it."""
+
+    run: list
+    again: list = None
+    rows: list = field(default_factory=list)
+
+
 def read_expectations(path):
-    """The `run` arguments, the `again` arguments (or None) and the rows."""
-    run, again, rows = None, None, []
+    """Returns the cases of the file."""
+    shared, cases = None, []
     for number, line in enumerate(path.read_text().splitlines(), 1):
         line = line.strip()
         word = line.split(maxsplit=1)[0] if line else "#"
         if word.startswith("#"):
             continue
-        if word in ("run", "again"):
-            if (run if word == "run" else again) is not None:
-                raise Fault(f"line {number}: a second `{word}`")
+        if word in ("all", "run", "again"):
             arguments = shlex.split(line)[1:]
-            run, again = (arguments, again) if word == "run" else (run, arguments)
+            if word == "all" and shared is None and not cases:
+                shared = arguments
+            elif word == "run" and arguments:
+                cases.append(Case(arguments + (shared or [])))
+            elif word == "again" and cases and cases[-1].again is None:
+                cases[-1].again = arguments + (shared or [])
+            else:
+                raise Fault(f"line {number}: `{word}` is out of place")
             continue
         # From the right, since a regular expression may hold the separator.
         cells = [cell.strip() for cell in line.rsplit("|", 3)]
         if len(cells) != 4 or not all(cells):
             raise Fault(f"line {number}: not KEY | VALUE | TOLERANCE | SOURCE")
-        rows.append(cells)
-    if not run:
+        if not cases:
+            raise Fault(f"line {number}: a row before the first `run SCENE.prm`")
+        cases[-1].rows.append(cells)
+    if not cases:
         raise Fault("no line `run SCENE.prm`")
-    if not rows:
-        raise Fault("no row to compare")
-    return run, again, rows
+    for case in cases:
+        if not case.rows:
+            raise Fault(f"no row to compare for `run {shlex.join(case.run)}`")
+    return cases
 
 
 # ---- what a run left behind
@@ -398,21 +418,32 @@ def print_table(rows):
         print("  ".join(cell.ljust(w) for cell, w in zip(row, widths)).rstrip())
 
 
-def check(program, path, workdir):
-    arguments, other_arguments, rows = read_expectations(path)
-    scene, extra = path.parent / arguments[0], arguments[1:]
+def scene_of(program, name, path, workdir):
+    """The path of the scene that the word after `run` names."""
+    if not name.startswith("new:"):
+        return path.parent / name
+    workdir.mkdir(parents=True, exist_ok=True)
+    scene = workdir / "new.prm"
+    scene.unlink(missing_ok=True)
+    subprocess.run([program, "new", scene.stem, "--kind", name[4:]], cwd=workdir,
+                   check=True, capture_output=True)
+    return scene
+
+
+def check(program, case, path, workdir):
+    scene, extra = scene_of(program, case.run[0], path, workdir), case.run[1:]
     runs = [Run(program, scene, extra, workdir / "run")]
-    if other_arguments is not None:
-        runs.append(Run(program, scene, other_arguments, workdir / "again"))
+    if case.again is not None:
+        runs.append(Run(program, scene, case.again, workdir / "again"))
     good = True
-    status_is_a_row = any(row[0] == "exit" for row in rows)
+    status_is_a_row = any(row[0] == "exit" for row in case.rows)
     for number, run in enumerate(runs):
         if run.status != 0 and not (status_is_a_row and number == 0):
             print(f"lamella ended with exit status {run.status} and said:")
             print(run.stderr or run.stdout[-2000:])
             good = False
     again = runs[1] if len(runs) > 1 else None
-    table = [compare_row(row, runs[0], again) for row in rows]
+    table = [compare_row(row, runs[0], again) for row in case.rows]
     print_table([["key", "result", "expected", "difference", "tolerance",
                   "source", ""]] + table)
     return good and all(row[-1] == "ok" for row in table)
@@ -421,10 +452,17 @@ def check(program, path, workdir):
 def main():
     if len(sys.argv) != 4:
         sys.exit("Usage: check_scene.py LAMELLA FILE.expect WORKDIR")
-    path, workdir = Path(sys.argv[2]), Path(sys.argv[3])
+    program, path = str(Path(sys.argv[1]).resolve()), Path(sys.argv[2])
+    workdir = Path(sys.argv[3]).resolve()
     workdir.mkdir(parents=True, exist_ok=True)
+    good = True
     try:
-        good = check(sys.argv[1], path, workdir)
+        cases = read_expectations(path)
+        for number, case in enumerate(cases, 1):
+            if len(cases) > 1:
+                print(f"{path.stem} {number}: {shlex.join(case.run)}")
+            folder = workdir / str(number) if len(cases) > 1 else workdir
+            good &= check(program, case, path, folder)
     except Fault as fault:
         sys.exit(f"{path}: {fault}")
     sys.exit(0 if good else 1)
