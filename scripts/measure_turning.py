@@ -413,7 +413,7 @@ def in_space():
                    shear * polar, modulus * about_z, modulus * fourth])
     law[1, 6] = law[6, 1] = modulus * polar
     for name, tilt in (("fibres tilt", True), ("Reissner's", False)):
-        print(f"turning_spatial_rod: the tip of a rod, {name}")
+        print(f"turning_spatial: the tip of a rod, {name}")
         print(rod_in_space(law, 260., np.array([22., -9., 14.]), tilt))
 
 

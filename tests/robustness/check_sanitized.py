@@ -39,9 +39,9 @@ def runs_of(root):
             root.glob("tests/bad_input/*.bad")):
         for line in path.read_text().splitlines():
             words = shlex.split(line) if line.startswith("run ") else []
-            if words and words[1] not in ("export", "trade") and "{workdir}" not in line:
+            if words and words[1] not in ("export", "trade") and not words[1].startswith("new:") \
+                    and "{workdir}" not in line:
                 cases.append((path, words[1:]))
-                break
     step = max(1, len(cases) // SCENES)
     return cases[::step][:SCENES]
 
