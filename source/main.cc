@@ -5,7 +5,6 @@
 #include <lamella/base/memory.h>
 #include <lamella/base/mpi_session.h>
 #include <lamella/base/processes.h>
-#include <lamella/base/progress.h>
 #include <lamella/base/version.h>
 #include <lamella/estimate/goal_bars.h>
 #include <lamella/estimate/start.h>
@@ -23,9 +22,7 @@
 #include <cstdlib>
 #include <iostream>
 #include <memory>
-#include <optional>
 #include <thread>
-#include <unistd.h>
 
 namespace
 {
@@ -48,16 +45,6 @@ namespace
     if (command.task != CommandLine::Task::run && n_processes() > 1)
       throw InputError("trade, export, report and new are the work of one "
                        "process: start lamella without mpirun.");
-  }
-
-
-
-  /// Whether this program is at work in the foreground of the terminal that its
-  /// output is: not where it is a file or a pipe, nor behind other programs.
-  bool
-  is_seen()
-  {
-    return tcgetpgrp(STDOUT_FILENO) == getpgrp();
   }
 
 
@@ -113,14 +100,7 @@ namespace
   void
   solve(const CommandLine &command, const SceneText &text, const Scene &scene)
   {
-    std::optional<Progress>        progress;
-    std::optional<ProgressDrawing> drawing;
-    if (is_speaker() && isatty(STDOUT_FILENO))
-      {
-        progress.emplace(std::cout);
-        drawing.emplace(*progress, is_seen);
-      }
-    std::ostream &out = progress ? progress->output() : output();
+    std::ostream &out = output();
     if (is_speaker() && !command.validate)
       say_if_interrupted("interrupted before anything was solved. " +
                          command.output + " is as it was.");

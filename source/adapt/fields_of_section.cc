@@ -258,11 +258,8 @@ namespace lamella
     if (!any)
       return;
     const SectionResponse response(*section);
-    double                last  = 0.;
-    const auto            waves = wave_numbers(rules.highest_wave / shortest);
-    if (rules.responding)
-      rules.responding(waves.size());
-    for (const double k : waves)
+    double                last = 0.;
+    for (const double k : wave_numbers(rules.highest_wave / shortest))
       {
         // Up to the first one above what each of them can show.
         const double   before = std::exchange(last, k);
@@ -275,8 +272,6 @@ namespace lamella
               takers.add(group.smooth, group.far);
           }
         takers.take(response.at(k, takers.loads));
-        if (rules.responding)
-          rules.responding({});
       }
     for (Group &group : groups)
       for (const Vector &load : group.smooth)

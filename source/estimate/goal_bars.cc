@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <lamella/base/exceptions.h>
-#include <lamella/base/progress.h>
 #include <lamella/base/text.h>
 #include <lamella/estimate/bars_by_source.h>
 #include <lamella/estimate/bars_from_below.h>
@@ -127,7 +126,6 @@ namespace lamella
         return {};
       out << "Error bars, from " << from << ":" << std::endl;
       // The run has its numbers: nothing beside it takes them away.
-      const Progress::Part part(out, "error bars");
       std::optional<Goals> goals;
       const Outcome        outcome =
         outcome_of([&, &make = make] { goals = make(out, cache); });

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include <lamella/base/progress.h>
 #include <lamella/base/text.h>
 #include <lamella/estimate/model_key.h>
 #include <lamella/estimate/other_models.h>
@@ -44,8 +43,6 @@ namespace lamella
     if (const Model *known = cache.find(scene); known != nullptr && !look)
       return *known;
     std::ostream nowhere(nullptr);
-    nowhere.copyfmt(out); // its progress
-    const Progress::Part part(out, "a model beside the run");
     out << "  " << what << ": " << std::flush;
     // Whether the linear model will do is a question to the run itself.
     Scene compared           = scene;

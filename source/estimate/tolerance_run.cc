@@ -5,7 +5,6 @@
 #include <lamella/base/interruption.h>
 #include <lamella/base/output_file.h>
 #include <lamella/base/processes.h>
-#include <lamella/base/progress.h>
 #include <lamella/base/sentence.h>
 #include <lamella/base/text.h>
 #include <lamella/estimate/axis_marks.h>
@@ -73,15 +72,13 @@ namespace lamella
   void
   ToleranceRun::make_pass()
   {
-    const std::string    number = std::to_string(passes.all().size() + 1);
-    const Progress::Part part(out, "pass " + number);
+    const std::string number = std::to_string(passes.all().size() + 1);
     // One factor at a time: the results of the pass before are all that is
     // wanted of it.
     if (simulation != nullptr)
       simulation->forget_solver();
     std::ostream nowhere(nullptr);
-    nowhere.copyfmt(out); // its progress
-    auto next = next_model(nowhere);
+    auto         next = next_model(nowhere);
     out << "Pass " << number << ": " << next->results().n_dofs() << " DoFs"
         << std::endl;
     next->solve();

@@ -216,14 +216,6 @@ namespace lamella
 
 
 
-  double
-  BlockFactor::operations(const unsigned int s) const
-  {
-    return double(pattern.width(s)) * pattern.height(s) * pattern.height(s);
-  }
-
-
-
   std::pair<double, double>
   BlockFactor::pivots(const unsigned int s, const std::string &what) const
   {
@@ -243,12 +235,8 @@ namespace lamella
 
 
   void
-  BlockFactor::factorise(const std::string                       &what,
-                         const std::function<void(const double)> &advanced)
+  BlockFactor::factorise(const std::string &what)
   {
-    double all = 0.;
-    for (unsigned int s = 0; s < pattern.n_blocks(); ++s)
-      all += operations(s);
     double least = std::numeric_limits<double>::max(), most = 0.;
     for (unsigned int s = 0; s < pattern.n_blocks(); ++s)
       {
@@ -267,8 +255,6 @@ namespace lamella
             trsm("R", "L", "T", "N", &below, &w, &one, L, &h, L + w, &h);
             update(s);
           }
-        if (advanced)
-          advanced(operations(s) / all);
       }
     reciprocal = least * least / (most * most);
     if (!(reciprocal > 0.))

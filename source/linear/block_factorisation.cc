@@ -118,7 +118,7 @@ namespace lamella
       fill_diagonal(constraints);
       if (monitor.assembled)
         monitor.assembled();
-      factor.factorise(what, monitor.advanced);
+      factor.factorise(what);
     }
 
 

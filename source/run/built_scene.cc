@@ -2,7 +2,6 @@
 
 #include <lamella/adapt/graded_axis.h>
 #include <lamella/adapt/plan.h>
-#include <lamella/base/progress.h>
 #include <lamella/base/text.h>
 #include <lamella/conditions/hold.h>
 #include <lamella/contact/assumptions.h>
@@ -70,13 +69,11 @@ namespace lamella
     , field_rules(rules)
   {
     {
-      const Progress::Part part(out, "sections, bodies and conditions");
-      TimerOutput::Scope   scope(timer, name_of(Phase::setup));
+      TimerOutput::Scope scope(timer, name_of(Phase::setup));
       build_structure(out);
     }
     {
-      const Progress::Part part(out, "search and pairing");
-      TimerOutput::Scope   scope(timer, name_of(Phase::contact));
+      TimerOutput::Scope scope(timer, name_of(Phase::contact));
       build_contacts();
     }
     TimerOutput::Scope scope(timer, name_of(Phase::setup));
@@ -98,7 +95,7 @@ namespace lamella
     std::vector<Stabilisation> stabilisations;
     for (const BodyDescription &body : given.bodies)
       stabilisations.push_back({body.stabilisation});
-    Bodies bodies = make_bodies_with_fields(out);
+    Bodies bodies = make_bodies_with_fields();
     hold_bodies(bodies);
     whole = std::make_unique<Structure>(std::move(bodies),
                                         given.supports,
@@ -173,7 +170,7 @@ namespace lamella
 
 
   Bodies
-  BuiltScene::make_bodies_with_fields(std::ostream &out)
+  BuiltScene::make_bodies_with_fields()
   {
     Bodies bodies =
       make_bodies(given.bodies, section_meshes, given.solve.memory_limit);
@@ -183,15 +180,6 @@ namespace lamella
     if (has_fields_to_choose(given.bodies))
       {
         apply_heat(given.loads, bodies);
-        // Counted in wave numbers, sections alike.
-        const Progress::Part part(out, "fields of sections", 0.);
-        FieldRules           told = field_rules;
-        told.responding = [&out](const std::optional<unsigned int> waves) {
-          if (waves)
-            Progress::expect(out, *waves);
-          else
-            Progress::done(out, 1.);
-        };
         field_notes = choose_fields(
           bodies,
           given.bodies,
@@ -199,7 +187,7 @@ namespace lamella
           given.loads,
           undeformed_interfaces(given.contacts, bodies),
           stress_places(bodies, given.probes, given.lines, given.cuts),
-          told,
+          field_rules,
           given.gravity,
           &reasons);
       }

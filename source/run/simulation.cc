@@ -3,10 +3,8 @@
 #include <lamella/base/exceptions.h>
 #include <lamella/base/memory.h>
 #include <lamella/base/processes.h>
-#include <lamella/base/progress.h>
 #include <lamella/base/text.h>
 #include <lamella/report/validation.h>
-#include <lamella/run/factor_progress.h>
 #include <lamella/run/first_failure.h>
 #include <lamella/run/simulation.h>
 #include <lamella/solve/large_step.h>
@@ -213,27 +211,18 @@ namespace lamella
   Simulation::linearise(const MemoryBudget &budget)
   {
     // Phases that alternate from body to body, and end with whatever is thrown.
-    FactorProgress                    progress(out, built->structure());
     std::optional<TimerOutput::Scope> phase;
     Linearisation::BodyMonitor        monitor;
-    const auto begin = [&](const Phase which, const Body &body) {
+    const auto                        begin = [&](const Phase which) {
       phase.reset();
       phase.emplace(timer, name_of(which));
-      progress.begins(name_of(which), body);
     };
-    monitor.begins    = [&](const Body &body) { begin(Phase::assembly, body); };
-    monitor.assembled = [&](const Body &body) {
-      begin(Phase::factorisation, body);
-    };
-    monitor.sized = [&](const Body &body, const FactorSize &size) {
+    monitor.begins    = [&](const Body &) { begin(Phase::assembly); };
+    monitor.assembled = [&](const Body &) { begin(Phase::factorisation); };
+    monitor.sized     = [&](const Body &body, const FactorSize &size) {
       out << "Memory: " << budget.require_factor(body, size) << std::endl;
-      progress.sized(body, size.non_zeros);
     };
-    monitor.advanced = [&](const double share) { progress.advanced(share); };
-    monitor.ends     = [&](const Body &body) {
-      phase.reset();
-      progress.ends(body);
-    };
+    monitor.ends = [&](const Body &) { phase.reset(); };
     return linearised(built->structure(), scene().solve.solver, monitor);
   }
 
@@ -275,22 +264,12 @@ namespace lamella
   void
   Simulation::do_steps(const Observer &observer)
   {
-    // All of them solve with the same factors: they are counted as alike. One
-    // alone has no share.
-    const unsigned int    all = scene().solve.load_factors.size();
-    std::optional<double> work;
-    if (all > 1)
-      work = all - path->n_done();
-    const Progress::Part steps(out, "", work);
+    const unsigned int all = scene().solve.load_factors.size();
     while (path->has_more())
       {
-        const std::string number =
-          std::to_string(path->n_done() + 1) + " of " + std::to_string(all);
-        out << "Load step " << number << ", load factor "
-            << path->next_factor().of_scene() << std::endl;
-        const Progress::Part step(out, "load step " + number);
+        out << "Load step " << path->n_done() + 1 << " of " << all
+            << ", load factor " << path->next_factor().of_scene() << std::endl;
         do_step(observer);
-        Progress::done(out, 1.);
       }
   }
 
@@ -337,8 +316,7 @@ namespace lamella
   void
   Simulation::find_first_failure()
   {
-    const Progress::Part part(out, "first failure");
-    FirstFailureSearch   search(
+    FirstFailureSearch search(
       [this](const double             factor,
              const unsigned int       leg,
              std::vector<PlyReserve> &plies) {

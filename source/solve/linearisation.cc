@@ -208,7 +208,6 @@ namespace lamella
         result.sized = [&](const FactorSize &size) {
           monitor.sized(body, size);
         };
-      result.advanced = monitor.advanced;
       return result;
     }
   } // namespace

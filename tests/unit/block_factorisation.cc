@@ -232,25 +232,6 @@ BOOST_AUTO_TEST_CASE(size_is_told_first)
 
 
 
-BOOST_AUTO_TEST_CASE(shares_of_the_factor_are_told_as_it_goes)
-{
-  const DenseBlocks   blocks = chain_of(5, {2, 3, 4, 5});
-  std::vector<double> shares;
-  SolverMonitor       monitor;
-  monitor.advanced = [&](const double share) { shares.push_back(share); };
-  factorise_blocks(random_terms(blocks), blocks, Constraints(), "A", monitor);
-  BOOST_TEST(shares.size() == blocks.first.size() - 1);
-  double sum = 0.;
-  for (const double share : shares)
-    {
-      BOOST_TEST(share > 0.);
-      sum += share;
-    }
-  BOOST_TEST(std::abs(sum - 1.) < 1e-12);
-}
-
-
-
 BOOST_AUTO_TEST_CASE(failure_is_named)
 {
   const DenseBlocks blocks = chain_of(3, {2, 3});

@@ -15,9 +15,7 @@
 #include <lamella/body/parameters.h>
 #include <lamella/recover/requests.h>
 
-#include <functional>
 #include <memory>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -66,9 +64,6 @@ namespace lamella
     /// The names of bodies that keep all fields whatever they would win: with
     /// fewer their scene was not to be solved in double precision.
     std::vector<std::string> unsolved = {};
-    /// Is told how many wave numbers a section is going to have responses at,
-    /// and then, without a number, of each that is done. May be empty.
-    std::function<void(const std::optional<unsigned int>)> responding = {};
   };
 
   /// Where stresses of a body are asked for: a probe or its box, a line, a cut.

@@ -6,7 +6,6 @@
 #include <lamella/linear/block_pattern.h>
 #include <lamella/linear/half_solved_rows.h>
 
-#include <functional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -42,11 +41,9 @@ namespace lamella
     double &
     diagonal(const DofIndex dof);
 
-    /// L out of A. Throws NotPositiveDefinite, in which @p what names A. Tells
-    /// @p advanced of each column of blocks (SolverMonitor).
+    /// L out of A. Throws NotPositiveDefinite, in which @p what names A.
     void
-    factorise(const std::string                       &what,
-              const std::function<void(const double)> &advanced = {});
+    factorise(const std::string &what);
     /// The square of the ratio of the least to the largest pivot, an estimate.
     double
     reciprocal_condition() const
@@ -76,9 +73,6 @@ namespace lamella
     {
       return entry.data() + pattern.first_entry[s];
     }
-    /// Of the column @p s of L, roughly: its width times its height squared.
-    double
-    operations(const unsigned int s) const;
     /// The least and the largest pivot of the column @p s, which is done.
     /// Throws as factorise() does.
     std::pair<double, double>

@@ -67,8 +67,8 @@ namespace lamella
     return non_zeros * non_zeros / n;
   }
 
-  /// Is told how far the making of a solver is. Each may be empty. The first
-  /// two are called once, in the order in which they stand; `blocks` is
+  /// Functions that the making of a solver calls. Each may be empty. They are
+  /// called once, in the order in which they stand; `blocks` is
   /// assembled in the places of its factor and tells the size of that first.
   struct SolverMonitor
   {
@@ -76,9 +76,6 @@ namespace lamella
     std::function<void()> assembled;
     /// The factor is analysed and not yet computed; never called for `cg`.
     FactorMonitor sized;
-    /// A share of the factor's operations more is done. Of `blocks` alone,
-    /// which has each of its columns at a time; the shares sum to 1.
-    std::function<void(const double)> advanced;
   };
 
   /// What solving took so far.

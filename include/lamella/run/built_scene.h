@@ -162,7 +162,7 @@ namespace lamella
     /// they depend on what touches a body, conditions and contacts are made
     /// once to see it.
     Bodies
-    make_bodies_with_fields(std::ostream &out);
+    make_bodies_with_fields();
     /// Finds the motions that holds among the supports take out of
     /// @p bodies, which are made; contacts are, once more, to see what may
     /// touch them.

@@ -26,17 +26,15 @@ namespace lamella
   class Linearisation
   {
   public:
-    /// Is told, of each body, when work on it begins and ends, when its
-    /// stiffness is assembled, how large its factor becomes before memory is
-    /// spent on it, and which share of it more is done
-    /// (SolverMonitor::advanced). Functions that are empty are not called; what
-    /// `sized` throws prevents the factorisation.
+    /// Functions that are called for each body: when work on it begins and
+    /// ends, when its stiffness is assembled, and with the size of its factor
+    /// before memory is spent on it. Each may be empty; what `sized` throws
+    /// prevents the factorisation.
     struct BodyMonitor
     {
       std::function<void(const Body &)>                     begins, assembled;
       std::function<void(const Body &)>                     ends;
       std::function<void(const Body &, const FactorSize &)> sized;
-      std::function<void(const double)>                     advanced;
     };
 
     /// About @p u, without solvers: what the `full` strategy assembles.
