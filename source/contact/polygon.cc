@@ -53,24 +53,14 @@ namespace lamella
   Polygon
   clipped(const Polygon &polygon, const Polygon &window)
   {
-    Polygon result = polygon, previous;
+    Polygon result = polygon;
     for (unsigned int k = 0; k < window.size() && !result.empty(); ++k)
       {
-        // Keep what lies left of the line from p along d.
+        // What lies left of the line from p along d.
         const Point<2>    &p = window[k];
         const Tensor<1, 2> d = window[(k + 1) % window.size()] - p;
-        previous.swap(result);
-        result.clear();
-        for (unsigned int i = 0; i < previous.size(); ++i)
-          {
-            const Point<2> &a = previous[i],
-                           &b = previous[(i + 1) % previous.size()];
-            const double of_a = cross(d, a - p), of_b = cross(d, b - p);
-            if (of_a >= 0.)
-              result.push_back(a);
-            if ((of_a > 0. && of_b < 0.) || (of_a < 0. && of_b > 0.))
-              result.push_back(a + of_a / (of_a - of_b) * (b - a));
-          }
+        result               = part_above(result,
+                            [&](const Point<2> &x) { return cross(d, x - p); });
       }
     return result;
   }
