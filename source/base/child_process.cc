@@ -4,8 +4,6 @@
 #include <lamella/base/exceptions.h>
 
 #include <boost/dll/runtime_symbol_info.hpp>
-#include <boost/process.hpp>
-#include <boost/process/extend.hpp>
 #include <boost/process/search_path.hpp>
 
 #include <fcntl.h>
@@ -31,8 +29,7 @@ namespace lamella
   namespace
   {
     /// The environment without what an MPI that has started leaves in it: a
-    /// child would take itself for one of its processes. (Not by
-    /// boost::process::environment, whose copies read behind their end.)
+    /// child would take itself for one of its processes.
     std::vector<std::string>
     environment_without_mpi()
     {
@@ -50,7 +47,7 @@ namespace lamella
 
 
 
-    /// What is set in the child before it becomes the program.
+    /// What is set in the child before it works.
     void
     limit_child(const double processor_seconds)
     {
@@ -85,53 +82,14 @@ namespace lamella
 
 
 
-  ProcessEnd
-  run_process(const std::string              &program,
-              const std::vector<std::string> &words,
-              const std::string              &output,
-              const std::string              &errors,
-              const double                    processor_seconds)
-  {
-    namespace bp = boost::process;
-    using Clock  = std::chrono::steady_clock;
-    ProcessEnd end;
-    const auto begin = Clock::now();
-
-    std::vector<std::string> variables = environment_without_mpi();
-    std::vector<char *>      pointers;
-    for (std::string &variable : variables)
-      pointers.push_back(variable.data());
-    pointers.push_back(nullptr);
-    try
-      {
-        bp::child child(
-          program,
-          bp::args(words),
-          bp::std_in<bp::null, bp::std_out> output,
-          bp::std_err > errors,
-          bp::extend::on_setup =
-            [&](auto &executor) { executor.env = pointers.data(); },
-          bp::extend::on_exec_setup =
-            [&](auto &) { limit_child(processor_seconds); });
-        child.wait();
-        set_end(child.native_exit_code(), end);
-      }
-    catch (const bp::process_error &error)
-      {
-        throw InputError("cannot run " + program + ": " + error.what());
-      }
-    end.seconds = std::chrono::duration<double>(Clock::now() - begin).count();
-    return end;
-  }
-
-
-
   namespace
   {
-    /// Opens @p path, to be the descriptor @p descriptor.
+    /// Opens @p path, unless it is empty, to be the descriptor @p descriptor.
     void
     redirect(const int descriptor, const std::string &path, const int flags)
     {
+      if (path.empty())
+        return;
       const int file = open(path.c_str(), flags, 0666);
       if (file >= 0)
         dup2(file, descriptor);
@@ -184,6 +142,8 @@ namespace lamella
                  const int                           answer_to)
     {
       limit_child(processor_seconds);
+      // A program that this process becomes answers nothing.
+      fcntl(answer_to, F_SETFD, FD_CLOEXEC);
       redirect(STDIN_FILENO, "/dev/null", O_RDONLY);
       constexpr int anew = O_WRONLY | O_CREAT | O_TRUNC;
       redirect(STDOUT_FILENO, output, anew);
@@ -248,6 +208,31 @@ namespace lamella
 
 
 
+  ProcessEnd
+  run_process(const std::string              &program,
+              const std::vector<std::string> &words,
+              const std::string              &output,
+              const std::string              &errors,
+              const double                    processor_seconds)
+  {
+    const auto work = [&]() -> std::string {
+      try
+        {
+          become(program, words);
+        }
+      catch (const InputError &error)
+        {
+          return error.what();
+        }
+    };
+    const ProcessEnd end = run_forked(work, output, errors, processor_seconds);
+    if (!end.answer.empty())
+      throw InputError(end.answer);
+    return end;
+  }
+
+
+
   void
   become(const std::string &program, const std::vector<std::string> &words)
   {
@@ -284,5 +269,23 @@ namespace lamella
   own_program()
   {
     return boost::dll::program_location().string();
+  }
+
+
+
+  std::string
+  path_of_script(const std::string &name)
+  {
+    namespace fs = std::filesystem;
+    const fs::path installed =
+      fs::path(own_program()).parent_path().parent_path() /
+      "share/lamella/scripts";
+    std::error_code error;
+    for (const fs::path &folder : {installed, fs::path(LAMELLA_SCRIPTS)})
+      if (fs::is_regular_file(folder / name, error))
+        return (folder / name).string();
+    throw InputError("the program " + name + " is neither in " +
+                     installed.string() +
+                     " nor in " LAMELLA_SCRIPTS ". Install Lamella again.");
   }
 } // namespace lamella

@@ -8,41 +8,18 @@
 
 #include <nlohmann/json.hpp>
 
-#include <filesystem>
 #include <utility>
 
 namespace lamella
 {
-  using Json   = nlohmann::json;
-  namespace fs = std::filesystem;
-
   namespace
   {
-    /// report.py, where it is.
-    std::string
-    script_of_page()
-    {
-      const fs::path installed =
-        fs::path(own_program()).parent_path().parent_path() /
-        "share/lamella/scripts";
-      std::error_code error;
-      for (const fs::path &folder : {installed, fs::path(LAMELLA_SCRIPTS)})
-        if (fs::is_regular_file(folder / "report.py", error))
-          return (folder / "report.py").string();
-      throw InputError("report: the program that makes the page, report.py, is "
-                       "neither in " +
-                       installed.string() +
-                       " nor in " LAMELLA_SCRIPTS ". Install Lamella again.");
-    }
-
-
-
     /// The constants of @p material as the scene writes them.
-    Json
+    nlohmann::json
     constants_of(const Material &material)
     {
       const EngineeringConstants &e = material.elastic;
-      Json                        constants;
+      nlohmann::json              constants;
       constants["elastic"] = {
         e.E1, e.E2, e.E3, e.G12, e.G13, e.G23, e.nu12, e.nu13, e.nu23};
       if (material.strengths)
@@ -60,7 +37,7 @@ namespace lamella
     std::string
     known_to_program()
     {
-      Json known;
+      nlohmann::json known;
       known["version"] = version();
       for (const auto &[unit, pascal] :
            {std::pair("Pa", 1.), std::pair("MPa", 1e-6)})
@@ -80,7 +57,6 @@ namespace lamella
   void
   make_page(const std::string &folder, const std::string &target)
   {
-    const std::string script = script_of_page();
     const std::string python = python_with("jinja2");
     if (python.empty())
       throw InputError("report: there is no python3 with Jinja2 to make the "
@@ -90,7 +66,7 @@ namespace lamella
     become(python,
            {"-X",
             "utf8",
-            script,
+            path_of_script("report.py"),
             folder,
             "--output=" + target,
             "--program=" + known_to_program()});

@@ -7,7 +7,7 @@
 #include <lamella/run/simulation.h>
 #include <lamella/scene/rotation_rules.h>
 #include <lamella/trade/trade.h>
-#include <lamella/trade/trade_picture.h>
+#include <lamella/trade/trade_findings.h>
 
 #include <boost/interprocess/sync/file_lock.hpp>
 
@@ -273,7 +273,8 @@ namespace lamella
                        "another folder.")
         .at("--output " + directory + ": ");
     // Those of an earlier trade would look like this one's.
-    for (const char *name : {"trade.csv", "trade.py", "trade.png", "trade.svg"})
+    for (const char *name :
+         {"trade.json", "trade.csv", "trade.py", "trade.png", "trade.svg"})
       fs::remove(directory + "/" + name);
     results.clear();
     numbers.clear();
@@ -283,23 +284,14 @@ namespace lamella
     say_if_interrupted("");
     complete_quantities();
     take_values();
-    const TradeTable table(results,
-                           quantities,
-                           reference,
-                           scene.trade.tolerances);
-    write_trade_csv(table, directory + "/trade.csv");
-    print_trade(out, table);
     const bool is_large = scene.solve.rotations == Rotations::large;
-    if (is_large)
-      out << "All of it with Rotations = large.\n";
-    const std::string no_picture =
-      draw_trade(table,
-                 scene.title + (is_large ? ", large rotations" : ""),
-                 directory);
-    if (!no_picture.empty())
-      out << "\nNo pictures: " << no_picture << ".";
-    out << "\nThe trade is in " << directory << " (trade.csv"
-        << (no_picture.empty() ? ", trade.png, trade.svg" : "")
-        << "; the runs in rungs/)" << std::endl;
+    out << std::flush;
+    present_trade({results,
+                   quantities,
+                   reference,
+                   scene.trade.tolerances,
+                   scene.title + (is_large ? ", large rotations" : ""),
+                   is_large ? "All of it with Rotations = large.\n" : ""},
+                  directory);
   }
 } // namespace lamella

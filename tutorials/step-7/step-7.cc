@@ -6,16 +6,15 @@
 // wanted of it, each as exact as it has to be, with as little work as will do.
 // `lamella trade` says for one number at a time which theory and mesh is the
 // cheapest; a design has to be right in all of them at once. The program climbs
-// the ladder of the scene by itself and then asks the table what the command
-// does not: the cheapest rung that meets all tolerances, and the best one
+// the ladder of the scene by itself and then asks what the command does
+// not: the cheapest rung that meets all tolerances, and the best one
 // within a budget. See README.md in this folder.
 
 #include <lamella/base/exceptions.h>
 #include <lamella/base/mpi_session.h>
 #include <lamella/run/simulation.h>
 #include <lamella/trade/ladder.h>
-#include <lamella/trade/trade_picture.h>
-#include <lamella/trade/trade_table.h>
+#include <lamella/trade/trade_findings.h>
 
 #include <deal.II/base/table_handler.h>
 
@@ -23,7 +22,6 @@
 #include <iostream>
 
 using namespace lamella;
-using Cost = TradeTable::Cost;
 
 class BendingTest
 {
@@ -35,18 +33,23 @@ public:
 private:
   RungResult
   climb(const LadderEntry &entry);
+  bool
+  has_error(const unsigned int k) const;
   double
-  utilisation(const TradeTable &trade, const unsigned int k) const;
+  error(const unsigned int k, const unsigned int q) const;
+  double
+  utilisation(const unsigned int k) const;
+  template <typename Number>
   int
-  cheapest(const TradeTable &trade, const Cost cost) const;
+  cheapest(Number RungResult::*const cost) const;
   int
-  best_within_budget(const TradeTable &trade) const;
+  best_within_budget() const;
   void
-  print_utilisations(const TradeTable &trade) const;
+  print_utilisations() const;
   void
-  decide(const TradeTable &trade) const;
+  decide() const;
   void
-  check(const TradeTable &trade) const;
+  check() const;
 
   static constexpr const char *file = STEP_7_SCENE, *output = "step-7";
 
@@ -61,6 +64,10 @@ private:
 
   const Scene scene;
   double      largest_imbalance = 0.;
+
+  // All rungs of the ladder, and the number of the finest that has succeeded.
+  std::vector<RungResult> rungs;
+  unsigned int            reference = 0;
 };
 
 
@@ -119,15 +126,32 @@ BendingTest::climb(const LadderEntry &entry)
 
 
 
+// Errors are relative to the finest rung, which has none itself.
+bool
+BendingTest::has_error(const unsigned int k) const
+{
+  return rungs[k].failure.empty() && k != reference;
+}
+
+
+
+double
+BendingTest::error(const unsigned int k, const unsigned int q) const
+{
+  return std::abs(rungs[k].values[q] / rungs[reference].values[q] - 1.);
+}
+
+
+
 // The idea of this step, one number for a rung: how much it uses of what it may
 // be off, in the quantity where that is most. Engineers know it from proofs of
 // strength: up to 1 all is well, and 1.2 is not mended by a 0.1 elsewhere.
 double
-BendingTest::utilisation(const TradeTable &trade, const unsigned int k) const
+BendingTest::utilisation(const unsigned int k) const
 {
   double most = 0.;
   for (unsigned int q = 0; q < tolerances.size(); ++q)
-    most = std::max(most, trade.error(k, q) / tolerances[q]);
+    most = std::max(most, error(k, q) / tolerances[q]);
   return most;
 }
 
@@ -135,13 +159,14 @@ BendingTest::utilisation(const TradeTable &trade, const unsigned int k) const
 
 // The first question: all tolerances are fixed, what is the least work? The
 // answer is -1 if no rung is enough.
+template <typename Number>
 int
-BendingTest::cheapest(const TradeTable &trade, const Cost cost) const
+BendingTest::cheapest(Number RungResult::*const cost) const
 {
   int best = -1;
-  for (unsigned int k = 0; k < trade.rungs().size(); ++k)
-    if (trade.has_error(k, 0) && utilisation(trade, k) <= 1. &&
-        (best < 0 || trade.cost(k, cost) < trade.cost(best, cost)))
+  for (unsigned int k = 0; k < rungs.size(); ++k)
+    if (has_error(k) && utilisation(k) <= 1. &&
+        (best < 0 || rungs[k].*cost < rungs[best].*cost))
       best = k;
   return best;
 }
@@ -151,12 +176,12 @@ BendingTest::cheapest(const TradeTable &trade, const Cost cost) const
 // The second one turns it round: the work is fixed, what is the best to be had
 // for it?
 int
-BendingTest::best_within_budget(const TradeTable &trade) const
+BendingTest::best_within_budget() const
 {
   int best = -1;
-  for (unsigned int k = 0; k < trade.rungs().size(); ++k)
-    if (trade.has_error(k, 0) && trade.cost(k, Cost::dofs) <= budget &&
-        (best < 0 || utilisation(trade, k) < utilisation(trade, best)))
+  for (unsigned int k = 0; k < rungs.size(); ++k)
+    if (has_error(k) && rungs[k].dofs <= budget &&
+        (best < 0 || utilisation(k) < utilisation(best)))
       best = k;
   return best;
 }
@@ -164,20 +189,20 @@ BendingTest::best_within_budget(const TradeTable &trade) const
 
 
 void
-BendingTest::print_utilisations(const TradeTable &trade) const
+BendingTest::print_utilisations() const
 {
   dealii::TableHandler table;
-  for (unsigned int k = 0; k < trade.rungs().size(); ++k)
-    if (trade.has_error(k, 0))
+  for (unsigned int k = 0; k < rungs.size(); ++k)
+    if (has_error(k))
       {
-        table.add_value("rung", trade.rungs()[k].name);
-        table.add_value("DoFs", trade.rungs()[k].dofs);
+        table.add_value("rung", rungs[k].name);
+        table.add_value("DoFs", rungs[k].dofs);
         for (unsigned int q = 0; q < tolerances.size(); ++q)
           {
-            table.add_value(purposes[q], trade.error(k, q) / tolerances[q]);
+            table.add_value(purposes[q], error(k, q) / tolerances[q]);
             table.set_precision(purposes[q], 3);
           }
-        table.add_value("all", utilisation(trade, k));
+        table.add_value("all", utilisation(k));
         table.set_precision("all", 3);
       }
   std::cout << "\nErrors over tolerances\n";
@@ -190,22 +215,22 @@ BendingTest::print_utilisations(const TradeTable &trade) const
 // rungs this small are within what a machine lets two equal runs differ, DoFs
 // are the same everywhere.
 void
-BendingTest::decide(const TradeTable &trade) const
+BendingTest::decide() const
 {
   const auto say = [&](const std::string &question, const int k) {
     std::cout << question << ": ";
     if (k < 0)
       std::cout << "none\n";
     else
-      std::cout << trade.rungs()[k].dofs << "\n  (" << trade.rungs()[k].name
-                << ", " << trade.rungs()[k].seconds << " s, uses "
-                << utilisation(trade, k) << " of the tolerances)\n";
+      std::cout << rungs[k].dofs << "\n  (" << rungs[k].name << ", "
+                << rungs[k].seconds << " s, uses " << utilisation(k)
+                << " of the tolerances)\n";
   };
   std::cout.precision(3);
   std::cout << "\nAll at once, DoFs of the rung\n";
-  say("all tolerances, fewest DoFs", cheapest(trade, Cost::dofs));
-  say("all tolerances, fewest seconds", cheapest(trade, Cost::seconds));
-  say("best within the budget", best_within_budget(trade));
+  say("all tolerances, fewest DoFs", cheapest(&RungResult::dofs));
+  say("all tolerances, fewest seconds", cheapest(&RungResult::seconds));
+  say("best within the budget", best_within_budget());
 }
 
 
@@ -219,7 +244,7 @@ BendingTest::decide(const TradeTable &trade) const
 //
 //   F E_1 A_1 z_1 / (b EI).
 void
-BendingTest::check(const TradeTable &trade) const
+BendingTest::check() const
 {
   constexpr double            way = 0.5, length = 24., width = 6., ply = 1.;
   const EngineeringConstants &carbon = scene.materials.at("carbon").elastic;
@@ -227,52 +252,51 @@ BendingTest::check(const TradeTable &trade) const
   const double EI =
                  width * ply * ply * ply / 12. * (26. * carbon.E1 + carbon.E2),
                force = 3. * EI * way / std::pow(length, 3),
-               shear = trade.reference(0) * carbon.E1 * ply * ply / EI;
+               shear = rungs[reference].values[0] * carbon.E1 * ply * ply / EI;
   std::cout.precision(8);
   std::cout << "\nforce of EBBT over 3 EI u / L^3: "
-            << trade.rungs().front().values.at(0) / force
+            << rungs.front().values.at(0) / force
             << "\nshear stress of the reference over its mean: "
-            << std::abs(trade.reference(2)) / shear
+            << std::abs(rungs[reference].values[2]) / shear
             << "\nlargest imbalance of nose and bearing: " << largest_imbalance
             << std::endl;
 }
 
 
 
-// The table knows errors and costs. print_trade() prints them and says in a
-// sentence what is the cheapest for each quantity and tolerance of the scene,
-// and whether to count on it; draw_trade() makes the picture of it, plot.py in
-// this folder that of the decision.
+// present_trade() prints errors and costs, says in a sentence what is the
+// cheapest for each quantity and tolerance of the scene, and whether to count
+// on it, and makes the picture of it; plot.py in this folder makes that of the
+// decision.
 void
 BendingTest::run()
 {
   std::filesystem::create_directories(output);
   // The first run waits for libraries to be read from disk; it does not count.
   climb(scene.trade.ladder.front());
-  std::vector<RungResult> rungs;
   for (const LadderEntry &entry : scene.trade.ladder)
     {
       std::cout << entry.name << ": " << std::flush;
       rungs.push_back(climb(entry));
       if (rungs.back().failure.empty())
-        std::cout << rungs.back().dofs << " DoFs" << std::endl;
+        {
+          reference = rungs.size() - 1;
+          std::cout << rungs.back().dofs << " DoFs" << std::endl;
+        }
       else
         std::cout << "failed: " << rungs.back().failure << std::endl;
     }
 
-  const TradeTable trade(rungs,
-                         scene.trade.quantities,
-                         scene.trade.reference,
-                         scene.trade.tolerances);
-  print_trade(std::cout, trade);
-  write_trade_csv(trade, output + std::string("/trade.csv"));
-  const std::string no_picture = draw_trade(trade, scene.title, output);
-  if (!no_picture.empty())
-    std::cout << "No picture: " << no_picture << ".\n";
+  present_trade({rungs,
+                 scene.trade.quantities,
+                 scene.trade.reference,
+                 scene.trade.tolerances,
+                 scene.title},
+                output);
 
-  print_utilisations(trade);
-  decide(trade);
-  check(trade);
+  print_utilisations();
+  decide();
+  check();
 }
 
 

@@ -39,7 +39,8 @@ namespace lamella
    *
    * @param program the path of the program; no shell reads it
    * @param words   its arguments, without its own name
-   * @param output, errors paths of files that are written anew
+   * @param output, errors paths of files that are written anew; empty: where
+   *   this process prints
    * @param processor_seconds of all its threads together, rounded up to whole
    *   seconds; one second later it is killed
    *
@@ -91,6 +92,11 @@ namespace lamella
   /// user's own, without the packages of the distribution.
   std::string
   python_with(const std::string &module);
+
+  /// The path of the script @p name of Lamella, as it is installed or else in
+  /// the source tree. Throws InputError if it is in neither.
+  std::string
+  path_of_script(const std::string &name);
 
   /// The path of the program that this process runs. Absolute, wherever the
   /// shell found it.

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 // The room `trade`: accuracy against cost. It owns ladders of theories and
-// meshes, the runs of their rungs, each in a process of its own, and the table,
-// the sentences and the picture that say what is the cheapest. A rung is a
-// scene like any other: it never looks into a solution beyond its Results.
+// meshes, the runs of their rungs, each in a process of its own, and what these
+// found; scripts/trade.py makes the table, the sentences and the picture that
+// say what is the cheapest. A rung is a scene like any other: it never looks
+// into a solution beyond its Results.
 
 #ifndef lamella_trade_trade_h
 #define lamella_trade_trade_h
@@ -11,7 +12,7 @@
 #include <lamella/base/child_process.h>
 #include <lamella/scene/scene.h>
 #include <lamella/trade/ladder.h>
-#include <lamella/trade/trade_table.h>
+#include <lamella/trade/rung_result.h>
 
 #include <nlohmann/json_fwd.hpp>
 
@@ -51,12 +52,11 @@ namespace lamella
           const unsigned int              threads,
           std::ostream                   &out);
 
-    /// Runs what is missing of the ladder in @p directory and writes trade.csv,
-    /// trade.py, trade.png and trade.svg there; the results of each rung go
-    /// into rungs/NN_NAME. Without matplotlib the pictures are missing, and it
-    /// says so. Throws InputError if another trade is at work there, nothing
-    /// can be written, the scene changed in the meantime or a rung cannot give
-    /// a quantity; NumericsError if no reference succeeded.
+    /// Runs what is missing of the ladder in @p directory and presents it there
+    /// (present_trade()); the results of each rung go into rungs/NN_NAME.
+    /// Throws InputError if another trade is at work there, nothing can be
+    /// written, the scene changed in the meantime or a rung cannot give a
+    /// quantity; NumericsError if no reference succeeded.
     void
     run(const std::string &directory);
 

@@ -1,0 +1,150 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Tables, sentences and pictures of a trade out of its numbers, DIR/trade.json (doc/trade.md).
+
+Usage: trade.py DIR (by `lamella trade`, which writes that file)
+
+Prints the costs of all rungs, their errors with their own bars, and a sentence for each
+tolerance and quantity; leaves trade.csv, trade.py, which draws trade.png and trade.svg and is
+meant to be changed to taste, and these pictures in DIR.
+"""
+
+import csv
+import json
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+from trade_table import NoReference, Table, per_cent, text
+
+
+def print_table(rows):
+    widths = [max(map(len, column)) for column in zip(*rows)]
+    for first, *rest, last in rows:
+        print("  " + "  ".join([first.ljust(widths[0]),
+                                *(cell.rjust(w) for cell, w in zip(rest, widths[1:])), last]))
+
+
+def table_of_costs(table):
+    yield ["rung", "DoFs", "seconds", *table.phases, "MB", ""]
+    for rung in table.rungs:
+        seconds = f"{rung['seconds']:.2f}"
+        if rung["failure"]:
+            # The first sentence.
+            begin, stop, _ = rung["failure"].split("\n")[0].partition(". ")
+            yield [rung["name"], "-", seconds, *["-"] * len(table.phases), "-",
+                   "failed: " + begin + stop.strip()]
+        else:
+            yield [rung["name"], str(rung["dofs"]), seconds,
+                   *(f"{rung['phases'][phase]:.2f}" for phase in table.phases),
+                   f"{rung['memory']:.0f}", ""]
+
+
+def error_cell(table, k, q):
+    error = per_cent(table.error(k, q)) if table.has_error(k, q) else "-"
+    own = table.bar(k, q)
+    if own is not None:
+        return f"{error} (bar {per_cent(own)})"
+    return error + (" (no bar)" if table.made_bar(k, q) and table.reference(q) != 0. else "")
+
+
+def table_of_errors(table):
+    quantities = range(len(table.quantities))
+    yield ["rung", *(quantity["label"] for quantity in table.quantities), ""]
+    for k, rung in enumerate(table.rungs):
+        yield [rung["name"], *(error_cell(table, k, q) for q in quantities),
+               "the reference" if k == table.against else "failed" if rung["failure"] else ""]
+    yield ["reference value", *(text(table.reference(q)) for q in quantities), ""]
+
+
+def print_trade(table):
+    print("\nWhat it costs (seconds of the whole process, then by phase; peak memory)\n")
+    print_table(list(table_of_costs(table)))
+    print("\nHow far it is off\n")
+    print_table(list(table_of_errors(table)))
+    print("\n" + table.basis())
+    for said in (table.beyond_linear(), table.count_of_bars()):
+        if said:
+            print(said)
+    print()
+    for tolerance in table.tolerances:
+        for q in range(len(table.quantities)):
+            print(table.sentence(q, tolerance))
+
+
+def csv_rows(table):
+    """Numbers with 15 digits; a rung that failed has one line, with empty cells and why."""
+    def number(value):
+        return "" if value is None else text(value, 15)
+
+    yield ["rung", "theory", "dofs", "seconds", *table.phases, "memory_mb", "quantity", "value",
+           "reference", "error", "front_seconds", "front_dofs", "bar", "stiffening",
+           "buckling_factor", "failure"]
+    quantities = range(len(table.quantities))
+    fronts = [[table.front(q, cost) for cost in ("seconds", "dofs")] for q in quantities]
+    for k, rung in enumerate(table.rungs):
+        begin = [rung["name"], rung["theory"]]
+        if rung["failure"]:
+            yield [*begin, "", number(rung["seconds"]), *[""] * len(table.phases), *[""] * 10,
+                   rung["failure"].replace("\n", " ")]
+            continue
+        begin += [rung["dofs"], number(rung["seconds"]),
+                  *(number(rung["phases"][phase]) for phase in table.phases),
+                  number(rung["memory"])]
+        for q in quantities:
+            yield [*begin, table.quantities[q]["label"], number(rung["values"][q]),
+                   number(table.reference(q)),
+                   number(table.error(k, q) if table.has_error(k, q) else None),
+                   *(int(k in front) for front in fronts[q]), number(table.bar(k, q)),
+                   number(rung["stiffening"]), number(rung["buckling_factor"]), ""]
+
+
+def draw(table, title, folder):
+    """Leaves trade.py in the folder and runs it; returns why there are no pictures, if so."""
+    script, log = folder / "trade.py", folder / "trade.log"
+    template = (Path(__file__).resolve().parent / "trade_picture.py").read_text()
+    script.write_text(
+        template.replace('TITLE = ""', "TITLE = " + json.dumps(title), 1)
+        .replace("TOLERANCES = []",
+                 "TOLERANCES = " + json.dumps([100. * one for one in table.tolerances]), 1))
+    for python in dict.fromkeys((sys.executable, "/usr/bin/python3", shutil.which("python3"))):
+        if python and subprocess.run([python, "-c", "import matplotlib"],
+                                     stderr=subprocess.DEVNULL, check=False).returncode == 0:
+            with open(log, "w", encoding="utf-8") as errors:
+                done = subprocess.run([python, str(script)], stdout=subprocess.DEVNULL,
+                                      stderr=errors, check=False)
+            if done.returncode:
+                return f"{script} failed, see {log}"
+            log.unlink()
+            return ""
+    return ("there is no python3 with matplotlib to draw them with: apt-get install "
+            f"python3-matplotlib, and run {script}")
+
+
+def main():
+    folder = Path(sys.argv[1])
+    with open(folder / "trade.json", encoding="utf-8") as file:
+        trade = json.load(file)
+    try:
+        table = Table(trade)
+        with open(folder / "trade.csv", "w", newline="", encoding="utf-8") as file:
+            csv.writer(file, lineterminator="\n").writerows(csv_rows(table))
+        print_trade(table)
+        print(trade["remark"], end="")
+        no_picture = draw(table, trade["title"], folder)
+    except NoReference as none:
+        print(none, file=sys.stderr)
+        return 2
+    except OSError as error:
+        print(f"Cannot write {error.filename}. Is the disk full?", file=sys.stderr)
+        return 1
+    if no_picture:
+        print(f"\nNo pictures: {no_picture}.", end="")
+    print(f"\nThe trade is in {sys.argv[1]} (trade.csv"
+          + ("" if no_picture else ", trade.png, trade.svg") + "; the runs in rungs/)")
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <lamella/base/child_process.h>
+#include <lamella/base/entry.h>
+#include <lamella/base/exceptions.h>
+#include <lamella/base/output_file.h>
+#include <lamella/base/text.h>
+#include <lamella/section/theory.h>
+#include <lamella/trade/trade_findings.h>
+
+#include <nlohmann/json.hpp>
+
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+namespace lamella
+{
+  using nlohmann::json;
+
+  namespace
+  {
+    Theory
+    theory_of(const RungResult &rung)
+    {
+      return Theory::parse(Entry("Theory", rung.theory));
+    }
+
+
+
+    /// Whether the theory of @p one holds that of @p other. Runs to a tolerance
+    /// hold those to a larger one, and no others.
+    bool
+    holds(const RungResult &one, const RungResult &other)
+    {
+      if (one.tolerance || other.tolerance)
+        return one.tolerance && other.tolerance &&
+               *one.tolerance <= *other.tolerance;
+      return theory_of(one).holds(theory_of(other));
+    }
+
+
+
+    json
+    number(const std::optional<double> &value)
+    {
+      return value ? json(*value) : json();
+    }
+
+
+
+    json
+    to_json(const RungResult &rung, const std::vector<RungResult> &all)
+    {
+      json held = json::array(), bars = json::array();
+      for (unsigned int k = 0; k < all.size(); ++k)
+        if (holds(rung, all[k]))
+          held.push_back(k);
+      for (const std::optional<OwnBar> &own : rung.bars)
+        bars.push_back(
+          own ? json{{"bar", own->bar}, {"trusted", own->trusted}} : json());
+      return {{"name", rung.name},
+              {"theory", rung.theory},
+              {"is_solid", !rung.tolerance && theory_of(rung).is_solid()},
+              {"holds", held},
+              {"failure", rung.failure},
+              {"seconds", rung.seconds},
+              {"phases", rung.phases},
+              {"dofs", rung.dofs},
+              {"memory", rung.memory},
+              {"values", rung.values},
+              {"bars", bars},
+              {"axis", rung.axis},
+              {"section", rung.section},
+              {"overridden", rung.overridden},
+              {"stiffening", rung.stiffening},
+              {"buckling_factor", number(rung.buckling_factor)}};
+    }
+  } // namespace
+
+
+
+  void
+  present_trade(const TradeFindings &findings, const std::string &directory)
+  {
+    json trade{{"title", findings.title},
+               {"remark", findings.remark},
+               {"phases", phase_names()},
+               {"reference", findings.reference},
+               {"tolerances", findings.tolerances},
+               {"rungs", json::array()},
+               {"quantities", json::array()}};
+    for (const RungResult &rung : findings.rungs)
+      trade["rungs"].push_back(to_json(rung, findings.rungs));
+    for (const NamedQuantity &quantity : findings.quantities)
+      trade["quantities"].push_back(
+        {{"label", quantity.label()}, {"given", number(quantity.given)}});
+    write_file(directory + "/trade.json", trade.dump(1) + "\n");
+
+    const std::string python = python_with("json");
+    if (python.empty())
+      throw InputError("there is no python3 to make the tables of the trade "
+                       "with. Install it, and start the trade again: rungs "
+                       "that have ended are not run again.");
+    const std::string errors = directory + "/trade_errors.txt";
+    const ProcessEnd  end =
+      run_process(python,
+                  {"-X", "utf8", path_of_script("trade.py"), directory},
+                  "",
+                  errors);
+    std::ostringstream message;
+    message << std::ifstream(errors).rdbuf();
+    std::filesystem::remove(errors);
+    if (end.status == 2)
+      throw NumericsError(trimmed(message.str()));
+    if (end.status != 0)
+      throw InputError("the tables of the trade: " + trimmed(message.str()));
+  }
+} // namespace lamella
