@@ -44,6 +44,87 @@ def columns():
     table(["theory", "steel [N]", "off", "[0/90/0] [N]", "off"], rows)
 
 
+# Entry overrides of tests/scenes/sandwich_line_load.prm; the loads buckle none of them.
+PATCH = ["Load p/On=beam: top", "Load p/Where=y > 80 and y < 120", "Load p/At="]
+SANDWICHES = {
+    "honeycomb 12, faces 1, line load": [],
+    "foam 12, faces 1, line load": ["Material core/Library=Rohacell-71-WF"],
+    "foam 12, faces 0.3, pressure on 40 mm": [
+        "Material core/Library=Rohacell-71-WF", "Section sandwich/Ply thickness=0.3, 12, 0.3",
+        *PATCH, "Load p/Total force=0, 0, -268"],
+    "foam 20, faces 3, pressure on 40 mm": [
+        "Material core/Library=Rohacell-71-WF", "Section sandwich/Ply thickness=3, 20, 3",
+        *PATCH, "Load p/Total force=0, 0, -268"],
+    "honeycomb 12, faces 0.5, point loads": [
+        "Section sandwich/Ply thickness=0.5, 12, 0.5", "Load p/On=beam: point",
+        "Load p/At=10, 100, 13", "Load p/Total force=0, 0, -100"],
+}
+MESHES = {"LE-2": (60, 2), "LE-3": (60, 1), "SV-6": (60, 1), "solid-2": (120, 2)}
+
+
+def sandwiches():
+    """First factors of sandwiches on two lines by theories that follow every ply."""
+    rows = []
+    for name, overrides in SANDWICHES.items():
+        row = [name]
+        for theory, (elements, cells) in MESHES.items():
+            run = Run(SCENES / "sandwich_line_load.prm",
+                      [f"Theory={theory}", f"Body beam/Kinematics/Axis elements={elements}",
+                       f"Section sandwich/Cells per ply=1, {2 * cells}, 1",
+                       "Goals/Error bars=false", *overrides])
+            factor = run.failure or run.summary["beyond_linear"]["buckling_factor"]
+            row.append(factor if isinstance(factor, str) else f"{factor:.3g}")
+        rows.append(row)
+    table(["sandwich", *MESHES], rows)
+
+
+def wrinkling_factor(n, layers, length, degree=8):
+    """The factor of the mode u_y = V(z) cos(k y), u_z = W(z) sin(k y), k = n pi / length, of
+    layers (thickness, E, G, stress s), Poisson's ratio 0, plane strain: with the strain
+    energy of e_yy = -k V, e_zz = W', g_yz = V' + k W it is the least -U / U_G, where
+    U_G = int s k^2 (V^2 + W^2) dz / 2 (Biot, Mechanics of Incremental Deformations, 1965)."""
+    import numpy as np
+    from numpy.polynomial import polynomial
+    k = n * math.pi / length
+    points, weights = np.polynomial.legendre.leggauss(degree + 2)
+    nodes = np.cos(np.pi * np.arange(degree, -1, -1) / degree)
+    inverse = np.linalg.inv(polynomial.polyvander(nodes, degree))
+    N = polynomial.polyvander(points, degree) @ inverse
+    dN = polynomial.polyvander(points, degree - 1) @ (
+        np.arange(1, degree + 1)[:, None] * inverse[1:])
+    pieces = [(t / m, E, G, s) for t, E, G, s in layers for m in [math.ceil(t / 2.)]
+              for _ in range(m)]
+    size = len(pieces) * degree + 1
+    K, K_G = np.zeros((2 * size, 2 * size)), np.zeros((2 * size, 2 * size))
+    for e, (h, E, G, s) in enumerate(pieces):
+        v = e * degree + np.arange(degree + 1)
+        w, (dz, weight) = size + v, (2. / h, weights * h / 2.)
+        M, S, A = ((a.T * weight) @ b * scale for a, b, scale in
+                   ((N, N, 1.), (dN, dN, dz * dz), (N, dN, dz)))
+        K[np.ix_(v, v)] += E * k * k * M + G * S
+        K[np.ix_(w, w)] += E * S + G * k * k * M
+        K[np.ix_(w, v)] += G * k * A
+        K[np.ix_(v, w)] += G * k * A.T
+        for d in (v, w):
+            K_G[np.ix_(d, d)] += s * k * k * M
+    inverse = np.linalg.inv(np.linalg.cholesky(K))
+    return -1. / np.linalg.eigvalsh(inverse @ K_G @ inverse.T)[0]
+
+
+def wrinkling():
+    """Wrinkling of a sandwich under end compression beside elasticity."""
+    layers = [(1., 70e3, 35e3, -300.), (30., 200., 100., -300. / 350.), (1., 70e3, 35e3, -300.)]
+    exact, n = min((wrinkling_factor(n, layers, 60.), n) for n in range(1, 20))
+    rows = []
+    for theory in ("LE-1", "LE-2", "LE-3", "TE-4", "solid-2"):
+        run = Run(SCENES / "wrinkling.prm", [f"Theory={theory}", "Goals/Error bars=false"])
+        factor = run.summary["beyond_linear"]["buckling_factor"]
+        rows.append([theory, run.summary["dofs"], f"{factor:.4f}",
+                     f"{100. * (factor / exact - 1.):+.2f} %"])
+    rows.append([f"elasticity, {n} half waves", "", f"{exact:.4f}", ""])
+    table(["theory", "DoFs", "factor", "off"], rows)
+
+
 def shipped():
     """What the shipped scenes say, and what it costs of a linear step."""
     rows = []
@@ -67,4 +148,6 @@ def beyond():
     """Stiffening, buckling, and what they cost."""
     strip()
     columns()
+    sandwiches()
+    wrinkling()
     shipped()

@@ -27,6 +27,11 @@ namespace lamella
     settle(const Vector &v) override;
     void
     add_geometric_forces(const Vector &w, Vector &f) const override;
+    double
+    short_waves() const override
+    {
+      return Utilities::MPI::max(largest_wave, communicator());
+    }
 
   private:
     using Samples = std::vector<std::vector<Voigt>>;
@@ -50,6 +55,8 @@ namespace lamella
     /// Of each cell at each sample e_2 and the stress s; empty for cells of
     /// other processes.
     Samples stretch, stress;
+    /// short_waves() of this process.
+    double largest_wave = 0.;
   };
 
 
@@ -224,11 +231,17 @@ namespace lamella
             const std::vector<Voigt> B =
               solid.element.strains(points[s], kind.modes);
             for (const unsigned int cell : kind.own_cells)
-              stress[cell].push_back(
-                solid.law_at(cell, points[s].unit, points[s].position)
-                  .stress(stretch[cell][s] +
-                          strain_of(B, solid.relative_displacements(cell, v)) +
-                          strain_of(B, solid.relative_displacements(cell, u))));
+              {
+                const ElasticLaw law =
+                  solid.law_at(cell, points[s].unit, points[s].position);
+                stress[cell].push_back(law.stress(
+                  stretch[cell][s] +
+                  strain_of(B, solid.relative_displacements(cell, v)) +
+                  strain_of(B, solid.relative_displacements(cell, u))));
+                largest_wave = std::max(largest_wave,
+                                        short_wave_ratio(stress[cell].back(),
+                                                         law.stiffness()));
+              }
           }
       }
     return Utilities::MPI::sum(energy, communicator());

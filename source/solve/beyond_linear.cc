@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <random>
 
 namespace lamella
@@ -55,12 +56,14 @@ namespace lamella
       std::optional<std::pair<double, BlockVector>>
       largest(const double least);
 
+      /// K_G @p v.
+      BlockVector
+      geometric_forces(const BlockVector &v) const;
+
     private:
       /// K^-1 @p load with the active rows closed.
       BlockVector
       solve(const BlockVector &load);
-      BlockVector
-      geometric_forces(const BlockVector &v) const;
       /// Takes the parts along all q out of @p v, whose load is @p load;
       /// returns them.
       std::vector<double>
@@ -161,7 +164,7 @@ namespace lamella
       constexpr unsigned int first_look = 4, most_steps = 30;
       // Of mu; its error is of the square of the residual. What is far away
       // need not be known as well as what is near.
-      constexpr double settled = 1e-2, settled_far = 0.15;
+      constexpr double settled = 1e-2, settled_far = 0.1;
       constexpr double of_springs = 0.5,
                        rounding   = arithmetic::rounding_of_solutions;
 
@@ -308,12 +311,23 @@ namespace lamella
     // What is stretched that far buckles otherwise, if at all.
     if (found.stiffening > most_stiffening)
       return found;
+    double least = worth_solving;
+    for (const auto &body : bodies)
+      least = std::max(least, body->short_waves());
     BucklingModes modes(structure, solver, solver.held_rows(state), bodies);
-    if (const auto buckling = modes.largest(worth_solving))
+    if (const auto buckling = modes.largest(least))
       {
         const auto &[mu, mode] = *buckling;
         found.buckling_factor  = 1. / mu;
         take_mode(structure, state, energies, mode, found);
+      }
+    else if (const double twice_energy =
+               2. * std::accumulate(energies.begin(), energies.end(), 0.);
+             twice_energy > 0.)
+      {
+        const double share =
+          -(modes.geometric_forces(state.u) * state.u) / twice_energy;
+        found.amplification = std::max(0., share);
       }
     return found;
   }
@@ -346,6 +360,9 @@ namespace lamella
     std::string
     buckling_in_words(const BeyondLinear &found, const Structure &structure)
     {
+      if (!found.buckling_factor)
+        return "displacements grow by some " +
+               to_text(100. * found.amplification, 2) + " %";
       const double      lambda = *found.buckling_factor;
       const std::string of_body =
         "body '" + structure.bodies()[found.buckled]->name() + "'";
@@ -375,8 +392,8 @@ namespace lamella
       warnings.push_back("large deflections, which the linear model leaves "
                          "out: " +
                          stiffening_in_words(found, structure));
-    if (found.buckling_factor && (found.amplification > effect_worth_saying ||
-                                  *found.buckling_factor * near < 1.))
+    if (found.amplification > effect_worth_saying ||
+        (found.buckling_factor && *found.buckling_factor * near < 1.))
       warnings.push_back("compression, whose effect on stiffness the linear "
                          "model leaves out: " +
                          buckling_in_words(found, structure));

@@ -8,6 +8,7 @@
 #include <lamella/base/exceptions.h>
 #include <lamella/body/green_beam.h>
 #include <lamella/body/green_solid.h>
+#include <lamella/body/second_order.h>
 #include <lamella/conditions/turning_load.h>
 #include <lamella/material/library.h>
 #include <lamella/solve/beyond_linear.h>
@@ -241,6 +242,49 @@ BOOST_AUTO_TEST_CASE(stresses_turn_with_the_material)
       BOOST_TEST((turned.ply_stress - still.ply_stress).norm() < 1e-12);
       BOOST_TEST(std::abs(body->deformation(affine(*body, R * U)).max_rotation -
                           degrees * dealii::numbers::PI / 180.) < 1e-12);
+    }
+}
+
+
+
+BOOST_AUTO_TEST_CASE(geometric_stiffness_is_objective)
+{
+  // A rotation by t about e_a moves x by t W_a x + t^2 W_a W_a x / 2 + ... and
+  // leaves the energy of a stress as it is. Its terms of the second order are
+  //   (W_a x) . K_G (W_b x) + f . (W_a W_b + W_b W_a) x / 2 = 0
+  // with the internal forces f of that stress.
+  std::vector<std::unique_ptr<Body>> bodies;
+  for (const unsigned int degree : {1, 2, 3})
+    bodies.push_back(beam<Beam>(degree));
+  bodies.push_back(solid<Solid>());
+  const auto spin = [](const unsigned int c) {
+    Tensor<2, 3> W;
+    W[(c + 2) % 3][(c + 1) % 3] = 1.;
+    W[(c + 1) % 3][(c + 2) % 3] = -1.;
+    return W;
+  };
+  const auto moved = [](const Body &body, const Tensor<2, 3> &W) {
+    return affine(body, Tensor<2, 3>(dealii::unit_symmetric_tensor<3>()) + W);
+  };
+  for (const auto &body : bodies)
+    BOOST_TEST_CONTEXT(body->theory())
+    {
+      const Vector w     = random_vector(body->n_dofs(), 0.2, 7);
+      const auto   state = body->second_order(Vector(w.size()));
+      state->settle(w);
+      const Vector f = forces(*body, w);
+      for (unsigned int a = 0; a < 3; ++a)
+        for (unsigned int b = a; b < 3; ++b)
+          {
+            Vector geometric(w.size());
+            state->add_geometric_forces(moved(*body, spin(b)), geometric);
+            const double quadratic = geometric * moved(*body, spin(a)),
+                         linear = 0.5 * (f * moved(*body, spin(a) * spin(b)) +
+                                         f * moved(*body, spin(b) * spin(a)));
+            BOOST_TEST(std::abs(quadratic + linear) < 1e-12 * f.l1_norm());
+            if (a == b)
+              BOOST_TEST(std::abs(quadratic) > 1e-6 * f.l1_norm());
+          }
     }
 }
 

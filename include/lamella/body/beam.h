@@ -367,6 +367,7 @@ namespace lamella
 
   private:
     friend class BeamSecondOrder;
+    friend class BeamGeometricStiffness;
 
     /// 1e-6 of the section's smaller extent [length]: what is nearer than that
     /// to a line of the mesh lies on it. Positions come out of decimal texts

@@ -4,6 +4,7 @@
 #define lamella_body_second_order_h
 
 #include <lamella/base/linear_algebra.h>
+#include <lamella/material/elasticity.h>
 
 namespace lamella
 {
@@ -28,16 +29,14 @@ namespace lamella
    * clamps what carries it at large deflections.
    *
    * The geometric stiffness. With s = C (B u - epsilon_0) + s_m (epsilon_0 of
-   * heat), of a solid
-   *   w . K_G w = int s_ij w_k,i w_k,j dV,
-   * and of a beam the same of sections that move as rigid ones do,
-   * u_x = w_x + phi z, u_z = w_z - phi x about their centre of area:
-   *   int N (w_x'^2 + w_z'^2) + N r^2 phi'^2 + 2 phi' (M_z w_x' - M_x w_z')
-   *       + 2 phi (V_z w_x' - V_x w_z') dy,
-   * M_x = int s_yy x dA, M_z = int s_yy z dA, V the shear forces, r the polar
-   * radius of gyration of the area. That is Euler's column, with Engesser's
-   * shear, and lateral-torsional buckling under loads on the axis; walls and
-   * faces that buckle on their own are not seen by it.
+   * heat),
+   *   v . K_G w = int s_ij v_k,i w_k,j dV,
+   * of the stress field and of all the body's fields, as total Lagrangian
+   * bodies have it (Crisfield, Non-linear Finite Element Analysis of Solids and
+   * Structures 1, 5.1). It holds Euler's column with the shear of its section,
+   * lateral-torsional buckling under loads at any height where the theory has
+   * the stress that carries them there, wrinkling of faces and buckling of
+   * walls where the theory has their shapes.
    *
    * Refers to the body. All functions are collective.
    */
@@ -58,7 +57,22 @@ namespace lamella
     /// f += K_G @p w, after settle().
     virtual void
     add_geometric_forces(const Vector &w, Vector &f) const = 0;
+
+    /// The largest of short_wave_ratio() over the sampled points, after
+    /// settle().
+    virtual double
+    short_waves() const = 0;
   };
+
+  /**
+   * The largest -s_ii / G over the axes i, G the lower of the two moduli C of
+   * shear with that axis: what stress takes from the stiffness against a plane
+   * shear wave along i, however short. As a buckling factor its inverse is that
+   * of the material itself, which no mode of a homogeneous body is below
+   * (Rosen's microbuckling of fibres, -s = G). Zero without compression.
+   */
+  double
+  short_wave_ratio(const Voigt &stress, const ElasticTensor &C);
 } // namespace lamella
 
 #endif

@@ -34,16 +34,18 @@ namespace lamella
     /// The smallest positive lambda of (K + lambda K_G) v = 0 with the
     /// geometric stiffness of s_0 + s_m (SecondOrder) and the active rows of
     /// contact held: what multiplies the loads where the state buckles, if its
-    /// stresses grow with them. Within a fifth above 10, much closer below.
-    /// None above 100, where it says nothing any more, where no compression
-    /// makes one, and where the stiffening is above 1.
+    /// stresses grow with them. Within a tenth above 10, much closer below.
+    /// None above 100, without compression, where the stiffening is above 1,
+    /// and above that of short waves in the material
+    /// (SecondOrder::short_waves()), which are no buckling of a structure.
     std::optional<double> buckling_factor;
     /// The number of the body that holds most of the energy of that mode.
     unsigned int buckled = 0;
-    /// How much of the displacements that mode makes: the part c of u along it
-    /// in the energy norm grows to c lambda / (lambda - 1), and this is
-    /// |c| / |u| / (lambda - 1). Zero where loads do not excite it, as in a
-    /// column that is straight.
+    /// The relative growth of the displacements u by that mode: the part c of u
+    /// along it in the energy norm grows to c lambda / (lambda - 1), and this
+    /// is |c| / |u| / (lambda - 1). Zero where loads do not excite it, as in a
+    /// column that is straight. Without a factor it is -u.K_G u / u.K u, the
+    /// growth to the first order, or zero where tension prevails.
     double amplification = 0.;
   };
 
