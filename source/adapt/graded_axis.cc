@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <map>
 
 namespace lamella
@@ -23,6 +24,7 @@ namespace lamella
     size_at(const double                     y,
             const double                     length,
             const std::vector<ShortElement> &places,
+            const std::vector<LoadedPart>   &loaded,
             const GradingRules              &rules)
     {
       // So that the first element, over which s grows, is as long as said.
@@ -32,6 +34,9 @@ namespace lamella
         size =
           std::min(size,
                    first * place.size + rules.growth * std::abs(y - place.y));
+      for (const LoadedPart &part : loaded)
+        if (part.begin <= y && y <= part.end)
+          size = std::min(size, part.span / rules.over_span);
       return size;
     }
 
@@ -66,6 +71,19 @@ namespace lamella
           result.push_back(place);
       return result;
     }
+
+
+
+    /// At least @p wanted, in pairs or one by one as @p together says, and
+    /// @p fineness times as many of these.
+    unsigned int
+    n_elements(const double wanted,
+               const double together,
+               const double fineness)
+    {
+      const double n = together * std::max(1., std::ceil(wanted / together));
+      return std::max(1., std::ceil(fineness * n - arithmetic::as_written));
+    }
   } // namespace
 
 
@@ -73,7 +91,9 @@ namespace lamella
   std::vector<double>
   graded_breaks(const double                     length,
                 const std::vector<ShortElement> &given,
-                const GradingRules              &rules)
+                const GradingRules              &rules,
+                const double                     fineness,
+                const std::vector<LoadedPart>   &loaded)
   {
     const unsigned int              samples = rules.samples;
     const std::vector<ShortElement> places  = tidy(given, length, rules);
@@ -81,17 +101,22 @@ namespace lamella
     for (unsigned int piece = 0; piece + 1 < places.size(); ++piece)
       {
         const double begin = places[piece].y, end = places[piece + 1].y,
-                     step = (end - begin) / samples;
+                     step  = (end - begin) / samples;
+        const auto density = [&](const unsigned int k) {
+          return 1. / size_at(begin + k * step, length, places, loaded, rules);
+        };
         // The integral of 1 / s up to each sample, by the trapezoidal rule.
         std::vector<double> integral{0.};
         for (unsigned int k = 0; k < samples; ++k)
-          integral.push_back(
-            integral.back() +
-            0.5 * step *
-              (1. / size_at(begin + k * step, length, places, rules) +
-               1. / size_at(begin + (k + 1) * step, length, places, rules)));
-        const unsigned int n =
-          std::max(1., std::ceil(integral.back() - rules.spare));
+          integral.push_back(integral.back() +
+                             0.5 * step * (density(k) + density(k + 1)));
+        const bool is_loaded =
+          std::any_of(loaded.begin(), loaded.end(), [&](const auto &part) {
+            return part.begin < end && part.end > begin;
+          });
+        const unsigned int n = n_elements(integral.back() - rules.spare,
+                                          is_loaded ? 2. : 1.,
+                                          fineness);
         for (unsigned int i = 1; i < n; ++i)
           {
             const double wanted = integral.back() * i / n;
@@ -206,15 +231,14 @@ namespace lamella
       const double size = rules.contact * H;
       if (end - begin < H)
         {
-          places.push_back({nearest(gaps), size});
+          places.push_back({nearest(gaps), size, true});
           return;
         }
       // They lie upon each other: edges, and nothing long between.
       for (const double edge : {begin, end})
-        places.push_back({edge, size});
-      const double most = rules.most_inside * height_of(beam) / H;
-      const double n =
-        std::ceil(std::min((end - begin) / (rules.inside * H), most) / 2.);
+        places.push_back({edge, size, true});
+      const double n = std::ceil(
+        std::min((end - begin) / (rules.inside * H), rules.most_inside) / 2.);
       for (unsigned int i = 1; i < n; ++i)
         places.push_back(
           {begin + (end - begin) * i / n, 0.5 * (end - begin) / n});
@@ -266,30 +290,39 @@ namespace lamella
 
 
 
-    /// All that body @p number wants along its axis, sizes divided by
-    /// @p fineness.
+    /// All that an axis is graded to.
+    struct Wishes
+    {
+      std::vector<ShortElement> places;
+      std::vector<LoadedPart>   loaded;
+    };
+
+
+
+    /// What supports, loads and contacts want along the axis of body @p number.
     std::vector<ShortElement>
     places_of(const unsigned int                   number,
               const Bodies                        &bodies,
-              const double                         fineness,
               const std::vector<Support>          &supports,
               const std::vector<Load>             &loads,
               const std::vector<ContactInterface> &touching,
               const GradingRules                  &rules)
     {
       const Beam               &beam = *beams_of(bodies)[number];
-      const double              H    = height_of(beam) / fineness;
+      const double              H    = height_of(beam);
       std::vector<ShortElement> places;
       for (const Support &support : supports)
         add_condition_places(
           support.on, number, beam, rules.clamp * H, rules.edge * H, places);
+      for (ShortElement &place : places)
+        place.holds = true;
+      for (const ContactInterface &contact : touching)
+        if (contact.first_body == number || contact.second_body == number)
+          add_contact_places(contact, number, beam, H, rules, places);
       for (const Load &load : loads)
         add_condition_places(
           load.on, number, beam, rules.edge * H, rules.edge * H, places);
       add_load_edges(beam, number, bodies, loads, rules.edge * H, places);
-      for (const ContactInterface &contact : touching)
-        if (contact.first_body == number || contact.second_body == number)
-          add_contact_places(contact, number, beam, H, rules, places);
       return places;
     }
 
@@ -300,7 +333,7 @@ namespace lamella
     void
     share_places_of_paired_nodes(const std::vector<ContactPair>  &contacts,
                                  const std::vector<const Beam *> &beams,
-                                 std::vector<std::vector<ShortElement>> &places)
+                                 std::vector<Wishes>             &wishes)
     {
       for (const ContactPair &contact : contacts)
         {
@@ -318,9 +351,13 @@ namespace lamella
               std::abs(y_in_one_of(0.)) > tolerance ||
               std::abs(y_in_one_of(length) - length) > tolerance)
             continue;
-          std::vector<ShortElement> both = places[a];
-          both.insert(both.end(), places[b].begin(), places[b].end());
-          places[a] = places[b] = both;
+          const auto add = [](const auto &more, auto &all) {
+            all.insert(all.end(), more.begin(), more.end());
+          };
+          Wishes both = wishes[a];
+          add(wishes[b].places, both.places);
+          add(wishes[b].loaded, both.loaded);
+          wishes[a] = wishes[b] = both;
         }
     }
 
@@ -370,11 +407,54 @@ namespace lamella
 
 
   void
+  shorten_at(AxisMesh           &axis,
+             const double        y,
+             const double        size,
+             const GradingRules &rules)
+  {
+    const std::vector<double> lengths = element_lengths(axis);
+    std::vector<double>       ends;
+    double                    begin = 0., longest = size;
+    for (const double length : lengths)
+      {
+        if (size == 0. && begin <= y && y <= begin + length)
+          longest = std::max(longest, 0.5 * length);
+        begin += length;
+      }
+    const double                              near = rules.spare * longest;
+    const std::function<void(double, double)> add  = [&](const double a,
+                                                        const double b) {
+      const bool   has_y = a + near < y && y + near < b;
+      const double most = longest + rules.growth * std::max({0., a - y, y - b}),
+                   middle = has_y ? y : 0.5 * (a + b);
+      if (has_y || b - a > (1. + arithmetic::same_in_element) * most)
+        {
+          add(a, middle);
+          add(middle, b);
+        }
+      else
+        ends.push_back(b);
+    };
+    begin = 0.;
+    for (const double length : lengths)
+      {
+        add(begin, begin + length);
+        begin += length;
+      }
+    ends.pop_back();
+    axis.breaks = ends;
+    axis.elements.assign(ends.size() + 1, 1);
+  }
+
+
+
+  void
   grade_axes(std::vector<BodyDescription>   &bodies,
              const SectionMeshes            &meshes,
              const std::vector<Support>     &supports,
              const std::vector<Load>        &loads,
              const std::vector<ContactPair> &contacts,
+             const Tensor<1, 3>             &gravity,
              const GradingRules             &rules)
   {
     if (std::none_of(bodies.begin(), bodies.end(), is_automatic))
@@ -385,24 +465,29 @@ namespace lamella
           body.axis.length, height(*meshes.at(body.section)), rules)};
     for (unsigned int pass = 0; pass < 2; ++pass)
       {
-        const Bodies plain    = plain_beams(bodies, meshes);
-        const auto   touching = interfaces_of(contacts, plain);
-        std::vector<std::vector<ShortElement>> places(bodies.size());
+        const Bodies      plain  = plain_beams(bodies, meshes);
+        std::vector<Load> spread = loads;
+        spread_totals(spread, plain);
+        apply_heat(spread, plain);
+        const auto          touching = interfaces_of(contacts, plain);
+        std::vector<Wishes> wishes(bodies.size());
         for (unsigned int b = 0; b < bodies.size(); ++b)
           if (is_automatic(bodies[b]))
-            places[b] = places_of(b,
-                                  plain,
-                                  bodies[b].axis.fineness,
-                                  supports,
-                                  loads,
-                                  touching,
-                                  rules);
-        share_places_of_paired_nodes(contacts, beams_of(plain), places);
+            {
+              auto &[places, loaded] = wishes[b];
+              places = places_of(b, plain, supports, spread, touching, rules);
+              loaded = loaded_parts(b, plain, spread, gravity, places);
+            }
+        share_places_of_paired_nodes(contacts, beams_of(plain), wishes);
         for (unsigned int b = 0; b < bodies.size(); ++b)
           if (is_automatic(bodies[b]))
             {
               AxisMesh &axis = bodies[b].axis;
-              axis.breaks    = graded_breaks(axis.length, places[b], rules);
+              axis.breaks    = graded_breaks(axis.length,
+                                          wishes[b].places,
+                                          rules,
+                                          axis.fineness,
+                                          wishes[b].loaded);
               axis.elements.assign(axis.breaks.size() + 1, 1);
             }
       }

@@ -250,25 +250,20 @@ namespace lamella
 
 
 
-    /// Of @p load on the body number @p body, @p beam.
-    std::vector<SectionLoad>
-    loads_of_load(const Beam        &beam,
-                  const unsigned int body,
-                  const Load        &load,
-                  const Bodies      &bodies,
-                  const TouchRules  &rules)
-    {
-      std::vector<types::global_dof_index> sizes;
-      for (const auto &one : bodies)
-        sizes.push_back(one->n_dofs());
-      BlockVector forces(sizes);
-      add_load(load, bodies, forces);
-      return loads_of_vector(beam,
-                             forces.block(body),
-                             std::vector<bool>(beam.axis().n_cells(), true),
-                             rules);
-    }
   } // namespace
+
+
+
+  Vector
+  load_on(const Load &load, const unsigned int body, const Bodies &bodies)
+  {
+    std::vector<types::global_dof_index> sizes;
+    for (const auto &one : bodies)
+      sizes.push_back(one->n_dofs());
+    BlockVector forces(sizes);
+    add_load(load, bodies, forces);
+    return forces.block(body);
+  }
 
 
 
@@ -296,7 +291,11 @@ namespace lamella
     for (const Load &load : loads)
       add_touches("load " + load.name,
                   n_fields,
-                  loads_of_load(beam, body, load, bodies, rules),
+                  loads_of_vector(beam,
+                                  load_on(load, body, bodies),
+                                  std::vector<bool>(beam.axis().n_cells(),
+                                                    true),
+                                  rules),
                   nullptr,
                   rules,
                   touches);

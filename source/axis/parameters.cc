@@ -22,8 +22,9 @@ namespace lamella
                       dealii::Patterns::Anything(),
                       "Number of equal elements along the axis, or one number "
                       "for each piece between Axis breaks. auto: graded to "
-                      "what touches the body, short at clamps and contacts; "
-                      "auto 2: twice as fine.");
+                      "what touches the body, short at clamps and contacts, "
+                      "with ten elements or more to a span that is loaded all "
+                      "along; auto 2: twice as many everywhere.");
     prm.declare_entry(
       "Axis breaks",
       "",

@@ -692,7 +692,7 @@ namespace lamella
     // What `adjust` has taken out of gaps is no depth.
     if (interface.obstacle != nullptr || !taken_out.empty())
       return {};
-    return deepest_end(ContactSides(undeformed, u, factor), reach);
+    return deepest_node(ContactSides(undeformed, u, factor), reach, true);
   }
 
 
@@ -701,10 +701,21 @@ namespace lamella
   Contact::sunk_place(const BlockVector &u, const LoadFactor &factor) const
   {
     const Obstacle *const obstacle = interface.obstacle.get();
-    if (obstacle == nullptr || obstacle->shape != Obstacle::Shape::cylinder ||
-        lines != nullptr || !taken_out.empty())
+    if (lines != nullptr || !taken_out.empty() ||
+        (obstacle != nullptr && obstacle->shape != Obstacle::Shape::cylinder))
       return {};
     const ContactSides now(undeformed, u, factor);
+    if (obstacle == nullptr)
+      {
+        const auto node = deepest_node(now, reach, false);
+        if (!node)
+          return {};
+        const auto &[facet, st]  = node->at;
+        const MeshSurface &faced = *undeformed.surface(!node->second);
+        return SunkPlace{faced.facets()[facet].map(st).position,
+                         node->depth,
+                         !node->second};
+      }
     return RollerLines::deepest_in(*now.obstacle(),
                                    *undeformed.surface(false),
                                    *now.surface(false));

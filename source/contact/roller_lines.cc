@@ -238,7 +238,8 @@ namespace lamella
         const double depth = roller.radius - r.norm();
         if (r * map.outward(place) < 0. &&
             depth > (deepest ? deepest->depth : 0.))
-          deepest = SunkPlace{place.position, depth};
+          deepest =
+            SunkPlace{surface.facets()[at.facet].map(at.st).position, depth};
       }
     return deepest;
   }

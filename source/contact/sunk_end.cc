@@ -11,13 +11,16 @@ namespace lamella
   constexpr double whatever_it_faces = -2.;
 
   std::optional<SunkEnd>
-  deepest_end(const ContactSides &sides, const double reach)
+  deepest_node(const ContactSides &sides,
+               const double        reach,
+               const bool          of_ends)
   {
     std::optional<SunkEnd> deepest;
     for (const bool second : {false, true})
       {
         const MeshSurface &other = *sides.surface(!second);
-        for (const SurfacePoint &point : sides.end_points(second))
+        for (const SurfacePoint &point :
+             of_ends ? sides.end_points(second) : sides.points(second))
           {
             const auto foot_of = [&](const double opposed) {
               return find_foot(
@@ -32,7 +35,8 @@ namespace lamella
             if (-foot->distance > (deepest ? deepest->depth : 0.))
               deepest = {second,
                          -foot->distance,
-                         other.facets()[foot->facet].depth};
+                         other.facets()[foot->facet].depth,
+                         {foot->facet, foot->st}};
           }
       }
     return deepest;

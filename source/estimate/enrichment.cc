@@ -299,7 +299,7 @@ namespace lamella
   Scene
   for_estimates(const Simulation &run)
   {
-    Scene scene          = run.model().scene();
+    Scene scene          = run.model().anew();
     scene.solve.strategy = Strategy::condensed;
     if (first_with_friction(scene) == nullptr)
       scene.solve.load_factors = {scene.solve.load_factors.back()};

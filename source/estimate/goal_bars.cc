@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <lamella/base/exceptions.h>
+#include <lamella/base/sentence.h>
 #include <lamella/base/text.h>
 #include <lamella/estimate/bars_by_source.h>
 #include <lamella/estimate/bars_from_below.h>
@@ -114,9 +115,12 @@ namespace lamella
 
 
     /// The goals of @p run with bars by maker_for(); none if these are not
-    /// wanted, are not to be had or fail.
+    /// wanted, are not to be had or fail, which @p failure then tells.
     std::optional<Goals>
-    cheap_goals(const Simulation &run, std::ostream &out, ModelCache &cache)
+    cheap_goals(const Simulation &run,
+                std::ostream     &out,
+                ModelCache       &cache,
+                std::string      &failure)
     {
       if (run.model().scene().goals.bars == ErrorBars::richer ||
           !RunGoals::reason_for_none(run).empty())
@@ -130,7 +134,12 @@ namespace lamella
       const Outcome        outcome =
         outcome_of([&, &make = make] { goals = make(out, cache); });
       if (outcome.status != 0)
-        out << "  failed: " << trimmed(outcome.message) << std::endl;
+        {
+          failure = without_full_stop(trimmed(outcome.message));
+          out << "  failed: " << failure << "." << std::endl;
+          failure =
+            from + " have no result (" + failure + "), and of richer ones: ";
+        }
       else
         look_at_held_places(run, out, cache, *goals);
       return goals;
@@ -142,9 +151,11 @@ namespace lamella
   GoalBars
   bars_of(const Simulation &run, std::ostream &out, ModelCache &cache)
   {
-    if (const auto goals = cheap_goals(run, out, cache))
+    std::string failure;
+    if (const auto goals = cheap_goals(run, out, cache, failure))
       return {*goals, ""};
-    Estimation estimation(run, out, cache);
-    return {estimation.goals(), estimation.reason_for_none()};
+    Estimation        estimation(run, out, cache);
+    const std::string none = estimation.reason_for_none();
+    return {estimation.goals(), none.empty() ? none : failure + none};
   }
 } // namespace lamella

@@ -33,28 +33,30 @@ namespace lamella
 
 
     /// Appends the ends of the elements @p begin to @p end of @p lengths, two
-    /// by two, to @p ends; of an odd number the longest stays as it is, or its
-    /// neighbour.
+    /// by two, to @p ends; of an odd number the longest, or its neighbour, goes
+    /// with the next two or, if it is the last, with those before it.
     void
     pair_up(const std::vector<double> &lengths,
             const std::size_t          begin,
             const std::size_t          end,
             std::vector<double>       &ends)
     {
-      std::size_t alone = end;
+      std::size_t third = end;
       if ((end - begin) % 2 == 1)
         {
-          alone =
+          third =
             std::max_element(lengths.begin() + begin, lengths.begin() + end) -
             lengths.begin();
-          alone -= (alone - begin) % 2;
+          third -= (third - begin) % 2;
         }
       double y = ends.empty() ? 0. : ends.back();
       for (std::size_t k = begin; k < end; ++k)
         {
           y += lengths[k];
-          const std::size_t in_pairs = k < alone ? k - begin : k - alone - 1;
-          if (k == alone || in_pairs % 2 == 1)
+          const std::size_t in_pairs = k < third ? k - begin : k - third - 1;
+          if (k + 1 == end && k == third && k > begin)
+            ends.back() = y;
+          else if (k + 1 == end || (k != third && in_pairs % 2 == 1))
             ends.push_back(y);
         }
     }

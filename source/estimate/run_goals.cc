@@ -93,7 +93,26 @@ namespace lamella
         result.trusted = bar.trusted;
         result.why     = bar.why;
       }
+    if (result.value == 0. && touches_nothing(run))
+      {
+        result.trusted = false;
+        result.why     = "no contact touches in the last load step";
+      }
     return result;
+  }
+
+
+
+  bool
+  RunGoals::touches_nothing(const Simulation &run)
+  {
+    const auto &contacts = run.results().last().contacts;
+    return !contacts.empty() &&
+           std::all_of(contacts.begin(), contacts.end(), [](const auto &rows) {
+             return std::none_of(rows.begin(), rows.end(), [](const auto &row) {
+               return row.touches();
+             });
+           });
   }
 
 

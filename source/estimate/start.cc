@@ -65,11 +65,12 @@ namespace lamella
     for (unsigned int b = 0; b < scene.bodies.size(); ++b)
       {
         PlanFacts facts;
-        facts.size             = sizes[b];
-        facts.theory           = scene.bodies[b].theory;
-        facts.is_assumed       = is_assumed(scene, b);
-        facts.has_contacts     = true;
-        facts.grades_itself    = scene.bodies[b].axis.fineness > 0.;
+        facts.size         = sizes[b];
+        facts.theory       = scene.bodies[b].theory;
+        facts.is_assumed   = is_assumed(scene, b);
+        facts.has_contacts = true;
+        facts.grades_itself =
+          scene.goals.axes_are_assumed.count(scene.bodies[b].name) > 0;
         facts.has_pieces       = !scene.bodies[b].pieces.empty();
         const BodyPlan start   = plan(facts, rules);
         scene.bodies[b].theory = start.theory;

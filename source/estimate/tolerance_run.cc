@@ -23,6 +23,27 @@
 
 namespace lamella
 {
+  namespace
+  {
+    /// Throws NumericsError if no contact of @p run touches in its last step,
+    /// and all goals are zero.
+    void
+    require_touch(const Simulation &run)
+    {
+      const RunGoals goals(run);
+      const auto    &all = goals.quantities();
+      if (RunGoals::touches_nothing(run) &&
+          std::all_of(all.begin(), all.end(), [&goals](const auto &quantity) {
+            return goals.numbers().value(quantity) == 0.;
+          }))
+        throw NumericsError("No contact touches in the last load step, and all "
+                            "goals are 0. Move or load the bodies towards each "
+                            "other until they touch.");
+    }
+  } // namespace
+
+
+
   ToleranceRun::ToleranceRun(const Scene &said, std::ostream &out)
     : scene(start_of(said))
     , out(out)
@@ -83,6 +104,7 @@ namespace lamella
         << std::endl;
     next->solve();
     check_loads(*next);
+    require_touch(*next);
     cache.keep({for_estimates(*next),
                 ResultNumbers(next->results()),
                 sizes_of(next->model())});

@@ -131,8 +131,12 @@ namespace lamella
   {
     Scene      solid  = with_solids(scene, element.degree());
     const auto meshes = build_section_meshes(solid);
-    grade_axes(
-      solid.bodies, meshes, solid.supports, solid.loads, solid.contacts);
+    grade_axes(solid.bodies,
+               meshes,
+               solid.supports,
+               solid.loads,
+               solid.contacts,
+               solid.gravity);
     solids = make_bodies(solid.bodies, meshes, solid.solve.memory_limit);
     for (unsigned int body = 0; body < solids.size(); ++body)
       {

@@ -16,16 +16,11 @@
 
 namespace lamella
 {
-  ResultsWriter::ResultsWriter(const std::string &directory,
-                               const Scenery     &scenery)
+  ResultsWriter::ResultsWriter(const std::string              &directory,
+                               const std::function<Scenery()> &scenery)
     : scenery(scenery)
     , place(directory)
-  {
-    standing.version = version();
-    standing.scene   = scenery.resolved;
-    if (scenery.write_vtu)
-      make_surfaces();
-  }
+  {}
 
 
 
@@ -33,8 +28,8 @@ namespace lamella
   ResultsWriter::make_surfaces()
   {
     surfaces.clear();
-    for (const ContactInterface &contact : scenery.contacts)
-      surfaces.emplace_back(contact, scenery.structure);
+    for (const ContactInterface &contact : scenery().contacts)
+      surfaces.emplace_back(contact, scenery().structure);
   }
 
 
@@ -42,7 +37,7 @@ namespace lamella
   std::vector<StepResults>
   ResultsWriter::resume()
   {
-    standing = read_restart(place.path(), scenery.resolved);
+    standing = read_restart(place.path(), scenery().resolved);
     if (is_speaker())
       for (const auto &[name, size] : standing.sizes)
         {
@@ -65,16 +60,23 @@ namespace lamella
   ResultsWriter::write_step(const Results &results)
   {
     place.make_room();
-    if (scenery.write_vtu)
+    const Scenery of    = scenery();
+    const bool    first = results.steps.size() == 1;
+    // Of a run that has begun anew nothing stays.
+    if (first)
+      standing = {};
+    standing.version = version();
+    standing.scene   = of.resolved;
+    if (of.write_vtu)
       write_vtu_files(results.last());
     if (!is_speaker())
       return;
-    if (results.steps.size() == 1)
+    if (first)
       {
-        write_file(place.path() + "/scene.prm", scenery.resolved);
+        write_file(place.path() + "/scene.prm", of.resolved);
         write_file(place.path() + "/fields.csv",
-                   fields_of_nodes(scenery.structure.bodies()));
-        for (const auto &[name, section] : scenery.sections)
+                   fields_of_nodes(of.structure.bodies()));
+        for (const auto &[name, section] : of.sections)
           {
             write_section(place.path(), name, *section);
             write_section_stiffness(place.path(),
@@ -113,22 +115,23 @@ namespace lamella
   void
   ResultsWriter::write_vtu_files(const StepResults &step)
   {
+    const Scenery of = scenery();
     standing.vtu_files["solution"].emplace_back(
       step.step,
       write_vtu(place.path(),
                 step.step,
                 step.load_factor.of_scene(),
-                scenery.structure,
+                of.structure,
                 step.state.u,
-                scenery.strength));
+                of.strength));
     if (!is_speaker())
       return;
     // Of bodies that turn who faces whom is another matter in each step.
-    if (scenery.structure.turns())
+    if (surfaces.empty() || step.step == 1 || of.structure.turns())
       make_surfaces();
     for (unsigned int k = 0; k < surfaces.size(); ++k)
       {
-        const std::string name = "contact_" + scenery.contacts[k].name;
+        const std::string name = "contact_" + of.contacts[k].name;
         standing.vtu_files[name].emplace_back(
           step.step,
           surfaces[k].write_vtu(

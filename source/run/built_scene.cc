@@ -91,7 +91,8 @@ namespace lamella
                section_meshes,
                given.supports,
                given.loads,
-               given.contacts);
+               given.contacts,
+               given.gravity);
     std::vector<Stabilisation> stabilisations;
     for (const BodyDescription &body : given.bodies)
       stabilisations.push_back({body.stabilisation});
@@ -231,6 +232,9 @@ namespace lamella
         ContactPair &contact = given.contacts[k];
         lives.push_back(
           std::make_unique<Contact>(contact, whole->bodies(), contacts[k]));
+        if (contacts[k].discretisation == Discretisation::node_to_node &&
+            contact.discretisation == Discretisation::automatic)
+          chose_nodes.push_back(k);
         contact.discretisation = contacts[k].discretisation;
         drop_held_slips(contacts[k], *whole);
         given.resolved =
@@ -243,6 +247,17 @@ namespace lamella
     check_partners(contacts);
     check_conflicts(contacts, whole->bodies());
     check_strips();
+  }
+
+
+
+  Scene
+  BuiltScene::anew() const
+  {
+    Scene again = given;
+    for (const unsigned int k : chose_nodes)
+      again.contacts[k].discretisation = Discretisation::automatic;
+    return again;
   }
 
 

@@ -152,7 +152,8 @@ namespace lamella
             const bool          resume,
             const Afterthought &afterwards)
   {
-    ResultsWriter  writer(directory, scenery_of(simulation));
+    ResultsWriter  writer(directory,
+                         [&simulation] { return scenery_of(simulation); });
     const Results &found = simulation.results();
     std::ostream  &out   = simulation.output();
     if (resume)
@@ -181,7 +182,8 @@ namespace lamella
   write_run(Simulation &simulation, const std::string &directory)
   {
     simulation.count_costs();
-    ResultsWriter writer(directory, scenery_of(simulation));
+    ResultsWriter writer(directory,
+                         [&simulation] { return scenery_of(simulation); });
     Results       so_far = simulation.results();
     so_far.steps.clear();
     for (const StepResults &step : simulation.results().steps)

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <lamella/adapt/graded_axis.h>
 #include <lamella/base/exceptions.h>
 #include <lamella/base/memory.h>
 #include <lamella/base/processes.h>
@@ -24,6 +25,9 @@ namespace lamella
     : out(out)
     , timer(out, TimerOutput::never, TimerOutput::wall_times)
   {
+    for (const BodyDescription &body : given.bodies)
+      may_refine.push_back(body.axis.fineness > 0. || !given.solve.is_judged ||
+                           !given.goals.tolerances.empty());
     build(given, rules);
   }
 
@@ -60,7 +64,28 @@ namespace lamella
     if (rules.unsolved.size() == built->rules().unsolved.size())
       return false;
     forget_solver();
-    build(Scene(scene()), rules);
+    build(built->anew(), rules);
+    return true;
+  }
+
+
+
+  bool
+  Simulation::shorten_elements(const BetweenPoints &missed)
+  {
+    if (!may_refine[missed.body] || last_is_bare)
+      return false;
+    Scene            shorter = built->anew();
+    BodyDescription &body    = shorter.bodies[missed.body];
+    shorten_at(body.axis, missed.y, missed.longest);
+    const std::string what = "Body " + body.name +
+                             ": shorter elements at y = " + to_text(missed.y) +
+                             " of its axis, for a contact between its points";
+    out << what << std::endl;
+    // Load steps of one axis do not go on on another.
+    shorter.resolved += "# " + what + "\n";
+    forget_solver();
+    build(shorter, built->rules());
     return true;
   }
 
@@ -81,17 +106,24 @@ namespace lamella
   const Results &
   Simulation::solve(const Observer &observer)
   {
-    try
-      {
-        return solve_as_built(observer);
-      }
-    catch (const LostDigits &)
-      {
-        // Steps that are done stay with the fields that they have.
-        if (!found.steps.empty() || !take_all_fields())
-          throw;
-      }
-    return solve_as_built(observer);
+    // Of 1000 elements one is left that is as long as all were.
+    constexpr unsigned int most = 10;
+    for (unsigned int attempt = 0;; ++attempt)
+      try
+        {
+          return solve_as_built(observer);
+        }
+      catch (const LostDigits &)
+        {
+          // Steps that are done stay with the fields that they have.
+          if (!found.steps.empty() || !take_all_fields())
+            throw;
+        }
+      catch (const BetweenPoints &missed)
+        {
+          if (attempt == most || !shorten_elements(missed))
+            throw;
+        }
   }
 
 

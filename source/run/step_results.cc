@@ -29,6 +29,7 @@ namespace lamella
                        const SolvedStep  &solved,
                        const State       &previous) const
   {
+    require_found(solved);
     StepResults results;
     results.step        = step;
     results.load_factor = solved.load_factor;
@@ -229,7 +230,6 @@ namespace lamella
                            solved.load_factor,
                            built.rows().among_contact(k, solved.state.active)));
     add(warnings_of_rollers(solved));
-    add(warnings_of_sunk_rollers(solved));
     add(warnings_of_ends(solved));
     add(warnings_of_holds(solved));
     if (solved.change && *solved.change > scene.solve.substeps.tolerance)
@@ -279,38 +279,68 @@ namespace lamella
 
 
 
-  std::vector<std::string>
-  StepRecorder::warnings_of_sunk_rollers(const SolvedStep &solved) const
+  bool
+  StepRecorder::touches(const unsigned int contact,
+                        const SolvedStep  &solved) const
   {
-    // Of the displacements.
-    constexpr double         worth_saying = 1e-2;
-    std::vector<std::string> warnings;
+    const ContactInterface &own = built.interfaces()[contact];
     for (unsigned int c = 0; c < built.interfaces().size(); ++c)
       {
-        const ContactInterface &contact = built.interfaces()[c];
-        if (!built.rows().among_contact(c, solved.state.active).empty())
+        const ContactInterface &other = built.interfaces()[c];
+        if (other.first_body == own.first_body &&
+            other.second_name == own.second_name &&
+            !built.rows().among_contact(c, solved.state.active).empty())
+          return true;
+      }
+    return false;
+  }
+
+
+
+  void
+  StepRecorder::require_found(const SolvedStep &solved) const
+  {
+    // Of the displacements.
+    constexpr double worth_failing = 1e-2;
+    for (unsigned int c = 0; c < built.interfaces().size(); ++c)
+      {
+        if (touches(c, solved))
           continue;
-        const auto sunk =
+        const ContactInterface &contact = built.interfaces()[c];
+        const auto              sunk =
           built.contact_lives()[c]->sunk_place(solved.state.u,
                                                solved.load_factor);
-        if (!sunk ||
-            sunk->depth <
-              std::max(worth_saying * solved.checks.max_displacement,
-                       arithmetic::as_written * contact.obstacle->radius))
+        const unsigned int number =
+          sunk && sunk->of_second ? *contact.second_body : contact.first_body;
+        const Body &body = *structure.bodies()[number];
+        if (!sunk || sunk->depth <
+                       std::max(worth_failing * solved.checks.max_displacement,
+                                arithmetic::as_written * body.size()))
           continue;
-        // With that between two nodes their averages of the gap are zero.
-        const double spacing =
-          std::sqrt(4. * contact.obstacle->radius * sunk->depth);
-        warnings.push_back(
+        // Nodes of B4 at an end of two elements are 0.28 of their length h
+        // apart. With one where a roller is deepest the mean gap there is
+        // (0.28 h)^2 / (12 R) wider, a hundredth of the depth.
+        const double longest =
+          contact.obstacle == nullptr ?
+            0. :
+            std::sqrt(1.5 * contact.obstacle->radius * sunk->depth);
+        throw BetweenPoints(
           "contact " + contact.name + ": nothing touches, but '" +
-          contact.second_name + "' is inside of the body at " +
-          to_text(sunk->position) + ", between its points, by " +
-          to_text(sunk->depth, 2) + ": have these nearer than " +
-          to_text(spacing, 2) +
-          " there (three an axis element B4), or take Rotations = large and "
-          "Discretisation = line to roller");
+            (sunk->of_second ? structure.bodies()[contact.first_body]->name() :
+                               contact.second_name) +
+            "' is inside of the body at " + to_text(sunk->position) +
+            ", between its points, by " + to_text(sunk->depth, 2) +
+            ". Give body '" + body.name() + "' Axis elements = auto, or " +
+            (longest > 0. ? "elements of at most " + to_text(longest, 2) :
+                            std::string("shorter elements")) +
+            " there (Axis breaks)" +
+            (longest > 0. ? "; or take Rotations = large and Discretisation = "
+                            "line to roller." :
+                            "."),
+          number,
+          built.scene().bodies[number].placement.to_body(sunk->position)[1],
+          longest);
       }
-    return warnings;
   }
 
 

@@ -345,9 +345,11 @@ namespace lamella
     /// What a run to a tolerance begins with where @p text does not say, or
     /// says `auto`: the section's own fields, with responses where contacts
     /// press, and axes that grade themselves. Whether that is so of the scene's
-    /// Theory.
+    /// Theory; of which bodies it is so of the axis is added to @p axes.
     bool
-    assume_start(SceneText &text, const NameLists &names)
+    assume_start(SceneText             &text,
+                 const NameLists       &names,
+                 std::set<std::string> &axes)
     {
       const bool has_tolerance =
         !trimmed(text.says("Goals/Tolerance").value_or("")).empty();
@@ -361,8 +363,13 @@ namespace lamella
           const std::string kinematics = "Body " + body + "/Kinematics/";
           if (wants_any_theory(text, kinematics + "Theory", has_tolerance))
             text.replace(kinematics + "Theory", start);
-          if (has_tolerance && !text.says(kinematics + "Axis breaks"))
-            text.assume(kinematics + "Axis elements", "auto");
+          const std::string elements = kinematics + "Axis elements";
+          if (has_tolerance && !text.says(kinematics + "Axis breaks") &&
+              trimmed(text.says(elements).value_or("")).empty())
+            {
+              text.replace(elements, "auto");
+              axes.insert(body);
+            }
         }
       if (!has_tolerance)
         return false;
@@ -394,8 +401,9 @@ namespace lamella
       {
         NameLists names;
         write_out_stacks(text);
-        std::tie(text, names)              = listed(text);
-        const bool       theory_is_assumed = assume_start(text, names);
+        std::tie(text, names) = listed(text);
+        std::set<std::string> assumed;
+        const bool       theory_is_assumed = assume_start(text, names, assumed);
         ParameterHandler prm;
         declare_all(prm, names);
         text.check_declared(prm);
@@ -403,6 +411,7 @@ namespace lamella
 
         Scene scene                   = resolve(prm, names, text);
         scene.goals.theory_is_assumed = theory_is_assumed;
+        scene.goals.axes_are_assumed  = assumed;
         scene.resolved                = SceneText::printed(prm);
         return scene;
       }

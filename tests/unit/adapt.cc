@@ -980,8 +980,11 @@ BOOST_AUTO_TEST_CASE(axes_grade_themselves)
   BOOST_TEST(ends[1] < 0.7);
   BOOST_TEST(ends[1] > 0.35);
   BOOST_TEST(ends.size() < 40);
-  // Without places a quarter of the length each.
+  // Without places a quarter of the length each; half of that where elements
+  // are twice as fine, and a tenth of a span that is loaded all along.
   BOOST_TEST(graded_breaks(100., {}).size() == 3);
+  BOOST_TEST(graded_breaks(100., {}, {}, 2.).size() == 7);
+  BOOST_TEST(graded_breaks(100., {}, {}, 1., {{0., 100., 100.}}).size() == 9);
 }
 
 
@@ -1021,7 +1024,7 @@ BOOST_AUTO_TEST_CASE(axes_are_graded_to_what_touches)
   bodies[0].axis.breaks    = {};
   grade_axes(bodies, meshes(), {clamp()}, {}, {contact});
   BOOST_TEST(bodies[0].axis.breaks.front() < 0.09 * height);
-  BOOST_TEST(bodies[0].axis.breaks.size() > coarse);
+  BOOST_TEST(bodies[0].axis.breaks.size() == 2 * coarse + 1);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -62,6 +62,10 @@ namespace lamella
                const std::vector<ContactInterface> &contacts,
                const TouchRules                    &rules = {});
 
+  /// What @p load loads body number @p body with, at load factor 1.
+  Vector
+  load_on(const Load &load, const unsigned int body, const Bodies &bodies);
+
   /// The ends of @p beam, if it is heated, that none of @p touches holds as a
   /// whole: stress that heat makes along the axis ends there.
   std::vector<Touch>

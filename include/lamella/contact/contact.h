@@ -186,13 +186,14 @@ namespace lamella
                   const std::vector<unsigned int> &active);
 
     /// The deepest end of either body in the other in the state @p u at
-    /// @p factor (deepest_end()); none against an obstacle.
+    /// @p factor (deepest_node()); none against an obstacle.
     std::optional<SunkEnd>
     sunk_end(const BlockVector &u, const LoadFactor &factor) const;
 
     /// The deepest place of the body in a roller in the state @p u at @p
-    /// factor, of points or between them (RollerLines::deepest_in()); none if
-    /// that is what rows are of, and against all else.
+    /// factor, of points or between them (RollerLines::deepest_in()), or of one
+    /// body that a node of the other is in (deepest_node()); none if rows are
+    /// of lines, and against a plane.
     std::optional<SunkPlace>
     sunk_place(const BlockVector &u, const LoadFactor &factor) const;
 

@@ -12,12 +12,13 @@
 
 namespace lamella
 {
-  /// A place of a surface inside a roller, where it is now, and how deep
-  /// [length].
+  /// A place of a surface that a roller or another body is in, undeformed, and
+  /// how deep [length]; whether it is of the second side.
   struct SunkPlace
   {
     dealii::Point<3> position;
-    double           depth = 0.;
+    double           depth     = 0.;
+    bool             of_second = false;
   };
 
   /**

@@ -9,7 +9,7 @@
 
 namespace lamella
 {
-  /// A node at the end of a body that is behind the surface of the other one.
+  /// A node of a body that is behind the surface of the other one.
   struct SunkEnd
   {
     /// Whether it is of the second side.
@@ -17,14 +17,18 @@ namespace lamella
     /// How deep it is [length], and the depth of the cell below the place that
     /// it faces.
     double depth = 0., cell = 0.;
+    /// The place that it faces.
+    MeshSurface::FacetPlace at = {};
   };
 
-  /// The deepest node of either end of @p sides, two bodies, behind the surface
-  /// of the other where they stand, with feet at most @p reach away [length],
-  /// the nearest places of all: inside of it. Faces that slide over an end have
-  /// no row for it, unless it is among the points.
+  /// The deepest node of @p sides, two bodies, or of their ends alone, behind
+  /// the surface of the other where they stand, with feet at most @p reach away
+  /// [length], the nearest places of all: inside of it. Faces that slide over
+  /// an end have no row for it, unless it is among the points.
   std::optional<SunkEnd>
-  deepest_end(const ContactSides &sides, const double reach);
+  deepest_node(const ContactSides &sides,
+               const double        reach,
+               const bool          of_ends);
 } // namespace lamella
 
 #endif

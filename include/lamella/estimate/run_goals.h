@@ -22,6 +22,10 @@ namespace lamella
     static std::string
     reason_for_none(const Simulation &run);
 
+    /// Whether there are contacts in @p run, and none touches in its last step.
+    static bool
+    touches_nothing(const Simulation &run);
+
     explicit RunGoals(const Simulation &run, const GoalRules &rules = {});
 
     /// The quantities of the scene, those of whole probes among them.
@@ -56,7 +60,7 @@ namespace lamella
     rounding_of(const NamedQuantity &quantity) const;
 
     /// The goal @p number with @p bar, which one without a limit is not held
-    /// to.
+    /// to, nor one that is zero where no contact touches.
     GoalResult
     with_bar(const unsigned int number, const ErrorBar &bar) const;
 

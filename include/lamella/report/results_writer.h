@@ -17,6 +17,7 @@
 #include <lamella/report/tables.h>
 #include <lamella/shape/section_geometry.h>
 
+#include <functional>
 #include <map>
 #include <memory>
 #include <string>
@@ -38,8 +39,7 @@ namespace lamella
   class ResultsWriter
   {
   public:
-    /// What pictures are made of, beyond results. All of it is referred to and
-    /// must outlive the writer.
+    /// What pictures are made of, beyond results.
     struct Scenery
     {
       /// The bodies that are drawn.
@@ -56,10 +56,11 @@ namespace lamella
       const StrengthSweep *strength = nullptr;
     };
 
-    /// The results of @p scenery go into the folder @p directory, which is this
-    /// run's from now on, as long as the object lives. Throws InputError
-    /// (ResultsFolder).
-    ResultsWriter(const std::string &directory, const Scenery &scenery);
+    /// The results of what @p scenery returns, asked at each step, go into the
+    /// folder @p directory, which is this run's from now on, as long as the
+    /// object lives. Throws InputError (ResultsFolder).
+    ResultsWriter(const std::string              &directory,
+                  const std::function<Scenery()> &scenery);
 
     /// The steps that the run in the folder has whole, as Restart keeps them;
     /// the tables are cut to them. To be called before any step is written.
@@ -107,8 +108,8 @@ namespace lamella
     void
     write_standing(const Results &results);
 
-    Scenery       scenery;
-    ResultsFolder place;
+    std::function<Scenery()> scenery;
+    ResultsFolder            place;
     /// Of each contact; none without VTU files.
     std::vector<ContactSurface> surfaces;
     /// What is there so far.

@@ -53,6 +53,11 @@ namespace lamella
       return given;
     }
 
+    /// scene(), for other axes: contacts that came to node to node by
+    /// themselves choose again.
+    Scene
+    anew() const;
+
     /// By which the fields of SV-N were chosen.
     const FieldRules &
     rules() const
@@ -186,6 +191,8 @@ namespace lamella
     std::vector<ContactInterface> contacts;
     GapRows                       gap_rows;
     Contacts                      lives;
+    /// Contacts that came to node to node by themselves.
+    std::vector<unsigned int> chose_nodes;
     /// What the choice of fields has to say.
     std::vector<std::string> field_notes;
     /// Of each body, why its nodes carry the fields that they do.

@@ -3,6 +3,7 @@
 #ifndef lamella_run_step_results_h
 #define lamella_run_step_results_h
 
+#include <lamella/base/exceptions.h>
 #include <lamella/run/built_scene.h>
 #include <lamella/solve/load_path.h>
 
@@ -10,6 +11,26 @@
 
 namespace lamella
 {
+  /// A contact touches nowhere, and what it may touch is inside of a body
+  /// between its points: they are too far apart.
+  struct BetweenPoints : public NumericsError
+  {
+    BetweenPoints(const std::string &message,
+                  const unsigned int body,
+                  const double       y,
+                  const double       longest)
+      : NumericsError(message)
+      , body(body)
+      , y(y)
+      , longest(longest)
+    {}
+
+    /// The body that wants shorter elements, the place along its axis, and the
+    /// longest there that would find it [length]; 0 where it is not known.
+    unsigned int body;
+    double       y, longest;
+  };
+
   /**
    * Makes results of what a load step came to: fields at probes, lines and
    * cuts, contact pairs, reserve factors of plies, measures, and what the user
@@ -75,10 +96,13 @@ namespace lamella
     /// Of bodies that turn, where rollers touch them at few points.
     std::vector<std::string>
     warnings_of_rollers(const SolvedStep &solved) const;
-    /// Of rollers that are inside of a body between the points of a contact
-    /// none of which touches.
-    std::vector<std::string>
-    warnings_of_sunk_rollers(const SolvedStep &solved) const;
+    /// Throws BetweenPoints.
+    void
+    require_found(const SolvedStep &solved) const;
+    /// Whether a row of contact number @p contact, or of another of the same
+    /// two, carries force.
+    bool
+    touches(const unsigned int contact, const SolvedStep &solved) const;
     /// Of bodies that turn, where an end of one lies in another.
     std::vector<std::string>
     warnings_of_ends(const SolvedStep &solved) const;

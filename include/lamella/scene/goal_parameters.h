@@ -11,6 +11,7 @@
 
 #include <deal.II/base/parameter_handler.h>
 
+#include <set>
 #include <string>
 #include <vector>
 
@@ -53,6 +54,8 @@ namespace lamella
     /// Whether the scene says nothing of its Theory, so that a run to a
     /// tolerance may begin with what suits it.
     bool theory_is_assumed = false;
+    /// The bodies of which it says nothing of their axes.
+    std::set<std::string> axes_are_assumed;
 
     /// Declares them in `subsection Goals`, which must be entered.
     static void
