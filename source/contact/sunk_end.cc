@@ -7,19 +7,27 @@
 
 namespace lamella
 {
+  using namespace dealii;
+
   // Below the cosine of any two normals.
   constexpr double whatever_it_faces = -2.;
 
   std::optional<SunkEnd>
-  deepest_end(const ContactSides &sides, const double reach)
+  deepest_end(const ContactSides &paired,
+              const ContactSides &now,
+              const double        reach)
   {
     std::optional<SunkEnd> deepest;
     for (const bool second : {false, true})
       {
-        const MeshSurface &other = *sides.surface(!second);
-        for (const SurfacePoint &point : sides.end_points(second))
+        const MeshSurface &other = *paired.surface(!second),
+                          &moved = *now.surface(!second);
+        const auto ends          = paired.end_points(second),
+                   are           = now.end_points(second);
+        for (unsigned int k = 0; k < ends.size(); ++k)
           {
-            const auto foot_of = [&](const double opposed) {
+            const SurfacePoint &point   = ends[k];
+            const auto          foot_of = [&](const double opposed) {
               return find_foot(
                 other, point.position, point.normal, reach, {}, opposed);
             };
@@ -29,10 +37,13 @@ namespace lamella
             if (!foot || std::abs(foot_of(whatever_it_faces)->distance) <
                            std::abs(foot->distance))
               continue;
-            if (-foot->distance > (deepest ? deepest->depth : 0.))
-              deepest = {second,
-                         -foot->distance,
-                         other.facets()[foot->facet].depth};
+            const Tensor<1, 3> came_nearer =
+              (moved.facets()[foot->facet].map(foot->st).position -
+               foot->position) -
+              (are[k].position - point.position);
+            const double depth = foot->normal * came_nearer - foot->distance;
+            if (depth > (deepest ? deepest->depth : 0.))
+              deepest = {second, depth, other.facets()[foot->facet].depth};
           }
       }
     return deepest;

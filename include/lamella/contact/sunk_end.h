@@ -19,12 +19,16 @@ namespace lamella
     double depth = 0., cell = 0.;
   };
 
-  /// The deepest node of either end of @p sides, two bodies, behind the surface
-  /// of the other where they stand, with feet at most @p reach away [length],
-  /// the nearest places of all: inside of it. Faces that slide over an end have
-  /// no row for it, unless it is among the points.
+  /// The deepest node of either end of two bodies behind the surface of the
+  /// other where they stand @p now, with feet at most @p reach away [length],
+  /// the nearest places of all: inside of it. Feet and normals are those of the
+  /// sides as @p paired: the same where bodies turn, the undeformed in linear
+  /// kinematics. Faces that slide over an end have no row for it, unless it is
+  /// among the points.
   std::optional<SunkEnd>
-  deepest_end(const ContactSides &sides, const double reach);
+  deepest_end(const ContactSides &paired,
+              const ContactSides &now,
+              const double        reach);
 } // namespace lamella
 
 #endif
