@@ -18,6 +18,11 @@ namespace lamella
     // small rotations leave as they are.
     constexpr double small_sliding = 0.1, small_turn = 0.1, most_of = 0.9;
 
+    // Of the curvature of a roller: from there on a body goes around it. Bodies
+    // that bend by less than 2 % of strain over rollers of up to twelve times
+    // their thickness stay below.
+    constexpr double on_the_way_around = 0.5;
+
 
 
     std::array<double, 3>
@@ -69,12 +74,28 @@ namespace lamella
                                                    PointsOn::first);
     if (contact.friction > 0.)
       write_slips(undeformed);
-    if (contact.overclosure != Overclosure::adjust)
-      return;
-    find_points();
-    const auto before = integrate(undeformed, feet_at_rest(), points);
-    for (unsigned int k = 0; k < before.size(); ++k)
-      taken_out[key(interface.points[k])] = std::max(0., -before[k].gap);
+    if (contact.overclosure == Overclosure::adjust)
+      {
+        find_points();
+        const auto before = integrate(undeformed, feet_at_rest(), points);
+        for (unsigned int k = 0; k < before.size(); ++k)
+          taken_out[key(interface.points[k])] = std::max(0., -before[k].gap);
+      }
+    if (lines != nullptr && !bodies[contact.first.body]->turns())
+      move_lines();
+  }
+
+
+
+  void
+  Contact::move_lines()
+  {
+    std::vector<types::global_dof_index> sizes;
+    for (const auto &body : undeformed.bodies())
+      sizes.push_back(body->n_dofs());
+    move(BlockVector(sizes),
+         LoadFactor(0.,
+                    std::vector<double>(undeformed.obstacle()->history, 0.)));
   }
 
 
@@ -94,6 +115,7 @@ namespace lamella
   void
   Contact::keep_lines()
   {
+    lines.reset();
     if (interface.discretisation == Discretisation::line_to_roller)
       lines = std::make_unique<RollerLines>(*undeformed.surface(false),
                                             *undeformed.obstacle(),
@@ -243,7 +265,7 @@ namespace lamella
   ContactMemory
   Contact::memory() const
   {
-    return {paired_at, paired_factor, points};
+    return {paired_at, paired_factor, points, interface.discretisation};
   }
 
 
@@ -255,6 +277,7 @@ namespace lamella
   {
     begun_at = BlockVector();
     held.clear();
+    undeformed.decide(known.discretisation, undeformed.contact().points_on);
     if (known.u.n_blocks() > 0)
       pair(known.u, known.factor);
     else if (paired_at.n_blocks() > 0)
@@ -681,7 +704,40 @@ namespace lamella
                          const LoadFactor                &factor,
                          const std::vector<unsigned int> &active)
   {
-    search.check(interface, u, factor, active);
+    // What is nearest to a roller is found wherever it is.
+    if (lines == nullptr)
+      search.check(interface, u, factor, active);
+  }
+
+
+
+  bool
+  Contact::nestles(const BlockVector               &u,
+                   const LoadFactor                &factor,
+                   const std::vector<unsigned int> &active) const
+  {
+    if (interface.obstacle == nullptr ||
+        interface.obstacle->shape != Obstacle::Shape::cylinder)
+      return false;
+    std::vector<Point<3>> places;
+    for (const unsigned int k : active)
+      places.push_back(place_of(interface.points[k]));
+    const ContactSides at(undeformed, u, factor);
+    return RollerLines::curvature(*at.obstacle(),
+                                  *undeformed.surface(false),
+                                  *at.surface(false),
+                                  places) > on_the_way_around;
+  }
+
+
+
+  bool
+  Contact::take_points()
+  {
+    if (!undeformed.contact().may_take_points)
+      return false;
+    undeformed.decide(Discretisation::surface_to_surface, PointsOn::first);
+    return true;
   }
 
 
@@ -692,7 +748,17 @@ namespace lamella
     // What `adjust` has taken out of gaps is no depth.
     if (interface.obstacle != nullptr || !taken_out.empty())
       return {};
-    return deepest_node(ContactSides(undeformed, u, factor), reach, true);
+    const ContactSides now(undeformed, u, factor);
+    return deepest_node(paired_sides(now), now, reach, true);
+  }
+
+
+
+  const ContactSides &
+  Contact::paired_sides(const ContactSides &now) const
+  {
+    return undeformed.bodies()[interface.first_body]->turns() ? now :
+                                                                undeformed;
   }
 
 
@@ -707,7 +773,7 @@ namespace lamella
     const ContactSides now(undeformed, u, factor);
     if (obstacle == nullptr)
       {
-        const auto node = deepest_node(now, reach, false);
+        const auto node = deepest_node(paired_sides(now), now, reach, false);
         if (!node)
           return {};
         const auto &[facet, st]  = node->at;

@@ -4,6 +4,7 @@
 #include <lamella/contact/roller_lines.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -210,6 +211,81 @@ namespace lamella
     for (unsigned int k = 0; k < points.size(); ++k)
       points[k].carrying =
         nearest_place(lines[k], now, roller, points[k].carrying);
+  }
+
+
+
+  double
+  RollerLines::curvature(const Obstacle              &roller,
+                         const MeshSurface           &surface,
+                         const MeshSurface           &now,
+                         const std::vector<Point<3>> &places)
+  {
+    constexpr unsigned int samples = 24;
+    double                 largest = 0.;
+    for (const Point<3> &place : places)
+      {
+        const Line line = line_at(surface, roller, station_of(roller, place));
+        if (line.empty())
+          continue;
+        const auto [facet, st] = nearest_place(
+          line, now, roller, {line.front().facet, {line.front().s, 0.}});
+        const MeshSurface::Facet &at   = now.facets()[facet];
+        const auto                here = at.map(st);
+        const double              spacing =
+          at.map({st[0], 1.}).position.distance(at.map({st[0], 0.}).position) /
+          at.side.degree_t;
+        // Of what a straight surface leaves the roller by, before and behind.
+        std::array<double, 2> left{{1., 1.}};
+        for (const auto &[other, s] : line)
+          for (unsigned int i = 0; i <= samples; ++i)
+            {
+              const Point<3> x =
+                now.facets()[other].map({s, double(i) / samples}).position;
+              const Tensor<1, 3> way = roller.across_axis(x - here.position);
+              if (way.norm() < spacing || way.norm() > 2. * spacing)
+                continue;
+              double &share = left[way * here.d_t > 0.];
+              share         = std::min(
+                share,
+                (roller.across_axis(x - roller.point).norm() - roller.radius) /
+                  (std::hypot(roller.radius, way.norm()) - roller.radius));
+            }
+        largest = std::max(largest, 1. - 0.5 * (left[0] + left[1]));
+      }
+    return largest;
+  }
+
+
+
+  PressedArc
+  pressed_arc(const ContactInterface          &interface,
+              const std::vector<unsigned int> &active)
+  {
+    const Obstacle &roller = *interface.obstacle;
+    // How far the row @p k is from row @p j on one line along the body; nothing
+    // of another line.
+    const auto apart = [&](const unsigned int j,
+                           const unsigned int k) -> std::optional<double> {
+      const Tensor<1, 3> way =
+        place_of(interface.points[k]) - place_of(interface.points[j]);
+      if (j == k || std::abs(way * roller.direction) >
+                      arithmetic::as_written * way.norm())
+        return {};
+      return way.norm();
+    };
+    PressedArc arc;
+    for (const unsigned int j : active)
+      {
+        double nearest = std::numeric_limits<double>::max();
+        for (unsigned int k = 0; k < interface.points.size(); ++k)
+          nearest = std::min(nearest, apart(j, k).value_or(nearest));
+        if (nearest < std::numeric_limits<double>::max())
+          arc.spacing = std::max(arc.spacing, nearest);
+        for (const unsigned int k : active)
+          arc.length = std::max(arc.length, apart(j, k).value_or(0.));
+      }
+    return arc;
   }
 
 

@@ -7,22 +7,30 @@
 
 namespace lamella
 {
+  using namespace dealii;
+
   // Below the cosine of any two normals.
   constexpr double whatever_it_faces = -2.;
 
   std::optional<SunkEnd>
-  deepest_node(const ContactSides &sides,
+  deepest_node(const ContactSides &paired,
+               const ContactSides &now,
                const double        reach,
                const bool          of_ends)
   {
     std::optional<SunkEnd> deepest;
     for (const bool second : {false, true})
       {
-        const MeshSurface &other = *sides.surface(!second);
-        for (const SurfacePoint &point :
-             of_ends ? sides.end_points(second) : sides.points(second))
+        const MeshSurface &other = *paired.surface(!second),
+                          &moved = *now.surface(!second);
+        const auto nodes_of      = [&](const ContactSides &sides) {
+          return of_ends ? sides.end_points(second) : sides.points(second);
+        };
+        const auto nodes = nodes_of(paired), are = nodes_of(now);
+        for (unsigned int k = 0; k < nodes.size(); ++k)
           {
-            const auto foot_of = [&](const double opposed) {
+            const SurfacePoint &point   = nodes[k];
+            const auto          foot_of = [&](const double opposed) {
               return find_foot(
                 other, point.position, point.normal, reach, {}, opposed);
             };
@@ -32,9 +40,14 @@ namespace lamella
             if (!foot || std::abs(foot_of(whatever_it_faces)->distance) <
                            std::abs(foot->distance))
               continue;
-            if (-foot->distance > (deepest ? deepest->depth : 0.))
+            const Tensor<1, 3> came_nearer =
+              (moved.facets()[foot->facet].map(foot->st).position -
+               foot->position) -
+              (are[k].position - point.position);
+            const double depth = foot->normal * came_nearer - foot->distance;
+            if (depth > (deepest ? deepest->depth : 0.))
               deepest = {second,
-                         -foot->distance,
+                         depth,
                          other.facets()[foot->facet].depth,
                          {foot->facet, foot->st}};
           }

@@ -150,13 +150,15 @@ namespace lamella
                    penalty,
                    tolerance,
                    search_distance,
-                   friction]    = contact;
-      const auto &[kind, value] = penalty;
-      std::string words         = name;
+                   friction,
+                   may_take_points] = contact;
+      const auto &[kind, value]     = penalty;
+      std::string words             = name;
       for (const auto choice : {static_cast<unsigned int>(discretisation),
                                 static_cast<unsigned int>(enforcement),
                                 static_cast<unsigned int>(overclosure),
                                 static_cast<unsigned int>(points_on),
+                                static_cast<unsigned int>(may_take_points),
                                 static_cast<unsigned int>(kind)})
         words += " " + words_of(choice);
       return words + words_of(value) + words_of(tolerance) +

@@ -237,6 +237,9 @@ namespace lamella
           chose_nodes.push_back(k);
         contact.discretisation = contacts[k].discretisation;
         drop_held_slips(contacts[k], *whole);
+        // A scene that is read again decides anew.
+        if (contact.may_take_points)
+          continue;
         given.resolved =
           SceneText::with_automatic(given.resolved,
                                     "Contact " + contact.name,
@@ -360,6 +363,7 @@ namespace lamella
   {
     for (unsigned int k = 0; k < contacts.size(); ++k)
       {
+        found[k].discretisation  = contacts[k].discretisation;
         found[k].rows            = contacts[k].rows.size();
         found[k].unpaired        = contacts[k].unpaired;
         found[k].unpaired_second = contacts[k].unpaired_second;

@@ -4,6 +4,7 @@
 #include <lamella/contact/assumptions.h>
 #include <lamella/recover/named_quantity.h>
 #include <lamella/run/step_results.h>
+#include <lamella/scene/rotation_rules.h>
 #include <lamella/solve/soundness.h>
 
 #include <algorithm>
@@ -247,32 +248,46 @@ namespace lamella
   std::vector<std::string>
   StepRecorder::warnings_of_rollers(const SolvedStep &solved) const
   {
-    constexpr double         worth_saying = 3e-3;
     std::vector<std::string> warnings;
     if (!structure.turns())
       return warnings;
     for (unsigned int c = 0; c < built.interfaces().size(); ++c)
       {
         const ContactInterface &contact = built.interfaces()[c];
+        const auto active = built.rows().among_contact(c, solved.state.active);
         if (contact.obstacle == nullptr ||
-            contact.obstacle->shape != Obstacle::Shape::cylinder ||
-            contact.discretisation == Discretisation::line_to_roller)
+            contact.obstacle->shape != Obstacle::Shape::cylinder)
           continue;
-        double spacing = 0.;
-        for (const unsigned int k :
-             built.rows().among_contact(c, solved.state.active))
-          spacing = std::max(spacing, contact.points[k].spacing);
-        // Half a spacing beside the place that touches.
-        const double off = 0.5 * spacing / contact.obstacle->radius;
-        if (off * solved.checks.max_rotation > worth_saying)
+        const bool nestles =
+                     built.contact_lives()[c]->nestles(solved.state.u,
+                                                       solved.load_factor,
+                                                       active),
+                   is_line =
+                     contact.discretisation == Discretisation::line_to_roller;
+        if (is_line && nestles)
+          warnings.push_back(
+            "contact " + contact.name + ": the body bends around '" +
+            contact.second_name +
+            "', where a line is not all that touches: take Discretisation = "
+            "auto or surface to surface");
+        if (is_line || nestles)
+          continue;
+        const PressedArc arc    = pressed_arc(contact, active);
+        const double     radius = contact.obstacle->radius;
+        // What is turned by little has its force where it was.
+        if (arc.is_line() &&
+            are_few_on(arc.spacing * std::min(1., solved.checks.max_rotation),
+                       radius))
           warnings.push_back(
             "contact " + contact.name + ": points that touch are " +
-            to_text(spacing, 3) + " apart on a roller of radius " +
-            to_text(contact.obstacle->radius, 4) +
+            to_text(arc.spacing, 3) + " apart on a roller of radius " +
+            to_text(radius, 4) +
             ", so that the direction of its force is off by up to " +
-            to_text(off, 2) +
-            " rad: take Discretisation = line to roller, or shorter elements "
-            "wherever it touches");
+            to_text(0.5 * arc.spacing / radius, 2) + " rad: take " +
+            (may_be_line(scene.contacts[c], scene.bodies[contact.first_body]) ?
+               "Discretisation = line to roller, or " :
+               "") +
+            "shorter elements wherever it touches");
       }
     return warnings;
   }
@@ -334,9 +349,7 @@ namespace lamella
             (longest > 0. ? "elements of at most " + to_text(longest, 2) :
                             std::string("shorter elements")) +
             " there (Axis breaks)" +
-            (longest > 0. ? "; or take Rotations = large and Discretisation = "
-                            "line to roller." :
-                            "."),
+            (longest > 0. ? "; or take Discretisation = line to roller." : "."),
           number,
           built.scene().bodies[number].placement.to_body(sunk->position)[1],
           longest);
@@ -354,13 +367,15 @@ namespace lamella
     {
       std::set<std::pair<std::string, std::string>> found;
       for (const ContactInterface &contact : contacts)
-        if (contact.discretisation == Discretisation::edge_to_surface ||
-            contact.discretisation == Discretisation::node_to_surface)
+        if (contact.discretisation != Discretisation::surface_to_surface)
           {
             const std::string &first = bodies[contact.first_body]->name();
-            found.insert(contact.points_on_second ?
-                           std::make_pair(contact.second_name, first) :
-                           std::make_pair(first, contact.second_name));
+            const bool         is_both =
+              contact.discretisation == Discretisation::node_to_node;
+            if (!contact.points_on_second || is_both)
+              found.emplace(first, contact.second_name);
+            if (contact.points_on_second || is_both)
+              found.emplace(contact.second_name, first);
           }
       return found;
     }
@@ -371,17 +386,23 @@ namespace lamella
   std::vector<std::string>
   StepRecorder::warnings_of_ends(const SolvedStep &solved) const
   {
-    // Of the cell's depth: gaps of faces are averages.
-    constexpr double         worth_saying = 1e-2;
+    // Of the cell's depth and of the displacements: gaps of faces are averages.
+    // What is in by the latter costs a contact force half a per cent.
+    constexpr double         worth_saying = 1e-2, of_displacements = 3e-3;
     std::vector<std::string> warnings;
     auto have_rows = ends_with_rows(built.interfaces(), structure.bodies());
-    for (unsigned int c = 0; c < built.interfaces().size() && structure.turns();
-         ++c)
+    for (unsigned int c = 0; c < built.interfaces().size(); ++c)
       {
         const ContactInterface &contact = built.interfaces()[c];
         const auto end = built.contact_lives()[c]->sunk_end(solved.state.u,
                                                             solved.load_factor);
-        if (!end || end->depth < worth_saying * end->cell)
+        if (!end)
+          continue;
+        const double worth =
+          std::min(worth_saying * end->cell,
+                   of_displacements * solved.checks.max_displacement);
+        // What a penalty leaves is no lack of rows.
+        if (end->depth < worth + solved.checks.contacts[c].max_penetration)
           continue;
         const std::string first =
           structure.bodies()[contact.first_body]->name();

@@ -2,6 +2,7 @@
 
 #include <lamella/base/arithmetic.h>
 #include <lamella/base/processes.h>
+#include <lamella/contact/roller_lines.h>
 #include <lamella/scene/rotation_rules.h>
 
 #include <algorithm>
@@ -58,13 +59,14 @@ namespace lamella
 
     /// Whether the elements of @p body are so long where it meets @p roller
     /// that points of its surface are few beside the radius: then the roller
-    /// touches between them, and the nearest line is sought.
+    /// touches between them, and the nearest line is sought. An automatic axis
+    /// has them fine for small rotations.
     bool
     touches_on_a_line(const BodyDescription &body, const Obstacle &roller)
     {
       const AxisMesh &axis = body.axis;
       if (axis.fineness > 0.)
-        return true;
+        return body.turns;
       const double at   = body.placement.to_body(roller.point)[1];
       double       from = 0., length = 0.;
       for (unsigned int piece = 0; piece < axis.elements.size(); ++piece)
@@ -75,16 +77,7 @@ namespace lamella
             length = (to - from) / axis.elements[piece];
           from = to;
         }
-      return length > 0.5 * roller.radius;
-    }
-
-
-
-    bool
-    is_across(const BodyDescription &body, const Obstacle &roller)
-    {
-      constexpr double askew = arithmetic::parallel;
-      return std::abs(roller.direction * body.placement.axes[1]) < askew;
+      return are_few_on(length / axis.degree, roller.radius);
     }
 
 
@@ -106,27 +99,41 @@ namespace lamella
     {
       return contact.obstacle != nullptr &&
              contact.obstacle->shape == Obstacle::Shape::cylinder &&
-             !body.theory.is_solid() && is_across(body, *contact.obstacle);
+             !body.theory.is_solid() &&
+             std::abs(contact.obstacle->direction * body.placement.axes[1]) <
+               arithmetic::parallel;
     }
 
 
 
+    /// Throws InputError if @p contact cannot be the line to a roller that it
+    /// is said to be; makes it one where that is left to the program and points
+    /// of @p body are few.
     void
-    check_line(const ContactPair &contact, const BodyDescription &body)
+    take_line(ContactPair &contact, const BodyDescription &body)
     {
       const std::string place = "Contact " + contact.name + "/";
-      if (has_area_penalty(contact))
-        refuse(place + "Penalty",
-               "",
-               "a line to a roller has no area that a penalty would be of",
-               "Take Enforcement = exact, or Penalty = auto.");
-      if (!has_roller(contact, body))
-        refuse(
+      const bool        is_line =
+        contact.discretisation == Discretisation::line_to_roller;
+      if (is_line && has_area_penalty(contact))
+        throw InputError(
+          place + "Penalty",
+          "",
+          "a line to a roller has no area that a penalty would be of",
+          "Take Enforcement = exact, or Penalty = auto.");
+      if (is_line && !has_roller(contact, body))
+        throw InputError(
           place + "Discretisation",
           name_of(contact.discretisation),
           "the roller does not lie across the axis of a beam, which body '" +
             body.name + "' would have to be",
           "Take auto.");
+      if (contact.discretisation != Discretisation::automatic ||
+          !may_be_line(contact, body) ||
+          !touches_on_a_line(body, *contact.obstacle))
+        return;
+      contact.discretisation  = Discretisation::line_to_roller;
+      contact.may_take_points = true;
     }
 
 
@@ -142,14 +149,9 @@ namespace lamella
                "pairs of nodes stay pairs, and surfaces of bodies that turn "
                "slide",
                "Take surface to surface or node to surface.");
-      if (contact.discretisation == Discretisation::line_to_roller)
-        check_line(contact, body);
+      take_line(contact, body);
       if (contact.discretisation == Discretisation::automatic)
-        contact.discretisation =
-          has_roller(contact, body) && !has_area_penalty(contact) &&
-              touches_on_a_line(body, *contact.obstacle) ?
-            Discretisation::line_to_roller :
-            Discretisation::surface_to_surface;
+        contact.discretisation = Discretisation::surface_to_surface;
     }
 
 
@@ -207,16 +209,16 @@ namespace lamella
                            "with Rotations = linear nothing turns that a load "
                            "could follow",
                            "Leave out 'follows', or take Rotations = large.");
-      for (const ContactPair &contact : scene.contacts)
-        if (contact.discretisation == Discretisation::line_to_roller)
-          throw InputError("Contact " + contact.name + "/Discretisation",
-                           name_of(contact.discretisation),
-                           "places that touch stay where they are with "
-                           "Rotations = linear, which auto tries, too",
-                           "Take Discretisation = auto, or Rotations = "
-                           "large.");
     }
   } // namespace
+
+
+
+  bool
+  may_be_line(const ContactPair &contact, const BodyDescription &body)
+  {
+    return has_roller(contact, body) && !has_area_penalty(contact);
+  }
 
 
 
@@ -286,6 +288,8 @@ namespace lamella
         return;
       }
     check_linear(scene);
+    for (ContactPair &contact : scene.contacts)
+      take_line(contact, scene.bodies[contact.first.body]);
     if (scene.solve.rotations == Rotations::automatic)
       try
         {

@@ -244,8 +244,19 @@ namespace lamella
     lost.clear();
     // Its shear forces are where they were.
     move_rows(state, factor);
-    for (const auto &contact : lives)
-      contact->begin_step(state.u, factor);
+    for (unsigned int c = 0; c < lives.size(); ++c)
+      {
+        lives[c]->begin_step(state.u, factor);
+        if (lives[c]->is_line() &&
+            lives[c]->nestles(state.u,
+                              factor,
+                              numbered.among_contact(c, state.active)))
+          lost = "Contact " + all[c].name +
+                 ", line to roller, becomes more than a line: the body bends "
+                 "around '" +
+                 all[c].second_name +
+                 "'. Take Discretisation = auto or surface to surface.";
+      }
   }
 
 
@@ -312,11 +323,12 @@ namespace lamella
     bool                any = false;
     for (unsigned int c = 0; c < all.size(); ++c)
       {
-        if (lives[c]
-              ->stays_paired(state.u,
-                             factor,
-                             numbered.among_contact(c, state.active))
-              .unseen == 0)
+        const auto active    = numbered.among_contact(c, state.active);
+        const bool goes_over = lives[c]->is_line() &&
+                               lives[c]->nestles(state.u, factor, active) &&
+                               lives[c]->take_points();
+        if (!goes_over &&
+            lives[c]->stays_paired(state.u, factor, active).unseen == 0)
           continue;
         any = true;
         pair(c, state, factor);

@@ -50,6 +50,8 @@ namespace lamella
     LoadFactor  factor;
     /// The places that face each other. Empty where nothing has moved.
     std::vector<GapPoint> points;
+    /// What made them: points may have taken over from a line.
+    Discretisation discretisation = Discretisation::undefined;
   };
 
   /**
@@ -178,6 +180,26 @@ namespace lamella
                  const LoadFactor                &factor,
                  const std::vector<unsigned int> &active);
 
+    /// Whether the surface curves where a roller touches it by half as much as
+    /// the roller or more, in the state @p u at @p factor with the rows
+    /// @p active pressed: on the way to an arc, which is more than a line
+    /// (RollerLines::curvature()). No of all that is no roller.
+    bool
+    nestles(const BlockVector               &u,
+            const LoadFactor                &factor,
+            const std::vector<unsigned int> &active) const;
+
+    bool
+    is_line() const
+    {
+      return lines != nullptr;
+    }
+
+    /// Has points take over from the line to a roller from the next pair() on.
+    /// Whether they may.
+    bool
+    take_points();
+
     /// Throws NumericsError if the Search distance of a scene has left out
     /// what comes to touch: SearchCheck::check().
     void
@@ -186,7 +208,8 @@ namespace lamella
                   const std::vector<unsigned int> &active);
 
     /// The deepest end of either body in the other in the state @p u at
-    /// @p factor (deepest_node()); none against an obstacle.
+    /// @p factor (deepest_node()), of bodies that do not turn along the normals
+    /// of the undeformed; none against an obstacle.
     std::optional<SunkEnd>
     sunk_end(const BlockVector &u, const LoadFactor &factor) const;
 
@@ -206,6 +229,10 @@ namespace lamella
                  const LoadFactor  &to) const;
 
   private:
+    /// The sides that points are paired on: those @p now of bodies that turn,
+    /// else the undeformed.
+    const ContactSides &
+    paired_sides(const ContactSides &now) const;
     /// Sees to it that there are points: those of the pairing, and where a row
     /// is one point, its node.
     void
@@ -220,6 +247,10 @@ namespace lamella
     /// those of nodes: keeps one a line. Nothing of all others.
     void
     keep_lines();
+    /// Takes the rows of lines from nodes to where the undeformed are nearest
+    /// to the roller: those of linear kinematics.
+    void
+    move_lines();
     /// Says of each row where its point is and what that faces, undeformed: the
     /// place opposite of the point that weighs most in it. Against an obstacle
     /// only the former.

@@ -121,6 +121,9 @@ namespace lamella
     std::optional<double> search_distance;
     /// Coulomb's coefficient mu; 0 without friction.
     double friction = 0.;
+    /// Of a `line to roller` that `auto` came to: `surface to surface` takes
+    /// over where the contact becomes more than a line.
+    bool may_take_points = false;
   };
 
   /// Whether the nodes of both sides are paired, or would be if they matched.

@@ -3,6 +3,7 @@
 #ifndef lamella_contact_roller_lines_h
 #define lamella_contact_roller_lines_h
 
+#include <lamella/base/arithmetic.h>
 #include <lamella/contact/gap_rows.h>
 #include <lamella/contact/mesh_surface.h>
 #include <lamella/contact/obstacle.h>
@@ -20,6 +21,38 @@ namespace lamella
     double           depth     = 0.;
     bool             of_second = false;
   };
+
+  /// Whether points @p spacing apart along a beam are few on a roller of
+  /// @p radius, lengths: the normal of a point that is half a spacing beside
+  /// the line that touches is off by 0.5 spacing / radius, and the force with
+  /// it.
+  inline bool
+  are_few_on(const double spacing, const double radius)
+  {
+    // rad. doc/contact.md has what longer ones cost.
+    constexpr double worth_a_line = 3e-3;
+    return 0.5 * spacing > worth_a_line * radius;
+  }
+
+  /// What rows of points press on a roller, along the body: the distance of
+  /// neighbors and that of the two furthest apart [length].
+  struct PressedArc
+  {
+    double spacing = 0., length = 0.;
+
+    /// Two points share what presses between them, and averages around points
+    /// may have a third one.
+    bool
+    is_line() const
+    {
+      return length <= 2. * (1. + arithmetic::alike) * spacing;
+    }
+  };
+
+  /// That of the rows @p active of @p interface, whose obstacle is a roller.
+  PressedArc
+  pressed_arc(const ContactInterface          &interface,
+              const std::vector<unsigned int> &active);
 
   /**
    * Where a roller touches the surface of a beam that goes over it: material
@@ -50,6 +83,17 @@ namespace lamella
     follow(const MeshSurface     &now,
            const Obstacle        &roller,
            std::vector<GapPoint> &points) const;
+
+    /// The largest curvature of @p surface, as it is @p now, over that of
+    /// @p roller, where it stands, on the lines through @p places of the
+    /// undeformed surface that touch: from how far each has left the roller a
+    /// spacing of nodes before and behind where it is nearest. From 1 on no
+    /// equilibrium has one line: the surface nestles against the roller.
+    static double
+    curvature(const Obstacle                      &roller,
+              const MeshSurface                   &surface,
+              const MeshSurface                   &now,
+              const std::vector<dealii::Point<3>> &places);
 
     /// The deepest place in @p roller, where it stands, of the lines through
     /// all nodes of @p surface, as it is @p now, at which the axis is ahead.

@@ -21,12 +21,15 @@ namespace lamella
     MeshSurface::FacetPlace at = {};
   };
 
-  /// The deepest node of @p sides, two bodies, or of their ends alone, behind
-  /// the surface of the other where they stand, with feet at most @p reach away
-  /// [length], the nearest places of all: inside of it. Faces that slide over
-  /// an end have no row for it, unless it is among the points.
+  /// The deepest node of two bodies, or of their ends alone, behind the surface
+  /// of the other where they stand @p now, with feet at most @p reach away
+  /// [length], the nearest places of all: inside of it. Feet and normals are
+  /// those of the sides as @p paired: the same where bodies turn, the
+  /// undeformed in linear kinematics. Faces that slide over an end have no
+  /// constraint for it, unless it is among the points.
   std::optional<SunkEnd>
-  deepest_node(const ContactSides &sides,
+  deepest_node(const ContactSides &paired,
+               const ContactSides &now,
                const double        reach,
                const bool          of_ends);
 } // namespace lamella

@@ -25,6 +25,11 @@ namespace lamella
   bool
   can_turn(const Theory &theory);
 
+  /// Whether @p contact of @p body can be the line of a beam that is nearest to
+  /// a roller across it.
+  bool
+  may_be_line(const ContactPair &contact, const BodyDescription &body);
+
   /// Whether @p scene has what is of large rotations alone: loads that follow.
   bool
   asks_to_turn(const Scene &scene);
