@@ -69,28 +69,22 @@ namespace lamella
 
 
 
-  namespace
+  std::optional<BodyRow>
+  row_of(const ContactPlace &place, const Bodies &bodies)
   {
-    /// Adds n . u at @p place to @p rows, as if a support held it.
-    void
-    add_row(const ContactPlace         &place,
-            const Bodies               &bodies,
-            std::vector<PrescribedRow> &rows)
-    {
-      const Body &body  = *bodies[place.body];
-      const auto  sides = body.locate({place.position});
-      if (sides.front().empty())
-        return;
-      const auto u =
-        body.rows({sides.front().front()}, Quantity::displacement).front();
-      PrescribedRow row;
-      row.row.body = place.body;
-      for (unsigned int c = 0; c < 3; ++c)
-        row.row.row.add(u[c], place.normal[c]);
-      row.row.row.compress();
-      rows.push_back(row);
-    }
-  } // namespace
+    const Body &body  = *bodies[place.body];
+    const auto  sides = body.locate({place.position});
+    if (sides.front().empty())
+      return {};
+    const auto u =
+      body.rows({sides.front().front()}, Quantity::displacement).front();
+    BodyRow row;
+    row.body = place.body;
+    for (unsigned int c = 0; c < 3; ++c)
+      row.row.add(u[c], place.normal[c]);
+    row.row.compress();
+    return row;
+  }
 
 
 
@@ -102,7 +96,8 @@ namespace lamella
     clear_held_motions(supports);
     std::vector<PrescribedRow> rows = prescribed_rows(supports, bodies);
     for (const ContactPlace &place : places)
-      add_row(place, bodies, rows);
+      if (const auto row = row_of(place, bodies))
+        rows.emplace_back().row = *row;
     for (Support &support : supports)
       if (support.hold)
         support.hold->motions = free_rigid_motions(*bodies[support.hold->body],

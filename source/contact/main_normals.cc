@@ -1,46 +1,158 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <lamella/base/arithmetic.h>
 #include <lamella/contact/main_normals.h>
 
 #include <algorithm>
+#include <array>
+#include <optional>
 
 namespace lamella
 {
-  using dealii::Tensor;
+  using namespace dealii;
+
+  namespace
+  {
+    /// One of the two surfaces of a contact.
+    struct Side
+    {
+      /// Of a body; none of an obstacle.
+      std::vector<SurfacePoint> points;
+      /// The direction of the straight lines that it is made of, or of a plane
+      /// its normal.
+      Tensor<1, 3> ruling;
+      bool         is_plane = false;
+    };
+
+
+
+    Side
+    side_of(const Body &body, const std::string &surface)
+    {
+      return {body.surface_points(surface),
+              body.place().vector_to_scene(Point<3>(0., 1., 0.))};
+    }
+
+
+
+    Side
+    side_of(const Obstacle &obstacle)
+    {
+      return {{}, obstacle.direction, obstacle.shape == Obstacle::Shape::plane};
+    }
+
+
+
+    /// The normal of @p side near the places @p near if it is flat there.
+    std::optional<Tensor<1, 3>>
+    flat_normal(const Side &side, const std::vector<Point<3>> &near)
+    {
+      if (side.is_plane)
+        return side.ruling;
+      std::optional<Tensor<1, 3>> normal;
+      for (const Point<3> &x : near)
+        {
+          const auto nearest =
+            std::min_element(side.points.begin(),
+                             side.points.end(),
+                             [&x](const auto &a, const auto &b) {
+                               return x.distance_square(a.position) <
+                                      x.distance_square(b.position);
+                             });
+          if (nearest == side.points.end() ||
+              (normal && cross_product_3d(*normal, nearest->normal).norm() >
+                           arithmetic::parallel))
+            return {};
+          if (!normal)
+            normal = nearest->normal;
+        }
+      return normal;
+    }
+
+
+
+    /// The normal along @p n that both sides have where they touch.
+    Tensor<1, 3>
+    common_normal(Tensor<1, 3>                                n,
+                  const std::array<Side, 2>                  &sides,
+                  const std::array<std::vector<Point<3>>, 2> &near)
+    {
+      const std::array<std::optional<Tensor<1, 3>>, 2> flat{
+        {flat_normal(sides[0], near[0]), flat_normal(sides[1], near[1])}};
+      if (flat[0] && flat[1] &&
+          cross_product_3d(*flat[0], *flat[1]).norm() > arithmetic::parallel)
+        return n / n.norm();
+      for (const auto &normal : flat)
+        if (normal)
+          return (*normal * n < 0. ? -1. : 1.) * *normal;
+      std::vector<Tensor<1, 3>> generators;
+      for (const Side &side : sides)
+        {
+          Tensor<1, 3> along = side.ruling;
+          for (const Tensor<1, 3> &other : generators)
+            along -= (along * other) * other;
+          if (along.norm() > arithmetic::parallel)
+            generators.push_back(along / along.norm());
+        }
+      for (const Tensor<1, 3> &along : generators)
+        n -= (n * along) * along;
+      return n / n.norm();
+    }
+  } // namespace
+
+
 
   std::vector<MainNormal>
-  main_normals(const ContactInterface &contact, const double depth)
+  main_normals(const ContactPair      &contact,
+               const ContactInterface &interface,
+               const Bodies           &bodies,
+               const double            depth)
   {
     // The cosine of 60 degrees.
     constexpr double alike = 0.5;
 
+    const std::array<Side, 2> sides{
+      {side_of(*bodies[interface.first_body], contact.first.surface),
+       interface.second_body ?
+         side_of(*bodies[*interface.second_body], contact.second.surface) :
+         side_of(*interface.obstacle)}};
     std::vector<unsigned int> rows;
-    for (unsigned int k = 0; k < contact.rows.size(); ++k)
-      if (contact.points[k].normal.norm() > 0.)
+    for (unsigned int k = 0; k < interface.rows.size(); ++k)
+      if (interface.points[k].normal.norm() > 0.)
         rows.push_back(k);
-    const auto gap = [&contact](const unsigned int k) {
-      return contact.rows[k].initial_gap;
+    const auto gap = [&interface](const unsigned int k) {
+      return interface.rows[k].initial_gap;
     };
     std::stable_sort(rows.begin(),
                      rows.end(),
                      [&gap](const unsigned int a, const unsigned int b) {
                        return gap(a) < gap(b);
                      });
-    std::vector<Tensor<1, 3>> directions;
-    std::vector<MainNormal>   result;
-    for (const unsigned int k : rows)
+    rows.erase(std::find_if(rows.begin(),
+                            rows.end(),
+                            [&](const unsigned int k) {
+                              return gap(k) > gap(rows.front()) + depth;
+                            }),
+               rows.end());
+    std::vector<MainNormal> result;
+    while (!rows.empty())
       {
-        if (gap(k) > gap(rows.front()) + depth)
-          break;
-        const Tensor<1, 3> n =
-          contact.points[k].normal / contact.points[k].normal.norm();
-        auto main =
-          std::find_if(directions.begin(),
-                       directions.end(),
-                       [&n](const Tensor<1, 3> &d) { return d * n > alike; });
-        if (main == directions.end())
-          main = directions.insert(directions.end(), n);
-        result.push_back({k, *main});
+        const Tensor<1, 3> n      = interface.points[rows.front()].normal;
+        const auto         others = std::stable_partition(
+          rows.begin(), rows.end(), [&](const unsigned int k) {
+            const Tensor<1, 3> &m = interface.points[k].normal;
+            return m * n > alike * m.norm() * n.norm();
+          });
+        std::array<std::vector<Point<3>>, 2> near;
+        for (auto k = rows.begin(); k != others; ++k)
+          {
+            near[0].push_back(interface.points[*k].first);
+            near[1].push_back(interface.points[*k].second);
+          }
+        const Tensor<1, 3> main = common_normal(n, sides, near);
+        for (auto k = rows.begin(); k != others; ++k)
+          result.push_back({*k, main});
+        rows.erase(rows.begin(), others);
       }
     return result;
   }

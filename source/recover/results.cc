@@ -131,6 +131,50 @@ namespace lamella
                                std::to_string(warning.step->step) + ")") +
              ": ";
     }
+    /// @p warnings, those that differ by no more than the name of a contact or
+    /// a body once, with all of these names.
+    std::vector<std::string>
+    merged(const std::vector<std::string> &warnings)
+    {
+      static const std::regex named(R"(\b(contact|body) ([^ :]+): )");
+      struct Alike
+      {
+        std::string              before, kind, after;
+        std::vector<std::string> names;
+      };
+      std::vector<Alike> all;
+      for (const std::string &text : warnings)
+        {
+          Alike       one{text, "", "", {}};
+          std::smatch found;
+          if (std::regex_search(text, found, named))
+            one = {found.prefix(), found[1], found.suffix(), {found[2]}};
+          const auto known =
+            std::find_if(all.begin(), all.end(), [&](const Alike &other) {
+              return other.before == one.before && other.kind == one.kind &&
+                     other.after == one.after;
+            });
+          if (known == all.end())
+            all.push_back(one);
+          else if (!one.names.empty() &&
+                   one.names.front() != known->names.back())
+            known->names.push_back(one.names.front());
+        }
+      std::vector<std::string> result;
+      for (const Alike &one : all)
+        {
+          const std::size_t n = one.names.size();
+          const std::string several =
+            one.kind == "body" ? "bodies" : one.kind + "s";
+          result.push_back(one.before +
+                           (n == 0 ? "" :
+                            n == 1 ? one.kind + " " + one.names.front() + ": " :
+                                     std::to_string(n) + " " + several + " (" +
+                                       joined(one.names) + "): ") +
+                           one.after);
+        }
+      return result;
+    }
   } // namespace
 
 
@@ -142,10 +186,8 @@ namespace lamella
     for (const StepWarning &warning : warnings_by_kind(steps))
       warnings.push_back((load_steps > 1 ? place_of(warning) : "") +
                          warning.text);
-    for (const std::string &note : endnotes)
-      if (std::find(warnings.begin(), warnings.end(), note) == warnings.end())
-        warnings.push_back(note);
-    return warnings;
+    warnings.insert(warnings.end(), endnotes.begin(), endnotes.end());
+    return merged(warnings);
   }
 
 

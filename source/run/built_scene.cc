@@ -2,6 +2,7 @@
 
 #include <lamella/adapt/graded_axis.h>
 #include <lamella/adapt/plan.h>
+#include <lamella/base/arithmetic.h>
 #include <lamella/base/text.h>
 #include <lamella/conditions/hold.h>
 #include <lamella/contact/assumptions.h>
@@ -138,7 +139,8 @@ namespace lamella
         const double depth =
           0.1 * centroid_of(first.surface_points("start"))
                   .distance(far_points(first, "start").front().position);
-        for (const auto &[row, normal] : main_normals(made, depth))
+        for (const auto &[row, normal] :
+             main_normals(contact, made, bodies, depth))
           {
             const ContactInterface::Point &at = made.points[row];
             touched.push_back({made.first_body, at.first, normal});
@@ -249,6 +251,7 @@ namespace lamella
     number_rows();
     check_partners(contacts);
     check_conflicts(contacts, whole->bodies());
+    check_held_overlaps();
     check_strips();
   }
 
@@ -261,6 +264,53 @@ namespace lamella
     for (const unsigned int k : chose_nodes)
       again.contacts[k].discretisation = Discretisation::automatic;
     return again;
+  }
+
+
+
+  void
+  BuiltScene::check_held_overlaps() const
+  {
+    const auto is_held = [this](const unsigned int  body,
+                                const Point<3>     &x,
+                                const Tensor<1, 3> &n) {
+      const auto row = row_of({body, x, n}, whole->bodies());
+      return row && whole->holds(*row);
+    };
+    double       deepest = arithmetic::same_place * whole->size();
+    unsigned int worst   = contacts.size();
+    Point<3>     place;
+    for (unsigned int c = 0; c < contacts.size(); ++c)
+      for (const ContactInterface::Point &at : contacts[c].points)
+        {
+          // A short normal is that of an average over a curved surface.
+          const Tensor<1, 3> n     = at.normal / at.normal.norm();
+          const double       depth = (at.first - at.second) * n;
+          if (depth > deepest &&
+              given.contacts[c].overclosure != Overclosure::adjust &&
+              (contacts[c].second_body ?
+                 is_held(*contacts[c].second_body, at.second, n) :
+                 contacts[c].obstacle->displacement.norm() == 0.) &&
+              is_held(contacts[c].first_body, at.first, n))
+            {
+              deepest = depth;
+              worst   = c;
+              place   = at.first;
+            }
+        }
+    if (worst == contacts.size())
+      return;
+    throw InputError(
+      "Contact " + contacts[worst].name + "/Overclosure",
+      name_of(given.contacts[worst].overclosure),
+      "the bodies '" + whole->bodies()[contacts[worst].first_body]->name() +
+        "' and '" + contacts[worst].second_name +
+        "' overlap from the start by " + to_text(deepest, 4) + " at " +
+        to_text(place) +
+        ", where supports hold both: no contact force can push them apart "
+        "there",
+      "Take Overclosure = adjust, which takes the overlap out of the gaps "
+      "without strain, or move the bodies apart by that.");
   }
 
 

@@ -136,6 +136,9 @@ namespace lamella
     if (last_is_bare && (!path->has_more() || built->structure().turns()))
       complete_last_step();
     do_steps(observer);
+    if (const std::string note = recorder->note_on_idle_contacts();
+        !note.empty())
+      found.endnotes.push_back(note);
     if (scene().find_first_failure)
       find_first_failure();
     if (solver != nullptr)
@@ -229,8 +232,13 @@ namespace lamella
                                              built->rows(),
                                              scene().solve.loop,
                                              scene().solve.strategy);
-    solver->progress = [this](const std::string &line) {
-      out << "  " << line << std::endl;
+    solver->progress = [this,
+                        last = std::string()](const std::string &line) mutable {
+      // Of iterations that differ in their number alone the first.
+      const std::string what = line.substr(line.find(':') + 1);
+      if (what.empty() || what != last)
+        out << "  " << line << std::endl;
+      last = what;
     };
     solver->describe = [this](const unsigned int row) {
       return built->describe_row(row);

@@ -144,6 +144,72 @@ namespace lamella
 
 
 
+  bool
+  StepRecorder::has_borne(const unsigned int c) const
+  {
+    const ContactInterface &contact = built.interfaces()[c];
+    return std::any_of(
+      facts.steps.begin(), facts.steps.end(), [&](const StepResults &step) {
+        const std::vector<double> &energies = step.checks.energies;
+        // Of a run that was resumed no energies are left.
+        const auto is_strained = [&](const unsigned int body) {
+          return energies.empty() || energies[body] > 0.;
+        };
+        return step.changes[c].closed > 0 &&
+               (is_strained(contact.first_body) ||
+                (contact.second_body && is_strained(*contact.second_body)));
+      });
+  }
+
+
+
+  std::string
+  StepRecorder::note_on_idle_contacts() const
+  {
+    const std::vector<ContactInterface> &contacts = built.interfaces();
+    const StepResults                   &last     = facts.last();
+    std::vector<unsigned int>            idle;
+    for (unsigned int c = 0; c < contacts.size(); ++c)
+      if (!has_borne(c) && !last.contacts[c].empty())
+        idle.push_back(c);
+    const auto is_unstrained = [&last](const unsigned int body) {
+      return last.checks.energies[body] == 0.;
+    };
+    // A stop that a strained body does not reach may be meant.
+    if (idle.size() < contacts.size())
+      idle.erase(
+        std::remove_if(idle.begin(),
+                       idle.end(),
+                       [&](const unsigned int c) {
+                         const ContactInterface &contact = contacts[c];
+                         return !is_unstrained(contact.first_body) &&
+                                (contact.second_body ?
+                                   !is_unstrained(*contact.second_body) :
+                                   contact.obstacle->displacement.norm() == 0.);
+                       }),
+        idle.end());
+    std::vector<std::string> names;
+    for (const unsigned int c : idle)
+      {
+        const auto nearest = std::min_element(last.contacts[c].begin(),
+                                              last.contacts[c].end(),
+                                              [](const auto &a, const auto &b) {
+                                                return a.gap < b.gap;
+                                              });
+        names.push_back("'" + contacts[c].name + "' (smallest gap " +
+                        to_text(nearest->gap, 3) + " at " +
+                        to_text(nearest->point.first) + ")");
+      }
+    return names.empty() ?
+             "" :
+             "nothing presses in contact " + joined(names) +
+               ": no load step brings more than a force of rounding there. "
+               "Close the gap (Origin of a body, Through of an obstacle), or "
+               "look which way loads and prescribed displacements act";
+  }
+
+
+
   FailureTrial
   StepRecorder::trial(const SolvedStep        &solved,
                       std::vector<PlyReserve> &plies) const

@@ -537,6 +537,23 @@ namespace lamella
 
 
 
+  std::string
+  ContactSolver::describe_overlap() const
+  {
+    unsigned int deepest = 0;
+    for (unsigned int r = 0; r < rows.size(); ++r)
+      if (rows[r].initial_gap < rows[deepest].initial_gap)
+        deepest = r;
+    if (rows.empty() || rows[deepest].initial_gap >= 0.)
+      return "";
+    return " Bodies overlap from the start by up to " +
+           to_text(-rows[deepest].initial_gap, 4) + " (" + describe(deepest) +
+           "): take Overclosure = adjust, which takes that out of the gaps "
+           "without strain, or move them apart.";
+  }
+
+
+
   void
   ContactSolver::check_iterations(
     const unsigned int               iterations,
@@ -555,7 +572,7 @@ namespace lamella
       (names.empty()       ? "" :
        changing.size() > 3 ? "; ...)" :
                              ")") +
-      ". Try " + strategy->remedy() +
+      "." + describe_overlap() + " Try " + strategy->remedy() +
       ", a finer mesh at the edge of the contact, or more Maximum iterations.");
   }
 } // namespace lamella

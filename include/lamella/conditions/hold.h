@@ -5,6 +5,7 @@
 
 #include <lamella/conditions/support.h>
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -31,6 +32,10 @@ namespace lamella
     dealii::Point<3>     position;
     dealii::Tensor<1, 3> normal;
   };
+
+  /// n . u at @p place; none where that is outside of its body.
+  std::optional<BodyRow>
+  row_of(const ContactPlace &place, const Bodies &bodies);
 
   /// What the hold of the body @p name is called among the supports.
   std::string

@@ -18,16 +18,25 @@ namespace lamella
   };
 
   /**
-   * Of those rows of @p contact that are to touch first, closer than @p depth
-   * to the closest one, the main normals: that of the closest row stands for
-   * all whose own is within 60 degrees of it, and so on for those that are
-   * left. A roller on a flat face has one, across the face, although most of
-   * its rows are askew; a groove has one for each of its sides. What a contact
-   * holds a body against is judged by these: askew rows give way where the body
-   * slides.
+   * The main normals of those rows of @p interface, made of @p contact, that
+   * are to touch first, closer than @p depth to the closest one: one stands for
+   * all rows whose own normal is within 60 degrees of that of the closest row,
+   * and so on for those that are left. A roller on a flat face has one, across
+   * the face, although most of its rows are askew; a groove has one for each of
+   * its sides. Motions along which askew rows give way are not held by a
+   * contact.
+   *
+   * The main normal is the one that both surfaces have where they touch: that
+   * of a flat one; of two curved ones that across the generators of both, as
+   * sides of bodies and cylinders are ruled. It does not depend on where the
+   * mesh has its points. Of two flat ones that are askew, an edge on a face, it
+   * is that of the closest row.
    */
   std::vector<MainNormal>
-  main_normals(const ContactInterface &contact, const double depth);
+  main_normals(const ContactPair      &contact,
+               const ContactInterface &interface,
+               const Bodies           &bodies,
+               const double            depth);
 } // namespace lamella
 
 #endif

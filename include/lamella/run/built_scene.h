@@ -176,6 +176,10 @@ namespace lamella
     /// Search and pairing: the gap rows of all contacts, none twice.
     void
     build_contacts();
+    /// Throws InputError where bodies overlap from the start at places that
+    /// supports hold on both sides: no contact force can part them there.
+    void
+    check_held_overlaps() const;
     /// Throws InputError for a goal or a quantity of a trade that asks for the
     /// pressure of a strip that is on no contact's surface.
     void

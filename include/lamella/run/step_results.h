@@ -58,6 +58,12 @@ namespace lamella
     void
     take_measures(Results &results) const;
 
+    /// Of contacts that bear no force in any of the steps so far: all of them
+    /// if none does, else those of bodies that nothing strains and of obstacles
+    /// that move. A sentence, empty if there are none.
+    std::string
+    note_on_idle_contacts() const;
+
     /// What @p solved, a state beside the path, says of failure; its reserve
     /// factors into @p plies. The scene must ask for criteria.
     FailureTrial
@@ -114,6 +120,10 @@ namespace lamella
     /// motions that they take out.
     std::vector<std::string>
     warnings_of_holds(const SolvedStep &solved) const;
+    /// Whether contact number @p c has borne a force of more than rounding: one
+    /// that strains a body.
+    bool
+    has_borne(const unsigned int c) const;
     /// What is to be said of stresses whose equilibrium does not close.
     std::vector<std::string>
     warnings_of_closures(const Closures &closures) const;

@@ -326,6 +326,11 @@ namespace lamella
               const State      &state,
               const LoadFactor &factor) const;
 
+    /// How deep bodies overlap from the start, where, and the remedy, a
+    /// sentence; empty if none do.
+    std::string
+    describe_overlap() const;
+
     /// Counts @p round in @p iterations and reports it; throws NumericsError if
     /// rows are still changing after too many.
     void
