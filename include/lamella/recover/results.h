@@ -192,8 +192,9 @@ namespace lamella
     n_dofs() const;
 
     /// What the user should know: notes, the warnings of all steps (with their
-    /// steps where the scene has several; what differs by its numbers only
-    /// once, as of the largest load factor), endnotes. A sentence each, without
+    /// steps where the scene has several, and those at first failure; what
+    /// differs by its numbers only once, as of the largest load factor),
+    /// endnotes. A sentence each, without
     /// a full stop.
     std::vector<std::string>
     all_warnings() const;
