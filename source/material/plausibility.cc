@@ -3,11 +3,43 @@
 #include <lamella/base/text.h>
 #include <lamella/material/plausibility.h>
 
+#include <algorithm>
+#include <cmath>
 #include <utility>
 #include <vector>
 
 namespace lamella
 {
+  namespace
+  {
+    using Named = std::pair<const char *, double>;
+
+    /// That @p what ("numbers are") in the stress of @p units is to be checked.
+    std::string
+    remedy(const std::string &what, const Units &units)
+    {
+      if (units.stress.empty())
+        return ". Check that both are in one unit";
+      return ". Units = " + units.length + ", " + units.force +
+             " has stresses in " + units.stress + "; check that " + what +
+             " in it";
+    }
+  } // namespace
+
+
+
+  std::pair<const char *, double>
+  largest_modulus(const Material &material)
+  {
+    const EngineeringConstants &c = material.elastic;
+    return std::max({Named("E1", c.E1), Named("E2", c.E2), Named("E3", c.E3)},
+                    [](const Named &a, const Named &b) {
+                      return a.second < b.second;
+                    });
+  }
+
+
+
   std::string
   doubt_of_moduli(const std::string &name,
                   const Material    &material,
@@ -18,22 +50,206 @@ namespace lamella
     if (units.stress.empty())
       return "";
     const EngineeringConstants &c = material.elastic;
-    std::vector<std::string>    odd;
-    for (const auto &[what, modulus] : {std::make_pair("E1", c.E1),
-                                        std::make_pair("E2", c.E2),
-                                        std::make_pair("E3", c.E3),
-                                        std::make_pair("G12", c.G12),
-                                        std::make_pair("G13", c.G13),
-                                        std::make_pair("G23", c.G23)})
-      if (modulus < softest * units.pascal || modulus > stiffest * units.pascal)
+    // Cores are softer in their plane.
+    const bool is_soft =
+      largest_modulus(material).second < softest * units.pascal;
+    std::vector<std::string> odd;
+    for (const auto &[what, modulus] : {Named("E1", c.E1),
+                                        Named("E2", c.E2),
+                                        Named("E3", c.E3),
+                                        Named("G12", c.G12),
+                                        Named("G13", c.G13),
+                                        Named("G23", c.G23)})
+      if ((is_soft && modulus < softest * units.pascal) ||
+          modulus > stiffest * units.pascal)
         odd.push_back(std::string(what) + " = " + to_text(modulus) + " " +
                       units.stress);
     if (odd.empty())
       return "";
     return "material " + name + ": " + joined(odd) +
            (odd.size() == 1 ? " lies" : " lie") +
-           " outside of 1 MPa to 2 TPa, where moduli of solids are. Units = " +
-           units.length + ", " + units.force + " has stresses in " +
-           units.stress + "; check that numbers are in it";
+           " outside of 1 MPa to 2 TPa, where moduli of solids are" +
+           remedy("numbers are", units);
+  }
+
+
+
+  namespace
+  {
+    /// A number over another one.
+    struct Ratio
+    {
+      Named over, under;
+
+      double
+      value() const
+      {
+        return over.second / under.second;
+      }
+    };
+
+
+
+    /// Each strength over the modulus of its direction.
+    std::vector<Ratio>
+    strength_ratios(const Material &material)
+    {
+      const EngineeringConstants &c = material.elastic;
+      const Named E1("E1", c.E1), E2("E2", c.E2), E3("E3", c.E3),
+        G12("G12", c.G12), G13("G13", c.G13), G23("G23", c.G23);
+      std::vector<Ratio> all;
+      if (const auto &s = material.strengths)
+        all = {{{"Xt", s->Xt}, E1},
+               {{"Xc", s->Xc}, E1},
+               {{"Yt", s->Yt}, E2},
+               {{"Yc", s->Yc}, E2},
+               {{"Zt", s->Zt}, E3},
+               {{"Zc", s->Zc}, E3},
+               {{"S12", s->S12}, G12},
+               {{"S13", s->S13}, G13},
+               {{"S23", s->S23}, G23}};
+      if (material.yield)
+        all.push_back({{"Yield", *material.yield}, E1});
+      if (const auto &core = material.core)
+        all.insert(all.end(),
+                   {{{"crushing", core->crushing}, E3},
+                    {{"shear 13", core->shear_13}, G13},
+                    {{"shear 23", core->shear_23}, G23}});
+      return all;
+    }
+
+
+
+    std::vector<Ratio>
+    shear_ratios(const EngineeringConstants &c)
+    {
+      const Named        E1("E1", c.E1), E2("E2", c.E2), G12("G12", c.G12);
+      std::vector<Ratio> all{{G12, E1}, {G12, E2}};
+      // Of a honeycomb G13 is anything beside E1, and next to nothing of E3.
+      if (c.E3 <= c.E1)
+        all.insert(all.end(), {{{"G13", c.G13}, E1}, {{"G23", c.G23}, E2}});
+      return all;
+    }
+
+
+
+    /// The one of @p ratios that is farthest outside of @p low to @p high, in
+    /// words; empty if all are inside.
+    std::string
+    worst_ratio(const std::vector<Ratio> &ratios,
+                const double              low,
+                const double              high,
+                const Units              &units)
+    {
+      const Ratio *worst   = nullptr;
+      double       outside = 1.;
+      for (const Ratio &one : ratios)
+        if (const double off = std::max(low / one.value(), one.value() / high);
+            off > outside)
+          {
+            worst   = &one;
+            outside = off;
+          }
+      if (worst == nullptr)
+        return "";
+      const auto number = [&units](const Named &named) {
+        return std::string(named.first) + " = " + to_text(named.second) +
+               (units.stress.empty() ? "" : " ") + units.stress;
+      };
+      return number(worst->over) + " is " + to_text(worst->value(), 2) +
+             " times " + number(worst->under) +
+             ", and of solids this ratio lies between " + to_text(low) +
+             " and " + to_text(high) +
+             remedy(std::string(worst->over.first) + " and " +
+                      worst->under.first + " are",
+                    units);
+    }
+
+
+
+    std::string
+    doubt_of_strains(const Strengths &strains, const double most)
+    {
+      const auto &[Xt, Xc, Yt, Yc, Zt, Zc, S12, S13, S23] = strains;
+      const double largest = std::max({Xt, Xc, Yt, Yc, Zt, Zc, S12, S13, S23});
+      if (largest <= most)
+        return "";
+      return "Ultimate strains reach " + to_text(largest) +
+             ", and solids break below " + to_text(most) +
+             ". They are numbers: 1.5 % is 0.015";
+    }
+
+
+
+    std::string
+    doubt_of_density(const double density, const Units &units)
+    {
+      // Aerogels and osmium [kg/m^3].
+      constexpr double lightest = 5., heaviest = 25000.;
+      // A stress is a force over length^2, a density one over length^4.
+      const double of_scene = units.pascal * units.pascal;
+      if (units.stress.empty() || density == 0. ||
+          (density >= lightest * of_scene && density <= heaviest * of_scene))
+        return "";
+      const std::string unit = units.length == "m" ? "kg/m^3" : "t/mm^3";
+      return "Density = " + to_text(density) + " " + unit +
+             ", and solids have " + to_text(lightest * of_scene) + " to " +
+             to_text(heaviest * of_scene) + " " + unit +
+             ". Units = " + units.length + ", " + units.force +
+             " has densities in " + unit + ": steel has " +
+             to_text(7850. * of_scene);
+    }
+
+
+
+    std::string
+    doubt_of_expansion(const dealii::Tensor<1, 3> &alpha)
+    {
+      constexpr double most = 1e-3;
+      const double     largest =
+        std::max({std::abs(alpha[0]), std::abs(alpha[1]), std::abs(alpha[2])});
+      if (largest <= most)
+        return "";
+      return "Thermal expansion reaches " + to_text(largest) +
+             " per kelvin, and solids have less than " + to_text(most) +
+             ". Steel has 12e-6";
+    }
+  } // namespace
+
+
+
+  std::vector<std::string>
+  doubts_of_material(const std::string &name,
+                     const Material    &material,
+                     const Units       &units)
+  {
+    // Of concrete in tension and of whiskers; of the stiffest fibres beside
+    // their resin and of laminates at 45 degrees. What is typed in another
+    // unit is off by a thousand.
+    constexpr double weakest = 1e-4, strongest = 0.3, least_shear = 1e-3,
+                     most_shear = 10.;
+    std::vector<std::string> doubts;
+    const auto               add = [&](const std::string &doubt) {
+      if (!doubt.empty())
+        doubts.push_back("material " + name + ": " + doubt);
+    };
+    if (const std::string doubt = doubt_of_moduli(name, material, units);
+        !doubt.empty())
+      doubts.push_back(doubt);
+    std::string ratio = worst_ratio(shear_ratios(material.elastic),
+                                    least_shear,
+                                    most_shear,
+                                    units);
+    // A shear modulus that is off makes its strength look so, too.
+    if (ratio.empty())
+      ratio = worst_ratio(strength_ratios(material), weakest, strongest, units);
+    add(ratio);
+    if (material.ultimate_strains)
+      add(doubt_of_strains(*material.ultimate_strains, strongest));
+    if (material.density)
+      add(doubt_of_density(*material.density, units));
+    if (material.expansion)
+      add(doubt_of_expansion(*material.expansion));
+    return doubts;
   }
 } // namespace lamella

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <lamella/base/arithmetic.h>
 #include <lamella/base/text.h>
 #include <lamella/recover/plausibility.h>
 
@@ -8,77 +9,240 @@
 
 namespace lamella
 {
+  using namespace dealii;
+
   namespace
   {
-    // Fibres break, resins crack and metals yield before that.
-    constexpr double      large_strain = 0.02;
-    constexpr std::size_t enough       = 1000;
+    // Fibres break, resins crack and metals yield before that; and no load that
+    // is meant strains so little.
+    constexpr double      large_strain = 0.02, small_strain = 1e-9;
+    constexpr std::size_t enough = 1000;
+    // Of the depth of the cell below: bodies side by side bulge by their strain
+    // of their thickness, a thousandth.
+    constexpr double deep = 0.1;
 
 
 
-    struct Extreme
+    /// The number of the one of @p points that is nearest to @p x.
+    template <typename Points, typename Position>
+    std::size_t
+    nearest(const Points &points, const Point<3> &x, const Position &position)
     {
-      double           value = 0.;
-      dealii::Point<3> place;
+      return std::min_element(points.begin(),
+                              points.end(),
+                              [&](const auto &a, const auto &b) {
+                                return position(a).distance_square(x) <
+                                       position(b).distance_square(x);
+                              }) -
+             points.begin();
+    }
 
-      void
-      take(const double other, const dealii::Point<3> &at)
-      {
-        if (other > value)
-          {
-            value = other;
-            place = at;
-          }
-      }
-    };
+
+
+    const Point<3> &
+    undeformed(const SurfacePoint &point)
+    {
+      return point.position;
+    }
+
+
+
+    /// Some a thousand of @p points, evenly.
+    std::vector<SurfacePoint>
+    thinned(const std::vector<SurfacePoint> &points)
+    {
+      const std::size_t         stride = points.size() / enough + 1;
+      std::vector<SurfacePoint> some;
+      for (std::size_t k = 0; k < points.size(); k += stride)
+        some.push_back(points[k]);
+      return some;
+    }
   } // namespace
 
 
 
-  Plausibility::Plausibility(const Bodies &bodies, const Units &units)
-    : bodies(bodies)
+  Plausibility::Plausibility(const Structure                     &structure,
+                             const Units                         &units,
+                             const std::vector<ContactInterface> &interfaces)
+    : structure(structure)
+    , bodies(structure.bodies())
     , units(units)
-  {}
-
-
-
-  void
-  Plausibility::find_places()
   {
-    places.resize(bodies.size());
-    for (unsigned int b = 0; b < bodies.size(); ++b)
-      {
-        const auto        points = bodies[b]->surface_points("all");
-        const std::size_t stride = points.size() / enough + 1;
-        for (std::size_t k = 0; k < points.size(); k += stride)
-          places[b].push_back(points[k].location);
-      }
+    for (const ContactInterface &contact : interfaces)
+      if (contact.second_body)
+        contacts.insert(std::minmax(contact.first_body, *contact.second_body));
   }
 
 
 
-  std::vector<std::string>
-  Plausibility::doubts(const BlockVector &u)
+  std::vector<SurfacePoint>
+  Plausibility::face_points(const unsigned int b) const
   {
-    if (units.length.empty())
-      return {};
-    if (places.empty())
-      find_places();
+    // Inside of facets, three each way: sides of bodies may be flush.
+    const std::vector<SurfaceFacet> facets = bodies[b]->surface_facets("all");
+    std::vector<SurfacePoint>       points;
+    for (const SurfaceFacet &facet : facets)
+      for (const double s : {1. / 6., 0.5, 5. / 6.})
+        for (const double t : {1. / 6., 0.5, 5. / 6.})
+          points.push_back(bodies[b]->surface_point(facet, {s, t}));
+    return thinned(points);
+  }
+
+
+
+  double
+  Plausibility::depth(const Point<3> &X, const unsigned int b) const
+  {
+    // What is nearest may belong to the side beside.
+    constexpr double    around = 2.;
+    const SurfacePoint &there  = faces[b][nearest(faces[b], X, undeformed)];
+    const double        reach  = around * there.position.distance(X);
+    double              least  = reach;
+    for (const SurfacePoint &point : faces[b])
+      if (const Tensor<1, 3> d = point.position - X; d.norm() <= reach)
+        least = std::min(least, std::abs(d * point.normal));
+    return least > deep * there.depth ? least : 0.;
+  }
+
+
+
+  Plausibility::Extreme
+  Plausibility::deepest(const Moved       &a,
+                        const Moved       &b,
+                        const unsigned int number_of_b,
+                        const Vector      &u) const
+  {
+    constexpr unsigned int iterations = 6;
+    const Body            &body       = *bodies[number_of_b];
+    std::vector<Point<3>>  x, X;
+    for (const Point<3> &place : a.places)
+      if (b.box.point_inside(place))
+        {
+          const auto k = nearest(b.places, place, [](const Point<3> &other) {
+            return other;
+          });
+          x.push_back(place);
+          X.push_back(faces[number_of_b][k].position -
+                      transpose(b.turns[k]) * (b.places[k] - place));
+        }
+    for (unsigned int i = 0; i < iterations && !x.empty(); ++i)
+      {
+        const auto            found = body.locate(X);
+        std::vector<Point<3>> x_inside, X_inside;
+        for (unsigned int k = 0; k < x.size(); ++k)
+          if (!found[k].empty())
+            {
+              const FieldSample at = body.sample(found[k].front(), u);
+              x_inside.push_back(x[k]);
+              X_inside.push_back(X[k] - transpose(at.turn) *
+                                          (X[k] + at.displacement - x[k]));
+            }
+        x = x_inside;
+        X = X_inside;
+      }
+    Extreme    found;
+    const auto inside = body.locate(X);
+    for (unsigned int k = 0; k < x.size(); ++k)
+      if (!inside[k].empty())
+        found.take(depth(X[k], number_of_b), x[k]);
+    return found;
+  }
+
+
+
+  bool
+  Plausibility::are_nested(const Body &a, const Body &b) const
+  {
+    std::vector<Point<3>> middles;
+    const unsigned int    n = a.cells().n;
+    for (unsigned int cell = 0; cell < n; cell += n / enough + 1)
+      middles.push_back(a.position({cell, Point<3>(0.5, 0.5, 0.5)}));
+    const auto found = b.locate(middles);
+    return std::any_of(found.begin(), found.end(), [](const auto &at) {
+      return !at.empty();
+    });
+  }
+
+
+
+  void
+  Plausibility::add_overlaps(const std::vector<Moved> &moved,
+                             const BlockVector        &u,
+                             std::vector<std::string> &sentences) const
+  {
+    Extreme                               worst;
+    std::pair<unsigned int, unsigned int> who;
+    unsigned int                          n_pairs = 0;
+    for (unsigned int a = 0; a < bodies.size(); ++a)
+      for (unsigned int b = a + 1; b < bodies.size(); ++b)
+        if (contacts.count({a, b}) == 0 &&
+            moved[a].box.get_neighbor_type(moved[b].box) !=
+              NeighborType::not_neighbors)
+          {
+            const Extreme one   = deepest(moved[a], moved[b], b, u.block(b)),
+                          other = deepest(moved[b], moved[a], a, u.block(a)),
+                          &most = one.value > other.value ? one : other;
+            if (most.value == 0. || are_nested(*bodies[a], *bodies[b]) ||
+                are_nested(*bodies[b], *bodies[a]))
+              continue;
+            ++n_pairs;
+            if (most.value > worst.value)
+              {
+                worst = most;
+                who   = {a, b};
+              }
+          }
+    if (n_pairs > 0)
+      sentences.push_back(
+        "bodies " + bodies[who.first]->name() + " and " +
+        bodies[who.second]->name() + " overlap by " + to_text(worst.value, 2) +
+        (units.length.empty() ? "" : " " + units.length) + " at " +
+        to_text(worst.place) +
+        (n_pairs > 1 ?
+           ", and " + std::to_string(n_pairs - 1) + " other pairs likewise" :
+           "") +
+        ": no contact is between them, so they pass through each other. Name "
+        "a Contact of the two surfaces that are to meet");
+  }
+
+
+
+  Plausibility::Moved
+  Plausibility::moved_by(const Vector                    &u,
+                         const unsigned int               b,
+                         const std::vector<SurfacePoint> &points) const
+  {
+    Moved moved;
+    for (const SurfacePoint &point : points)
+      {
+        const FieldSample at = bodies[b]->sample(point.location, u);
+        for (unsigned int c = 0; c < 6; ++c)
+          moved.strain.take(std::abs(at.strain[c]), point.position);
+        moved.displacement.take(at.displacement.norm(), point.position);
+        moved.places.push_back(point.position + at.displacement);
+        moved.turns.push_back(at.turn);
+      }
+    moved.box = BoundingBox<3>(moved.places);
+    return moved;
+  }
+
+
+
+  void
+  Plausibility::add_doubts_of_units(const std::vector<Moved> &moved,
+                                    const bool                is_rigid,
+                                    std::vector<std::string> &sentences) const
+  {
     const std::string remedy =
       ". Check loads and displacements, and that all numbers are in Units = " +
       units.length + ", " + units.force + " (stresses in " + units.stress + ")";
-    std::vector<std::string> sentences;
+    double largest = 0.;
     for (unsigned int b = 0; b < bodies.size(); ++b)
       {
-        const Body &body = *bodies[b];
-        Extreme     strain, displacement;
-        for (const Location &place : places[b])
-          {
-            const FieldSample at = body.sample(place, u.block(b));
-            for (unsigned int c = 0; c < 6; ++c)
-              strain.take(std::abs(at.strain[c]), place.position);
-            displacement.take(at.displacement.norm(), place.position);
-          }
+        const Body    &body         = *bodies[b];
+        const Extreme &strain       = moved[b].strain,
+                      &displacement = moved[b].displacement;
+        largest                     = std::max(largest, strain.value);
         // Body::size() is half the largest extension.
         const double length = 2. * body.size();
         if (strain.value > large_strain)
@@ -92,6 +256,78 @@ namespace lamella
             to_text(displacement.value, 3) + " " + units.length + " at " +
             to_text(displacement.place) + ", more than its " + "own length, " +
             to_text(length, 3) + " " + units.length + remedy);
+      }
+    if (!is_rigid && largest < small_strain && largest > arithmetic::rounding)
+      sentences.push_back("strains reach " + to_text(largest, 2) +
+                          " and no more: so little is hardly meant" + remedy);
+  }
+
+
+
+  void
+  Plausibility::add_rigid_motion(const std::vector<Moved> &moved,
+                                 std::vector<std::string> &sentences) const
+  {
+    const auto farthest =
+      std::max_element(moved.begin(),
+                       moved.end(),
+                       [](const Moved &a, const Moved &b) {
+                         return a.displacement.value < b.displacement.value;
+                       });
+    const bool is_driven = std::any_of(structure.prescribed().begin(),
+                                       structure.prescribed().end(),
+                                       [](const PrescribedRow &row) {
+                                         return row.value != 0. || row.turn;
+                                       });
+    if (!is_driven && !structure.is_heated() &&
+        farthest->displacement.value >
+          arithmetic::as_written * structure.size())
+      sentences.push_back(
+        "body " + bodies[farthest - moved.begin()]->name() + " moves by " +
+        to_text(farthest->displacement.value, 3) + " at " +
+        to_text(farthest->displacement.place) +
+        ", and nothing is strained: it moves or tips over as a rigid body, no "
+        "force resists, and how far it goes says nothing. Check where its "
+        "contacts and supports are");
+  }
+
+
+
+  std::vector<std::string>
+  Plausibility::doubts(const BlockVector &u,
+                       const Checks      &checks,
+                       const bool         last)
+  {
+    const bool is_rigid =
+      std::none_of(checks.energies.begin(),
+                   checks.energies.end(),
+                   [](const double energy) { return energy != 0.; });
+    const unsigned int       n = bodies.size();
+    std::vector<std::string> sentences;
+    if (!units.length.empty() || is_rigid)
+      {
+        std::vector<Moved> moved;
+        for (unsigned int b = 0; b < n; ++b)
+          {
+            if (places.size() == b)
+              places.push_back(thinned(bodies[b]->surface_points("all")));
+            moved.push_back(moved_by(u.block(b), b, places[b]));
+          }
+        if (!units.length.empty())
+          add_doubts_of_units(moved, is_rigid, sentences);
+        if (is_rigid && last)
+          add_rigid_motion(moved, sentences);
+      }
+    if (n * (n - 1) / 2 > contacts.size())
+      {
+        std::vector<Moved> moved;
+        for (unsigned int b = 0; b < n; ++b)
+          {
+            if (faces.size() == b)
+              faces.push_back(face_points(b));
+            moved.push_back(moved_by(u.block(b), b, faces[b]));
+          }
+        add_overlaps(moved, u, sentences);
       }
     return sentences;
   }

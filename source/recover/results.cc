@@ -41,17 +41,19 @@ namespace lamella
 
   namespace
   {
-    /// A warning of one load step or of several, which may give other numbers.
+    /// A warning of one load step or of several, which may give other numbers,
+    /// and of the load at first failure.
     struct StepWarning
     {
       /// What is left of it without its numbers.
       std::string kind;
-      /// Of the step with the largest load factor, which is one of these.
+      /// Of the largest load factor, that of one of these steps, or of none at
+      /// first failure.
       std::string        text;
       const StepResults *step;
       /// In their order, and whether all of them say the same.
       std::vector<unsigned int> steps;
-      bool                      same = true;
+      bool                      same = true, at_failure = false;
     };
 
 
@@ -67,12 +69,42 @@ namespace lamella
 
 
 
-    /// Those of all @p steps, each kind once, in the order of their first.
+    /// Adds those of @p first to @p all, of each kind where it is known.
+    void
+    add_first_failure(const FirstFailure &first, std::vector<StepWarning> &all)
+    {
+      for (const std::string &text : first.warnings)
+        {
+          const std::string kind = without_numbers(text);
+          const auto        known =
+            std::find_if(all.begin(), all.end(), [&](const StepWarning &w) {
+              return w.kind == kind && !w.at_failure;
+            });
+          if (known == all.end())
+            {
+              all.push_back({kind, text, nullptr, {}, true, true});
+              continue;
+            }
+          known->at_failure = true;
+          known->same       = known->same && known->text == text;
+          if (std::abs(first.failing) >=
+              std::abs(known->step->load_factor.of_scene()))
+            {
+              known->text = text;
+              known->step = nullptr;
+            }
+        }
+    }
+
+
+
+    /// Those of all steps of @p results and of its first failure, each kind
+    /// once, in the order of their first.
     std::vector<StepWarning>
-    warnings_by_kind(const std::vector<StepResults> &steps)
+    warnings_by_kind(const Results &results)
     {
       std::vector<StepWarning> all;
-      for (const StepResults &step : steps)
+      for (const StepResults &step : results.steps)
         for (const std::string &text : step.warnings)
           {
             const std::string kind = without_numbers(text);
@@ -95,6 +127,8 @@ namespace lamella
                 known->step = &step;
               }
           }
+      if (results.first_failure)
+        add_first_failure(*results.first_failure, all);
       return all;
     }
 
@@ -119,17 +153,24 @@ namespace lamella
 
 
 
-    /// `load step 2: `, `load steps 1-3 (numbers of step 3): `.
+    /// `load step 2: `, `load steps 1-3 (numbers of step 3): `, `first failure:
+    /// `, `load step 1 and first failure (numbers of first failure): `.
     std::string
     place_of(const StepWarning &warning)
     {
-      if (warning.steps.size() == 1)
-        return "load step " + std::to_string(warning.steps.front()) + ": ";
-      return "load steps " + ranges(warning.steps) +
-             (warning.same ? "" :
-                             " (numbers of step " +
-                               std::to_string(warning.step->step) + ")") +
-             ": ";
+      std::string text;
+      if (!warning.steps.empty())
+        text = (warning.steps.size() == 1 ? "load step " : "load steps ") +
+               ranges(warning.steps);
+      if (warning.at_failure)
+        text += (text.empty() ? "" : " and ") + std::string("first failure");
+      if (!warning.same)
+        text += " (numbers of " +
+                (warning.step == nullptr ?
+                   "first failure" :
+                   "step " + std::to_string(warning.step->step)) +
+                ")";
+      return text + ": ";
     }
     /// @p warnings, those that differ by no more than the name of a contact or
     /// a body once, with all of these names.
@@ -183,9 +224,10 @@ namespace lamella
   Results::all_warnings() const
   {
     std::vector<std::string> warnings = notes;
-    for (const StepWarning &warning : warnings_by_kind(steps))
-      warnings.push_back((load_steps > 1 ? place_of(warning) : "") +
-                         warning.text);
+    for (const StepWarning &warning : warnings_by_kind(*this))
+      warnings.push_back(
+        (load_steps > 1 || warning.at_failure ? place_of(warning) : "") +
+        warning.text);
     warnings.insert(warnings.end(), endnotes.begin(), endnotes.end());
     return merged(warnings);
   }

@@ -9,6 +9,7 @@
 #include <lamella/contact/main_normals.h>
 #include <lamella/run/built_scene.h>
 #include <lamella/run/first_failure.h>
+#include <lamella/scene/plausibility.h>
 #include <lamella/scene/theory_notes.h>
 #include <lamella/solve/phase.h>
 
@@ -341,7 +342,7 @@ namespace lamella
     for (const Measure &measure : given.measures)
       places->check(measure.quantity);
     given.goals.quantities = in_plies(given.goals.quantities);
-    units_check = std::make_unique<Plausibility>(whole->bodies(), given.units);
+    units_check = std::make_unique<Plausibility>(*whole, given.units, contacts);
     if (!given.strength.criteria.empty())
       sweep = std::make_unique<StrengthSweep>(whole->bodies(), given.strength);
     if (given.find_first_failure)
@@ -456,6 +457,7 @@ namespace lamella
       found.notes.insert(found.notes.end(), notes.begin(), notes.end());
     };
     add(given.warnings);
+    add(doubts_of_magnitude(given, section_meshes));
     add(field_notes);
     add(notes_on_theories(given, section_meshes));
     for (const LoadResultant &load : whole->load_resultants())

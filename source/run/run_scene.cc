@@ -105,6 +105,10 @@ namespace lamella
               writer.write_end(found);
               print_results(simulation, directory, simulation.output());
             }
+          else
+            // They may tell why.
+            for (const std::string &note : found.notes)
+              simulation.output() << "Note: " << note << ".\n";
           if (writer.folder().has_earlier_results())
             throw NumericsError(std::string(error.what()) +
                                 " (The results in " + directory +

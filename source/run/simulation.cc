@@ -356,14 +356,27 @@ namespace lamella
   void
   Simulation::find_first_failure()
   {
-    FirstFailureSearch search(
-      [this](const double             factor,
-             const unsigned int       leg,
-             std::vector<PlyReserve> &plies) {
-        return recorder->trial(path->branch(factor, leg), plies);
+    std::optional<SolvedStep> failing;
+    std::vector<PlyReserve>   plies_there;
+    FirstFailureSearch        search(
+      [&](const double             factor,
+          const unsigned int       leg,
+          std::vector<PlyReserve> &plies) {
+        SolvedStep   solved = path->branch(factor, leg);
+        FailureTrial trial  = recorder->trial(solved, plies);
+        if (trial.reserve && *trial.reserve <= 1.)
+          {
+            failing     = std::move(solved);
+            plies_there = plies;
+          }
+        return trial;
       },
       out);
     found.first_failure = search.find(found.steps);
+    // What fails in a load step is told with that.
+    if (failing)
+      found.first_failure->warnings =
+        recorder->warnings_beside(*failing, std::move(plies_there));
     if (const std::string note = search.note(); !note.empty())
       found.endnotes.push_back(note);
   }

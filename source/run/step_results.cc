@@ -39,13 +39,11 @@ namespace lamella
     results.substeps    = solved.substeps;
     results.change      = solved.change;
     results.halvings    = solved.cuts;
-    results.warnings    = warnings(solved);
     const FaceTractions tractions =
       built.tractions_at(solved.state, solved.load_factor);
     built.sampler().sample(solved.state.u, results, tractions);
-    for (const std::string &warning : warnings_of_closures(results.closures))
-      results.warnings.push_back(warning);
     take_strength(results, tractions);
+    results.warnings = warnings(solved, results);
     take_contacts(solved, previous, results);
     return results;
   }
@@ -120,14 +118,8 @@ namespace lamella
       return;
     StrengthSweep::Found found =
       built.strength()->sweep(results.state.u, tractions, cured.get());
-    results.plies           = std::move(found.plies);
-    results.plies_along     = std::move(found.along);
-    const std::string doubt = doubt_of_worst(results.plies,
-                                             scene.supports,
-                                             scene.loads,
-                                             structure.bodies());
-    if (!doubt.empty())
-      results.warnings.push_back(doubt);
+    results.plies       = std::move(found.plies);
+    results.plies_along = std::move(found.along);
   }
 
 
@@ -278,7 +270,24 @@ namespace lamella
 
 
   std::vector<std::string>
-  StepRecorder::warnings(const SolvedStep &solved) const
+  StepRecorder::warnings_beside(const SolvedStep       &solved,
+                                std::vector<PlyReserve> plies) const
+  {
+    StepResults sampled;
+    sampled.step  = scene.solve.load_factors.size();
+    sampled.plies = std::move(plies);
+    built.sampler().sample(solved.state.u,
+                           sampled,
+                           built.tractions_at(solved.state,
+                                              solved.load_factor));
+    return warnings(solved, sampled);
+  }
+
+
+
+  std::vector<std::string>
+  StepRecorder::warnings(const SolvedStep  &solved,
+                         const StepResults &sampled) const
   {
     const std::vector<ContactInterface> &contacts = built.interfaces();
     std::vector<std::string>             warnings =
@@ -288,7 +297,10 @@ namespace lamella
     };
     add(warnings_of(solved.checks.beyond, structure));
     if (scene.solve.is_judged)
-      add(built.plausibility().doubts(solved.state.u));
+      add(built.plausibility().doubts(solved.state.u,
+                                      solved.checks,
+                                      sampled.step ==
+                                        scene.solve.load_factors.size()));
     for (unsigned int k = 0; k < contacts.size() && !structure.turns(); ++k)
       add(
         broken_assumptions(contacts[k],
@@ -306,6 +318,12 @@ namespace lamella
         to_text(100. * *solved.change, 2) +
         " %: where it slips while pressures change, results depend on the way; "
         "put load factors between");
+    add(warnings_of_closures(sampled.closures));
+    if (built.strength() != nullptr)
+      if (const std::string doubt = doubt_of_worst(
+            sampled.plies, scene.supports, scene.loads, structure.bodies());
+          !doubt.empty())
+        warnings.push_back(doubt);
     return warnings;
   }
 

@@ -29,9 +29,8 @@ namespace lamella
       scene.materials[name] = MaterialParameters::parse(in, scene.units);
       // That of the paper's half-cylinders has no unit.
       if (in["Library"].text() != "hertz-200")
-        if (const std::string doubt =
-              doubt_of_moduli(name, scene.materials[name], scene.units);
-            !doubt.empty())
+        for (const std::string &doubt :
+             doubts_of_material(name, scene.materials[name], scene.units))
           scene.warnings.push_back(doubt);
     }
 

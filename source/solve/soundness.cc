@@ -12,8 +12,9 @@ namespace lamella
 {
   namespace
   {
-    // Beyond these the linear strain misses about rotation^2 / 2, 0.5 %.
-    constexpr double linear_rotation = 0.1;
+    // Beyond these the linear strain misses about rotation^2 / 2, 0.5 %; and
+    // what hardly any scene is meant to reach, half a turn.
+    constexpr double linear_rotation = 0.1, absurd_rotation = 3.;
     // A first correction above this says that the assembled matrix has lost
     // more than half of its digits.
     constexpr double lost_digits = 1e-7;
@@ -33,6 +34,19 @@ namespace lamella
     // Forces come out of displacements that are held in doubles, which leaves
     // about eps (L/h)^2 of them: tolerable, but to be told.
     constexpr double tolerable = 1e-3, worth_telling = 1e-7;
+
+
+
+    /// What to look at first where linear rotations are beyond any meaning.
+    std::string
+    doubt_of_rotation(const double rotation)
+    {
+      if (rotation <= absurd_rotation)
+        return "";
+      return "no part is meant to turn that far, so check first that moduli, "
+             "densities, lengths and loads are in the scene's Units. If they "
+             "are: ";
+    }
 
 
 
@@ -154,8 +168,9 @@ namespace lamella
     else if (checks.max_rotation > rotation_limit)
       throw NumericsError(
         "Rotations reach " + to_text(checks.max_rotation, 3) +
-        " rad, beyond Rotation limit = " + to_text(rotation_limit) +
-        ": linear kinematics does not describe this scene. Take Rotations = "
+        " rad, beyond Rotation limit = " + to_text(rotation_limit) + ": " +
+        doubt_of_rotation(checks.max_rotation) +
+        "linear kinematics does not describe this scene. Take Rotations = "
         "large, or reduce the loads; or raise the limit if you want the linear result all the same.");
   }
 
@@ -208,7 +223,8 @@ namespace lamella
       if (checks.max_rotation > linear_rotation)
         warnings.push_back(
           "rotations reach " + to_text(checks.max_rotation, 3) +
-          " rad, where linear kinematics makes the shape longer by rotation^2 / "
+          " rad: " + doubt_of_rotation(checks.max_rotation) +
+          "linear kinematics makes the shape longer by rotation^2 / "
           "2 = " +
           to_text(50. * checks.max_rotation * checks.max_rotation, 2) +
           " %; read the results as those of a linear model");

@@ -95,25 +95,26 @@ namespace lamella
   void
   Structure::take(const Load &load)
   {
-    const auto depends = [&](const Region &region) {
-      return depends_on_state(load, *all_bodies[region.body]);
-    };
-    BlockVector &dead = histories[load.history].load;
-    if (std::none_of(load.on.begin(), load.on.end(), depends))
-      {
-        resultants.push_back(add_load(load, all_bodies, dead));
-        return;
-      }
     BlockVector at_start = zero();
     resultants.push_back(add_load(load, all_bodies, at_start));
+    BlockVector free = at_start;
+    condense(free);
+    if (at_start.linfty_norm() > 0. &&
+        free.linfty_norm() <=
+          arithmetic::rounding_of_results * at_start.linfty_norm())
+      resultants.back().notes.push_back(
+        "load " + load.name +
+        ": supports hold all that it acts on, so it moves and strains nothing, "
+        "and reactions bear it where it is. Check where it and they are (On, "
+        "At)");
     for (const Region &region : load.on)
-      if (depends(region))
+      if (depends_on_state(load, *all_bodies[region.body]))
         {
           turning[region.body].emplace_back(
             turning_load(load, region, *all_bodies[region.body]), load.history);
           at_start.block(region.body) = 0.;
         }
-    dead += at_start;
+    histories[load.history].load += at_start;
   }
 
 

@@ -11,13 +11,21 @@
 //     run SCENE.prm [--set "PATH=VALUE"]...   the scene, relative to the table
 //     says FRAGMENT                           occurs in the message; repeatable
 //     never FRAGMENT                          does not
+//     notes FRAGMENT                          occurs in one note; repeatable
+//     quiet FOLDER                            in the place of run
 // Each ends with an InputError whose message has at most twelve lines and no
-// words of the machinery. What needs the program itself (exit status, files,
-// failures of the numerics, its tasks) is a .bad file of its own.
+// words of the machinery; with `notes` the scene is accepted, and has so many
+// notes on magnitudes and loads, no more. `quiet` takes all scenes of a folder
+// that are not refused (or all templates, of the folder `new`), which have
+// none. What needs the program itself (exit status, files, failures of the
+// numerics, its tasks) is a .bad file of its own.
 
 #include <lamella/base/exceptions.h>
 #include <lamella/base/mpi_session.h>
+#include <lamella/material/plausibility.h>
+#include <lamella/run/new_scene.h>
 #include <lamella/run/run_scene.h>
+#include <lamella/scene/plausibility.h>
 #include <lamella/scene/scene.h>
 
 #include <algorithm>
@@ -33,8 +41,8 @@ namespace
 {
   struct Case
   {
-    std::string              name, scene;
-    std::vector<std::string> overrides, says, never;
+    std::string              name, scene, folder;
+    std::vector<std::string> overrides, says, never, notes;
   };
 
 
@@ -70,12 +78,17 @@ namespace
         if (word.empty() || word[0] == '#')
           continue;
         if (word == "case")
-          cases.push_back({rest, "", {}, {}, {}});
+          cases.push_back({rest, "", "", {}, {}, {}, {}});
         else if (cases.empty() ||
-                 (word != "run" && word != "says" && word != "never"))
+                 (word != "run" && word != "says" && word != "never" &&
+                  word != "notes" && word != "quiet"))
           throw InputError("not understood: " + line).at(path + ": ");
         else if (word == "run")
           read_run(rest, cases.back());
+        else if (word == "quiet")
+          cases.back().folder = rest;
+        else if (word == "notes")
+          cases.back().notes.push_back(rest);
         else
           (word == "says" ? cases.back().says : cases.back().never)
             .push_back(rest);
@@ -85,10 +98,96 @@ namespace
 
 
 
+  /// The notes of @p text that come of magnitudes, and of loads that do
+  /// nothing, which takes the whole scene.
+  std::vector<std::string>
+  notes_on(const SceneText &text)
+  {
+    std::ostream             nowhere(nullptr);
+    const Scene              scene = read_scene(text);
+    std::vector<std::string> notes =
+      doubts_of_magnitude(scene, build_section_meshes(scene));
+    for (const auto &[name, material] : scene.materials)
+      for (const std::string &doubt :
+           doubts_of_material(name, material, scene.units))
+        notes.push_back(doubt);
+    const auto simulation = make_simulation(scene, text, nowhere);
+    for (const std::string &note : simulation->results().notes)
+      if (note.find("supports hold all") != std::string::npos)
+        notes.push_back(note);
+    for (const std::string &note : notes)
+      {
+        const auto &all = simulation->results().notes;
+        if (std::count(all.begin(), all.end(), note) != 1)
+          throw InputError("not told once: " + note);
+      }
+    return notes;
+  }
+
+
+
+  /// Whether each note of @p one is found once, and no other.
+  std::vector<std::string>
+  faults_of_notes(const Case &one, const std::string &folder)
+  {
+    const std::vector<std::string> found =
+      notes_on(SceneText::read(folder + "/" + one.scene, one.overrides));
+    std::vector<std::string> faults;
+    for (const std::string &fragment : one.notes)
+      if (std::count_if(found.begin(), found.end(), [&](const auto &note) {
+            return note.find(fragment) != std::string::npos;
+          }) != 1)
+        faults.push_back("not noted once: " + fragment);
+    if (found.size() != one.notes.size())
+      faults.push_back("other notes");
+    for (const std::string &note : faults.empty() ? faults : found)
+      faults.push_back("it noted: " + note);
+    return faults;
+  }
+
+
+
+  /// The notes of all scenes in @p path and the folders of it.
+  std::vector<std::string>
+  faults_of_folder(const std::filesystem::path &path)
+  {
+    std::vector<std::string> faults;
+    for (const auto &file : std::filesystem::recursive_directory_iterator(path))
+      if (file.path().extension() == ".prm")
+        outcome_of([&] {
+          for (const std::string &note :
+               notes_on(SceneText::read(file.path(), {})))
+            faults.push_back(file.path().string() + ": " + note);
+        });
+    return faults;
+  }
+
+
+
+  /// Those of the templates, which are written into @p folder.
+  std::vector<std::string>
+  faults_of_templates(const std::filesystem::path &folder)
+  {
+    std::ostream nowhere(nullptr);
+    std::filesystem::remove_all(folder);
+    std::filesystem::create_directories(folder);
+    for (const std::string &kind : kinds_of_new_scenes())
+      write_new_scene(folder / kind, kind, nowhere);
+    return faults_of_folder(folder);
+  }
+
+
+
   /// What is wrong with how the scene of @p one is refused.
   std::vector<std::string>
   faults_of(const Case &one, const std::string &folder)
   {
+    if (one.folder == "new")
+      return faults_of_templates("new_scenes");
+    if (!one.folder.empty())
+      return faults_of_folder(folder + "/" + one.folder);
+    if (!one.notes.empty())
+      return faults_of_notes(one, folder);
     std::ostream nowhere(nullptr);
     const auto [status, message] = outcome_of([&] {
       const SceneText text =
@@ -145,7 +244,7 @@ main(int argc, char **argv)
   };
   const auto [status, message] = outcome_of(all);
   std::cout << n_cases << " scenes, " << n_wrong
-            << " not refused as they should" << std::endl;
+            << " not refused or noted as they should" << std::endl;
   if (status != 0)
     std::cerr << message << std::endl;
   return status != 0 || n_wrong > 0 || n_cases == 0 ? 1 : 0;

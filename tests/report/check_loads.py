@@ -35,7 +35,7 @@ def main():
     check_report.check_form(page)
     words = " ".join(page.text["scene"].split())
     # Statics about the origin: pressure 0.01 on 20 at (1, 5, 1); 3 at (1, 10, 0.5) along
-    # y; 0.5 at (1, 10, 0); weight 0.002 * 10 * 20 = 0.4 at (1, 5, 0.5).
+    # y; 0.5 at (1, 10, 0); weight 2e-9 * 10000 * 20 = 4e-4 at (1, 5, 0.5).
     for sentence in (
             "turn acts on the end of beam: a couple of (0.3, 0, −0.2) [N mm], as tractions "
             "without a resultant force, in all a moment of (0.3, 0, −0.2) [N mm] about the "
@@ -48,9 +48,9 @@ def main():
             "(0, 0, 0.5) N, a moment of (5, −0.5, 0) [N mm]",
             "warm makes the whole of beam warmer than without stress by 20*y K, in full at "
             "every load step.",
-            "All bodies have weight: the acceleration of gravity is (0, 0, −10) [mm/s²], in all "
-            "(0, 0, −0.4) N, a moment of (−2, 0.4, 0) [N mm]",
-            "plain: density [t/mm³] = (0.002)", "plain: thermal expansion",
+            "All bodies have weight: the acceleration of gravity is (0, 0, −10000) [mm/s²], in all "
+            "(0, 0, −0.0004) N, a moment of (−0.002, 0.0004, 0) [N mm]",
+            "plain: density [t/mm³] = (2e-09)", "plain: thermal expansion",
             "what multiplies all forces and all prescribed displacements. Temperatures act in "
             "full at every load step"):
         expect(sentence in words, sentence)

@@ -192,10 +192,10 @@ namespace lamella
     n_dofs() const;
 
     /// What the user should know: notes, the warnings of all steps (with their
-    /// steps where the scene has several; what differs by its numbers only
-    /// once, as of the largest load factor), endnotes; what differs by the name
-    /// of a contact or a body only once, with all names. A sentence each,
-    /// without a full stop.
+    /// steps where the scene has several, and those at first failure; what
+    /// differs by its numbers only once, as of the largest load factor),
+    /// endnotes; what differs by the name of a contact or a body only once, with
+    /// all names. A sentence each, without a full stop.
     std::vector<std::string>
     all_warnings() const;
 

@@ -132,8 +132,7 @@ namespace lamella
       return sweep.get();
     }
 
-    /// Tells what looks like a slip of units; lists its places when it is
-    /// first asked.
+    /// Tells what looks like a slip; lists its places when it is first asked.
     Plausibility &
     plausibility() const
     {

@@ -69,6 +69,12 @@ namespace lamella
     FailureTrial
     trial(const SolvedStep &solved, std::vector<PlyReserve> &plies) const;
 
+    /// The warnings of a load step that comes to @p solved, a state beside the
+    /// path with the reserve factors @p plies.
+    std::vector<std::string>
+    warnings_beside(const SolvedStep       &solved,
+                    std::vector<PlyReserve> plies) const;
+
     /// The largest change of what the scene's goals are between @p one and
     /// @p other, two ends of a step from @p before, each over its scale
     /// (ResultNumbers::scale_of()). Zero if it has none.
@@ -91,14 +97,14 @@ namespace lamella
     take_contacts(const SolvedStep &solved,
                   const State      &previous,
                   StepResults      &results) const;
-    /// Reserve factors of plies, and warnings of places that tell nothing, into
-    /// @p results.
+    /// Reserve factors of plies, into @p results.
     void
     take_strength(StepResults &results, const FaceTractions &tractions) const;
-    /// What the user should know of the state, and of what pairing assumed
-    /// (small sliding, collinear normals).
+    /// What the user should know of the state, of what pairing assumed (small
+    /// sliding, collinear normals), and of what was @p sampled there: its step,
+    /// closures and plies.
     std::vector<std::string>
-    warnings(const SolvedStep &solved) const;
+    warnings(const SolvedStep &solved, const StepResults &sampled) const;
     /// Of bodies that turn, where rollers touch them at few points.
     std::vector<std::string>
     warnings_of_rollers(const SolvedStep &solved) const;

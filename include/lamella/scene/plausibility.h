@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef lamella_scene_plausibility_h
+#define lamella_scene_plausibility_h
+
+#include <lamella/scene/scene.h>
+
+#include <string>
+#include <vector>
+
+namespace lamella
+{
+  /**
+   * Sentences, without a full stop, on numbers of @p scene that look as if they
+   * were in other units than its own; those of single materials are not among
+   * them (doubts_of_material()). @p meshes are those of the scene's sections.
+   *
+   *   number                    told if
+   *   layup                     no angle exceeds 3.2, and one is pi/2, pi/3,
+   *                             pi/4 or pi/6 within 1e-3: radians
+   *   stiffest material         softer than 1000 MPa, and no core, foam (below
+   *                             600 kg/m^3) or rubber (nu_12 from 0.45 on)
+   *   section's smaller side    below 1 micrometer or above 10 m
+   *   ply of stiff fibers       below 5 micrometers or above 100 mm
+   *   Gravity                   9.7 to 9.9 mm/s^2, or as many km/s^2
+   *   Rotation of a support     more than one turn: degrees
+   *
+   * Lengths and stresses are looked at with `Units` only.
+   */
+  std::vector<std::string>
+  doubts_of_magnitude(const Scene &scene, const SectionMeshes &meshes);
+} // namespace lamella
+
+#endif

@@ -1,0 +1,217 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <lamella/base/text.h>
+#include <lamella/material/plausibility.h>
+#include <lamella/scene/plausibility.h>
+
+#include <deal.II/grid/grid_tools.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <set>
+
+namespace lamella
+{
+  namespace
+  {
+    constexpr double pi = dealii::numbers::PI;
+
+
+
+    /// How many lengths of @p units are a meter: pressures are forces over
+    /// squares of lengths.
+    double
+    meter(const Units &units)
+    {
+      return 1. / std::sqrt(units.pascal);
+    }
+
+
+
+    std::string
+    check_units(const Units &units, const std::string &what)
+    {
+      return ". Units = " + units.length + ", " + units.force +
+             " has lengths in " + units.length + "; check that " + what;
+    }
+
+
+
+    std::string
+    doubt_of_angles(const SectionMesh &section)
+    {
+      // The largest that radians are as a rule, pi; and what is left out where
+      // users write three digits or more.
+      constexpr double most = 3.2, written = 1e-3;
+      const Ply       *told = nullptr;
+      unsigned int     part = 0;
+      for (const Ply &ply : section.plies)
+        {
+          if (std::abs(ply.angle) > most)
+            return "";
+          for (const unsigned int n : {2, 3, 4, 6})
+            if (std::abs(std::abs(ply.angle) - pi / n) < written)
+              {
+                told = &ply;
+                part = n;
+              }
+        }
+      if (told == nullptr)
+        return "";
+      return "the angle " + to_text(told->angle) + " of a ply is pi / " +
+             std::to_string(part) + ", and none exceeds " + to_text(most) +
+             ": angles are in degrees, and this would be " +
+             std::to_string(180 / part);
+    }
+
+
+
+    std::string
+    doubt_of_softness(const SectionMesh &section, const Units &units)
+    {
+      // Plies, metals, glass and wood are stiffer [Pa]; so soft are foams [kg /
+      // m^3] and rubbers, which are hardly compressible.
+      constexpr double soft = 1e9, light = 600., incompressible = 0.45;
+      const Ply       &stiffest =
+        *std::max_element(section.plies.begin(),
+                          section.plies.end(),
+                          [](const Ply &a, const Ply &b) {
+                            return largest_modulus(a.properties).second <
+                                   largest_modulus(b.properties).second;
+                          });
+      const Material &material = stiffest.properties;
+      const auto [name, E]     = largest_modulus(material);
+      const bool is_soft =
+        material.core || material.elastic.nu12 >= incompressible ||
+        (material.density &&
+         *material.density < light * units.pascal * units.pascal);
+      if (E >= soft * units.pascal || is_soft ||
+          !doubts_of_material("", material, units).empty())
+        return "";
+      return "its stiffest material, " + stiffest.material + ", has " + name +
+             " = " + to_text(E) + " " + units.stress +
+             ", and plies and metals have more than " +
+             to_text(soft * units.pascal) + " " + units.stress +
+             " (foams and rubbers less). Units = " + units.length + ", " +
+             units.force + " has stresses in " + units.stress +
+             "; check that moduli are in it";
+    }
+
+
+
+    std::string
+    doubt_of_size(const SectionMesh &section, const Units &units)
+    {
+      // [m]
+      constexpr double thinnest = 1e-6, thickest = 10.;
+      const auto   box = dealii::GridTools::compute_bounding_box(section.mesh);
+      const double thickness =
+        std::min(box.side_length(0), box.side_length(1)) / meter(units);
+      if (thickness >= thinnest && thickness <= thickest)
+        return "";
+      return "is " + to_text(box.side_length(0)) + " by " +
+             to_text(box.side_length(1)) + " " + units.length +
+             (thickness < thinnest ? ", thinner than a micrometer" :
+                                     ", thicker than 10 m") +
+             check_units(units, "those of the section are");
+    }
+
+
+
+    /// Name of the material and thickness of the plies of @p shape that say it.
+    std::vector<std::pair<std::string, double>>
+    thicknesses(const SectionShape &shape)
+    {
+      std::vector<std::pair<std::string, double>> all;
+      const auto add = [&all](const WallLayup &layup) {
+        for (const WallPly &ply : layup)
+          all.emplace_back(ply.fabric.material, ply.thickness);
+      };
+      if (const auto *laminate = std::get_if<Laminate>(&shape))
+        for (unsigned int k = 0; k < laminate->materials.size(); ++k)
+          all.emplace_back(laminate->materials[k], laminate->thicknesses[k]);
+      else if (const auto *tube = std::get_if<Tube>(&shape))
+        add(tube->layup);
+      else if (const auto *walls = std::get_if<ThinWalled>(&shape))
+        for (const WallLayup &layup : walls->layups)
+          add(layup);
+      return all;
+    }
+
+
+
+    std::string
+    doubt_of_plies(const SectionShape &shape, const Scene &scene)
+    {
+      // Fibers of carbon are 5 micrometers thick, and nobody lays a ply of a
+      // tenth of a meter [m]; stiffer than timber [Pa], and than across.
+      constexpr double thinnest = 5e-6, thickest = 0.1, stiff = 30e9,
+                       of_fibers = 2.;
+      const Units &units         = scene.units;
+      for (const auto &[name, thickness] : thicknesses(shape))
+        {
+          const EngineeringConstants &c = scene.materials.at(name).elastic;
+          const double                in_meters = thickness / meter(units);
+          if (c.E1 > stiff * units.pascal && c.E1 > of_fibers * c.E3 &&
+              (in_meters < thinnest || in_meters > thickest))
+            return "has a ply of " + name + " of the thickness " +
+                   to_text(thickness) + " " + units.length +
+                   (in_meters < thinnest ?
+                      ", thinner than its fibers (5 micrometers)" :
+                      ", thicker than 100 mm") +
+                   check_units(units, "Ply thickness is");
+        }
+      return "";
+    }
+
+
+
+    std::vector<std::string>
+    doubts_of_sections(const Scene &scene, const SectionMeshes &meshes)
+    {
+      std::vector<std::string> doubts;
+      for (const auto &[name, mesh] : meshes)
+        {
+          std::vector<std::string> of_section{doubt_of_angles(*mesh)};
+          if (!scene.units.stress.empty())
+            {
+              of_section.push_back(doubt_of_softness(*mesh, scene.units));
+              const std::string size = doubt_of_size(*mesh, scene.units);
+              // One of the two tells what is the matter.
+              of_section.push_back(
+                size.empty() ? doubt_of_plies(scene.sections.at(name), scene) :
+                               size);
+            }
+          for (const std::string &doubt : of_section)
+            if (!doubt.empty())
+              doubts.push_back("section " + name + ": " + doubt);
+        }
+      return doubts;
+    }
+  } // namespace
+
+
+
+  std::vector<std::string>
+  doubts_of_magnitude(const Scene &scene, const SectionMeshes &meshes)
+  {
+    // That of the Earth is 9.78 to 9.83 m/s^2.
+    constexpr double         least = 9.7, most = 9.9, thousand = 1000.;
+    std::vector<std::string> doubts = doubts_of_sections(scene, meshes);
+    const double             g      = scene.gravity.norm();
+    const bool               is_mm  = scene.units.length == "mm";
+    const double             there  = is_mm ? g : g / thousand;
+    if (!scene.units.length.empty() && there > least && there < most)
+      doubts.push_back("Gravity is " + to_text(g) + " " + scene.units.length +
+                       "/s^2, and that of the Earth is " +
+                       (is_mm ? "9810 mm/s^2" : "9.81 m/s^2"));
+    for (const Support &support : scene.supports)
+      if (support.rotation && support.rotation->norm() > 2. * pi)
+        doubts.push_back("support " + support.name + ": its Rotation, " +
+                         to_text(support.rotation->norm()) +
+                         ", is in rad and more than a turn; a degree is "
+                         "0.0174533");
+    return doubts;
+  }
+} // namespace lamella
