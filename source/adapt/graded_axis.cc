@@ -84,6 +84,29 @@ namespace lamella
       const double n = together * std::max(1., std::ceil(wanted / together));
       return std::max(1., std::ceil(fineness * n - arithmetic::as_written));
     }
+
+
+
+    /// Adds to @p breaks the n - 1 places that divide @p integral, which is
+    /// given at samples @p step apart from @p begin on, into equal parts.
+    void
+    add_equal_parts(const std::vector<double> &integral,
+                    const double               begin,
+                    const double               step,
+                    const unsigned int         n,
+                    std::vector<double>       &breaks)
+    {
+      for (unsigned int i = 1; i < n; ++i)
+        {
+          const double wanted = integral.back() * i / n;
+          const auto   above =
+            std::upper_bound(integral.begin(), integral.end(), wanted);
+          const unsigned int k = above - integral.begin() - 1;
+          breaks.push_back(begin +
+                           step * (k + (wanted - integral[k]) /
+                                         (integral[k + 1] - integral[k])));
+        }
+    }
   } // namespace
 
 
@@ -117,16 +140,7 @@ namespace lamella
         const unsigned int n = n_elements(integral.back() - rules.spare,
                                           is_loaded ? 2. : 1.,
                                           fineness);
-        for (unsigned int i = 1; i < n; ++i)
-          {
-            const double wanted = integral.back() * i / n;
-            const auto   above =
-              std::upper_bound(integral.begin(), integral.end(), wanted);
-            const unsigned int k = above - integral.begin() - 1;
-            breaks.push_back(begin +
-                             step * (k + (wanted - integral[k]) /
-                                           (integral[k + 1] - integral[k])));
-          }
+        add_equal_parts(integral, begin, step, n, breaks);
         if (piece + 2 < places.size())
           breaks.push_back(end);
       }
@@ -406,45 +420,34 @@ namespace lamella
 
 
 
-  void
-  shorten_at(AxisMesh           &axis,
-             const double        y,
-             const double        size,
-             const GradingRules &rules)
+  namespace
   {
-    const std::vector<double> lengths = element_lengths(axis);
-    std::vector<double>       ends;
-    double                    begin = 0., longest = size;
-    for (const double length : lengths)
-      {
-        if (size == 0. && begin <= y && y <= begin + length)
-          longest = std::max(longest, 0.5 * length);
-        begin += length;
-      }
-    const double                              near = rules.spare * longest;
-    const std::function<void(double, double)> add  = [&](const double a,
-                                                        const double b) {
-      const bool   has_y = a + near < y && y + near < b;
-      const double most = longest + rules.growth * std::max({0., a - y, y - b}),
-                   middle = has_y ? y : 0.5 * (a + b);
-      if (has_y || b - a > (1. + arithmetic::same_in_element) * most)
-        {
-          add(a, middle);
-          add(middle, b);
-        }
-      else
-        ends.push_back(b);
-    };
-    begin = 0.;
-    for (const double length : lengths)
-      {
-        add(begin, begin + length);
-        begin += length;
-      }
-    ends.pop_back();
-    axis.breaks = ends;
-    axis.elements.assign(ends.size() + 1, 1);
-  }
+    /// What all automatic axes are graded to, on the axes that @p bodies have.
+    std::vector<Wishes>
+    wishes_of(const std::vector<BodyDescription> &bodies,
+              const SectionMeshes                &meshes,
+              const std::vector<Support>         &supports,
+              std::vector<Load>                   loads,
+              const std::vector<ContactPair>     &contacts,
+              const Tensor<1, 3>                 &gravity,
+              const GradingRules                 &rules)
+    {
+      const Bodies plain = plain_beams(bodies, meshes);
+      spread_totals(loads, plain);
+      apply_heat(loads, plain);
+      const auto          touching = interfaces_of(contacts, plain);
+      std::vector<Wishes> wishes(bodies.size());
+      for (unsigned int b = 0; b < bodies.size(); ++b)
+        if (is_automatic(bodies[b]))
+          {
+            auto &[places, loaded] = wishes[b];
+            places = places_of(b, plain, supports, loads, touching, rules);
+            loaded = loaded_parts(b, plain, loads, gravity, places);
+          }
+      share_places_of_paired_nodes(contacts, beams_of(plain), wishes);
+      return wishes;
+    }
+  } // namespace
 
 
 
@@ -465,20 +468,8 @@ namespace lamella
           body.axis.length, height(*meshes.at(body.section)), rules)};
     for (unsigned int pass = 0; pass < 2; ++pass)
       {
-        const Bodies      plain  = plain_beams(bodies, meshes);
-        std::vector<Load> spread = loads;
-        spread_totals(spread, plain);
-        apply_heat(spread, plain);
-        const auto          touching = interfaces_of(contacts, plain);
-        std::vector<Wishes> wishes(bodies.size());
-        for (unsigned int b = 0; b < bodies.size(); ++b)
-          if (is_automatic(bodies[b]))
-            {
-              auto &[places, loaded] = wishes[b];
-              places = places_of(b, plain, supports, spread, touching, rules);
-              loaded = loaded_parts(b, plain, spread, gravity, places);
-            }
-        share_places_of_paired_nodes(contacts, beams_of(plain), wishes);
+        const std::vector<Wishes> wishes =
+          wishes_of(bodies, meshes, supports, loads, contacts, gravity, rules);
         for (unsigned int b = 0; b < bodies.size(); ++b)
           if (is_automatic(bodies[b]))
             {

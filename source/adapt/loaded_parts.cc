@@ -25,10 +25,11 @@ namespace lamella
       const auto y = [&](const unsigned int k) {
         return beam.place().to_body(region.at[k])[1];
       };
-      if (region.kind == Region::Kind::line)
+      const Region::Kind kind = region.kind;
+      if (kind == Region::Kind::line)
         return std::abs(y(1) - y(0)) >
                arithmetic::same_place * beam.axis().length();
-      return region.kind == Region::Kind::surface &&
+      return kind == Region::Kind::surface &&
              (surface_names::is_all(region.surface) ||
               !(region.covers_end(true) || region.covers_end(false)));
     }

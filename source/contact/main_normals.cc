@@ -98,6 +98,34 @@ namespace lamella
         n -= (n * along) * along;
       return n / n.norm();
     }
+
+
+
+    /// The rows of @p interface that are closer than @p depth to the closest
+    /// one, in the order of their gaps.
+    std::vector<unsigned int>
+    rows_that_touch_first(const ContactInterface &interface, const double depth)
+    {
+      std::vector<unsigned int> rows;
+      for (unsigned int k = 0; k < interface.rows.size(); ++k)
+        if (interface.points[k].normal.norm() > 0.)
+          rows.push_back(k);
+      const auto gap = [&interface](const unsigned int k) {
+        return interface.rows[k].initial_gap;
+      };
+      std::stable_sort(rows.begin(),
+                       rows.end(),
+                       [&gap](const unsigned int a, const unsigned int b) {
+                         return gap(a) < gap(b);
+                       });
+      rows.erase(std::find_if(rows.begin(),
+                              rows.end(),
+                              [&](const unsigned int k) {
+                                return gap(k) > gap(rows.front()) + depth;
+                              }),
+                 rows.end());
+      return rows;
+    }
   } // namespace
 
 
@@ -116,25 +144,8 @@ namespace lamella
        interface.second_body ?
          side_of(*bodies[*interface.second_body], contact.second.surface) :
          side_of(*interface.obstacle)}};
-    std::vector<unsigned int> rows;
-    for (unsigned int k = 0; k < interface.rows.size(); ++k)
-      if (interface.points[k].normal.norm() > 0.)
-        rows.push_back(k);
-    const auto gap = [&interface](const unsigned int k) {
-      return interface.rows[k].initial_gap;
-    };
-    std::stable_sort(rows.begin(),
-                     rows.end(),
-                     [&gap](const unsigned int a, const unsigned int b) {
-                       return gap(a) < gap(b);
-                     });
-    rows.erase(std::find_if(rows.begin(),
-                            rows.end(),
-                            [&](const unsigned int k) {
-                              return gap(k) > gap(rows.front()) + depth;
-                            }),
-               rows.end());
-    std::vector<MainNormal> result;
+    std::vector<unsigned int> rows = rows_that_touch_first(interface, depth);
+    std::vector<MainNormal>   result;
     while (!rows.empty())
       {
         const Tensor<1, 3> n      = interface.points[rows.front()].normal;

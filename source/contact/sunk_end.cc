@@ -9,8 +9,34 @@ namespace lamella
 {
   using namespace dealii;
 
-  // Below the cosine of any two normals.
-  constexpr double whatever_it_faces = -2.;
+  namespace
+  {
+    // Below the cosine of any two normals.
+    constexpr double whatever_it_faces = -2.;
+
+
+
+    /// The place of @p other that @p point faces, at most @p reach away, if no
+    /// place that it does not face is nearer: then it is beside the body, and
+    /// what it faces is the far side.
+    std::optional<SurfaceHit>
+    nearest_foot(const MeshSurface  &other,
+                 const SurfacePoint &point,
+                 const double        reach)
+    {
+      const auto foot_of = [&](const double opposed) {
+        return find_foot(
+          other, point.position, point.normal, reach, {}, opposed);
+      };
+      const auto foot = foot_of(edge_faces_from);
+      if (!foot || std::abs(foot_of(whatever_it_faces)->distance) <
+                     std::abs(foot->distance))
+        return {};
+      return foot;
+    }
+  } // namespace
+
+
 
   std::optional<SunkEnd>
   deepest_node(const ContactSides &paired,
@@ -29,21 +55,13 @@ namespace lamella
         const auto nodes = nodes_of(paired), are = nodes_of(now);
         for (unsigned int k = 0; k < nodes.size(); ++k)
           {
-            const SurfacePoint &point   = nodes[k];
-            const auto          foot_of = [&](const double opposed) {
-              return find_foot(
-                other, point.position, point.normal, reach, {}, opposed);
-            };
-            const auto foot = foot_of(edge_faces_from);
-            // Where another place is nearer that it does not face it is beside
-            // the body, and the foot is on the far side.
-            if (!foot || std::abs(foot_of(whatever_it_faces)->distance) <
-                           std::abs(foot->distance))
+            const auto foot = nearest_foot(other, nodes[k], reach);
+            if (!foot)
               continue;
             const Tensor<1, 3> came_nearer =
               (moved.facets()[foot->facet].map(foot->st).position -
                foot->position) -
-              (are[k].position - point.position);
+              (are[k].position - nodes[k].position);
             const double depth = foot->normal * came_nearer - foot->distance;
             if (depth > (deepest ? deepest->depth : 0.))
               deepest = {second,

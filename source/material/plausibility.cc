@@ -226,7 +226,7 @@ namespace lamella
     // Of concrete in tension and of whiskers; of the stiffest fibres beside
     // their resin and of laminates at 45 degrees. What is typed in another
     // unit is off by a thousand.
-    constexpr double weakest = 1e-4, strongest = 0.3, least_shear = 1e-3,
+    constexpr double weakest = 1. / 10000., strongest = 0.3, least_shear = 1e-3,
                      most_shear = 10.;
     std::vector<std::string> doubts;
     const auto               add = [&](const std::string &doubt) {

@@ -15,7 +15,7 @@ namespace lamella
   {
     // Fibres break, resins crack and metals yield before that; and no load that
     // is meant strains so little.
-    constexpr double      large_strain = 0.02, small_strain = 1e-9;
+    constexpr double large_strain = 0.02, small_strain = arithmetic::negligible;
     constexpr std::size_t enough = 1000;
     // Of the depth of the cell below: bodies side by side bulge by their strain
     // of their thickness, a thousandth.

@@ -78,7 +78,7 @@ namespace lamella
           const std::string kind = without_numbers(text);
           const auto        known =
             std::find_if(all.begin(), all.end(), [&](const StepWarning &w) {
-              return w.kind == kind && !w.at_failure;
+              return !w.at_failure && kind == w.kind;
             });
           if (known == all.end())
             {
@@ -172,29 +172,48 @@ namespace lamella
                 ")";
       return text + ": ";
     }
+    /// A warning with the names that it is of: @p before a name of kind
+    /// @p noun, and after it.
+    struct NamedWarning
+    {
+      std::string              before, noun, after;
+      std::vector<std::string> names;
+
+      std::string
+      text() const
+      {
+        if (names.empty())
+          return before;
+        if (names.size() == 1)
+          return before + noun + " " + names.front() + ": " + after;
+        return before + std::to_string(names.size()) + " " +
+               (noun == "body" ? "bodies" : noun + "s") + " (" + joined(names) +
+               "): " + after;
+      }
+    };
+
+
+
     /// @p warnings, those that differ by no more than the name of a contact or
     /// a body once, with all of these names.
     std::vector<std::string>
     merged(const std::vector<std::string> &warnings)
     {
-      static const std::regex named(R"(\b(contact|body) ([^ :]+): )");
-      struct Alike
-      {
-        std::string              before, kind, after;
-        std::vector<std::string> names;
-      };
-      std::vector<Alike> all;
+      static const std::regex   named(R"(\b(contact|body) ([^ :]+): )");
+      std::vector<NamedWarning> all;
       for (const std::string &text : warnings)
         {
-          Alike       one{text, "", "", {}};
-          std::smatch found;
+          NamedWarning one{text, "", "", {}};
+          std::smatch  found;
           if (std::regex_search(text, found, named))
             one = {found.prefix(), found[1], found.suffix(), {found[2]}};
-          const auto known =
-            std::find_if(all.begin(), all.end(), [&](const Alike &other) {
-              return other.before == one.before && other.kind == one.kind &&
-                     other.after == one.after;
-            });
+          const auto known = std::find_if(all.begin(),
+                                          all.end(),
+                                          [&](const NamedWarning &other) {
+                                            return other.before == one.before &&
+                                                   other.noun == one.noun &&
+                                                   other.after == one.after;
+                                          });
           if (known == all.end())
             all.push_back(one);
           else if (!one.names.empty() &&
@@ -202,18 +221,8 @@ namespace lamella
             known->names.push_back(one.names.front());
         }
       std::vector<std::string> result;
-      for (const Alike &one : all)
-        {
-          const std::size_t n = one.names.size();
-          const std::string several =
-            one.kind == "body" ? "bodies" : one.kind + "s";
-          result.push_back(one.before +
-                           (n == 0 ? "" :
-                            n == 1 ? one.kind + " " + one.names.front() + ": " :
-                                     std::to_string(n) + " " + several + " (" +
-                                       joined(one.names) + "): ") +
-                           one.after);
-        }
+      for (const NamedWarning &one : all)
+        result.push_back(one.text());
       return result;
     }
   } // namespace

@@ -269,36 +269,43 @@ namespace lamella
 
 
 
-  void
-  BuiltScene::check_held_overlaps() const
+  double
+  BuiltScene::held_overlap(const unsigned int             contact,
+                           const ContactInterface::Point &at) const
   {
-    const auto is_held = [this](const unsigned int  body,
-                                const Point<3>     &x,
-                                const Tensor<1, 3> &n) {
+    const ContactInterface &own = contacts[contact];
+    // A short normal is that of an average over a curved surface.
+    const Tensor<1, 3> n = at.normal / at.normal.norm();
+    const auto is_held   = [&](const unsigned int body, const Point<3> &x) {
       const auto row = row_of({body, x, n}, whole->bodies());
       return row && whole->holds(*row);
     };
+    const double depth = (at.first - at.second) * n;
+    return depth > 0. &&
+               given.contacts[contact].overclosure != Overclosure::adjust &&
+               (own.second_body ? is_held(*own.second_body, at.second) :
+                                  own.obstacle->displacement.norm() == 0.) &&
+               is_held(own.first_body, at.first) ?
+             depth :
+             0.;
+  }
+
+
+
+  void
+  BuiltScene::check_held_overlaps() const
+  {
     double       deepest = arithmetic::same_place * whole->size();
     unsigned int worst   = contacts.size();
     Point<3>     place;
     for (unsigned int c = 0; c < contacts.size(); ++c)
       for (const ContactInterface::Point &at : contacts[c].points)
-        {
-          // A short normal is that of an average over a curved surface.
-          const Tensor<1, 3> n     = at.normal / at.normal.norm();
-          const double       depth = (at.first - at.second) * n;
-          if (depth > deepest &&
-              given.contacts[c].overclosure != Overclosure::adjust &&
-              (contacts[c].second_body ?
-                 is_held(*contacts[c].second_body, at.second, n) :
-                 contacts[c].obstacle->displacement.norm() == 0.) &&
-              is_held(contacts[c].first_body, at.first, n))
-            {
-              deepest = depth;
-              worst   = c;
-              place   = at.first;
-            }
-        }
+        if (const double depth = held_overlap(c, at); depth > deepest)
+          {
+            deepest = depth;
+            worst   = c;
+            place   = at.first;
+          }
     if (worst == contacts.size())
       return;
     throw InputError(
@@ -452,7 +459,15 @@ namespace lamella
     name(given.lines, found.lines);
     name(given.cuts, found.cuts);
     name(given.measures, found.measures);
+    add_notes(found);
+    return found;
+  }
 
+
+
+  void
+  BuiltScene::add_notes(Results &found) const
+  {
     const auto add = [&found](const std::vector<std::string> &notes) {
       found.notes.insert(found.notes.end(), notes.begin(), notes.end());
     };
@@ -464,6 +479,5 @@ namespace lamella
       add(load.notes);
     for (const ContactInterface &contact : contacts)
       add(contact.notes);
-    return found;
   }
 } // namespace lamella

@@ -103,11 +103,11 @@ namespace lamella
     std::string
     doubt_of_size(const SectionMesh &section, const Units &units)
     {
-      // [m]
-      constexpr double thinnest = 1e-6, thickest = 10.;
+      // [micrometers]
+      constexpr double thinnest = 1., thickest = 1e7;
       const auto   box = dealii::GridTools::compute_bounding_box(section.mesh);
       const double thickness =
-        std::min(box.side_length(0), box.side_length(1)) / meter(units);
+        1e6 * std::min(box.side_length(0), box.side_length(1)) / meter(units);
       if (thickness >= thinnest && thickness <= thickest)
         return "";
       return "is " + to_text(box.side_length(0)) + " by " +
@@ -145,19 +145,20 @@ namespace lamella
     doubt_of_plies(const SectionShape &shape, const Scene &scene)
     {
       // Fibers of carbon are 5 micrometers thick, and nobody lays a ply of a
-      // tenth of a meter [m]; stiffer than timber [Pa], and than across.
-      constexpr double thinnest = 5e-6, thickest = 0.1, stiff = 30e9,
+      // tenth of a meter [micrometers]; stiffer than timber [Pa], and than
+      // across.
+      constexpr double thinnest = 5., thickest = 1e5, stiff = 30e9,
                        of_fibers = 2.;
       const Units &units         = scene.units;
       for (const auto &[name, thickness] : thicknesses(shape))
         {
           const EngineeringConstants &c = scene.materials.at(name).elastic;
-          const double                in_meters = thickness / meter(units);
+          const double in_micrometers   = 1e6 * thickness / meter(units);
           if (c.E1 > stiff * units.pascal && c.E1 > of_fibers * c.E3 &&
-              (in_meters < thinnest || in_meters > thickest))
+              (in_micrometers < thinnest || in_micrometers > thickest))
             return "has a ply of " + name + " of the thickness " +
                    to_text(thickness) + " " + units.length +
-                   (in_meters < thinnest ?
+                   (in_micrometers < thinnest ?
                       ", thinner than its fibers (5 micrometers)" :
                       ", thicker than 100 mm") +
                    check_units(units, "Ply thickness is");

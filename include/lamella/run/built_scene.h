@@ -175,10 +175,18 @@ namespace lamella
     /// Search and pairing: the gap rows of all contacts, none twice.
     void
     build_contacts();
+    /// How far both sides of contact number @p contact overlap from the start
+    /// at @p at [length]; zero unless supports hold both there.
+    double
+    held_overlap(const unsigned int             contact,
+                 const ContactInterface::Point &at) const;
     /// Throws InputError where bodies overlap from the start at places that
     /// supports hold on both sides: no contact force can part them there.
     void
     check_held_overlaps() const;
+    /// Appends the notes on the scene to those of @p found.
+    void
+    add_notes(Results &found) const;
     /// Throws InputError for a goal or a quantity of a trade that asks for the
     /// pressure of a strip that is on no contact's surface.
     void

@@ -108,9 +108,14 @@ namespace lamella
     /// Of bodies that turn, where rollers touch them at few points.
     std::vector<std::string>
     warnings_of_rollers(const SolvedStep &solved) const;
-    /// Throws BetweenPoints.
+    /// Throws BetweenPoints where a body or an obstacle is inside of a body
+    /// between its contact points, and nothing touches.
     void
     require_found(const SolvedStep &solved) const;
+    [[noreturn]] void
+    throw_between_points(const ContactInterface &contact,
+                         const SunkPlace        &sunk,
+                         const unsigned int      body) const;
     /// Whether a row of contact number @p contact, or of another of the same
     /// two, carries force.
     bool
@@ -126,6 +131,9 @@ namespace lamella
     /// motions that they take out.
     std::vector<std::string>
     warnings_of_holds(const SolvedStep &solved) const;
+    /// The numbers of the contacts of note_on_idle_contacts().
+    std::vector<unsigned int>
+    idle_contacts() const;
     /// Whether contact number @p c has borne a force of more than rounding: one
     /// that strains a body.
     bool

@@ -1,0 +1,451 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+// What the user should know of the end of a load step.
+
+#include <lamella/base/text.h>
+#include <lamella/contact/assumptions.h>
+#include <lamella/run/step_results.h>
+#include <lamella/scene/rotation_rules.h>
+#include <lamella/solve/soundness.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+namespace lamella
+{
+  bool
+  StepRecorder::has_borne(const unsigned int c) const
+  {
+    const ContactInterface &contact = built.interfaces()[c];
+    return std::any_of(
+      facts.steps.begin(), facts.steps.end(), [&](const StepResults &step) {
+        const std::vector<double> &energies = step.checks.energies;
+        // Of a run that was resumed no energies are left.
+        const auto is_strained = [&](const unsigned int body) {
+          return energies.empty() || energies[body] > 0.;
+        };
+        return step.changes[c].closed > 0 &&
+               (is_strained(contact.first_body) ||
+                (contact.second_body && is_strained(*contact.second_body)));
+      });
+  }
+
+
+
+  std::vector<unsigned int>
+  StepRecorder::idle_contacts() const
+  {
+    const std::vector<ContactInterface> &contacts = built.interfaces();
+    const StepResults                   &last     = facts.last();
+    std::vector<unsigned int>            idle;
+    for (unsigned int c = 0; c < contacts.size(); ++c)
+      if (!has_borne(c) && !last.contacts[c].empty())
+        idle.push_back(c);
+    const auto is_unstrained = [&last](const unsigned int body) {
+      return last.checks.energies[body] == 0.;
+    };
+    // A stop that a strained body does not reach may be meant.
+    if (idle.size() < contacts.size())
+      idle.erase(
+        std::remove_if(idle.begin(),
+                       idle.end(),
+                       [&](const unsigned int c) {
+                         const ContactInterface &contact = contacts[c];
+                         return !is_unstrained(contact.first_body) &&
+                                (contact.second_body ?
+                                   !is_unstrained(*contact.second_body) :
+                                   contact.obstacle->displacement.norm() == 0.);
+                       }),
+        idle.end());
+    return idle;
+  }
+
+
+
+  std::string
+  StepRecorder::note_on_idle_contacts() const
+  {
+    const StepResults       &last = facts.last();
+    std::vector<std::string> names;
+    for (const unsigned int c : idle_contacts())
+      {
+        const auto nearest = std::min_element(last.contacts[c].begin(),
+                                              last.contacts[c].end(),
+                                              [](const auto &a, const auto &b) {
+                                                return a.gap < b.gap;
+                                              });
+        names.push_back("'" + built.interfaces()[c].name + "' (smallest gap " +
+                        to_text(nearest->gap, 3) + " at " +
+                        to_text(nearest->point.first) + ")");
+      }
+    return names.empty() ?
+             "" :
+             "nothing presses in contact " + joined(names) +
+               ": no load step brings more than a force of rounding there. "
+               "Close the gap (Origin of a body, Through of an obstacle), or "
+               "look which way loads and prescribed displacements act";
+  }
+
+
+
+  std::vector<std::string>
+  StepRecorder::warnings_beside(const SolvedStep       &solved,
+                                std::vector<PlyReserve> plies) const
+  {
+    StepResults sampled;
+    sampled.step  = scene.solve.load_factors.size();
+    sampled.plies = std::move(plies);
+    built.sampler().sample(solved.state.u,
+                           sampled,
+                           built.tractions_at(solved.state,
+                                              solved.load_factor));
+    return warnings(solved, sampled);
+  }
+
+
+
+  std::vector<std::string>
+  StepRecorder::warnings(const SolvedStep  &solved,
+                         const StepResults &sampled) const
+  {
+    const std::vector<ContactInterface> &contacts = built.interfaces();
+    std::vector<std::string>             warnings =
+      warnings_of(solved.state, solved.checks, contacts);
+    const auto add = [&warnings](const std::vector<std::string> &more) {
+      warnings.insert(warnings.end(), more.begin(), more.end());
+    };
+    add(warnings_of(solved.checks.beyond, structure));
+    if (scene.solve.is_judged)
+      add(built.plausibility().doubts(solved.state.u,
+                                      solved.checks,
+                                      sampled.step ==
+                                        scene.solve.load_factors.size()));
+    for (unsigned int k = 0; k < contacts.size() && !structure.turns(); ++k)
+      add(
+        broken_assumptions(contacts[k],
+                           structure.bodies(),
+                           solved.state.u,
+                           solved.load_factor,
+                           built.rows().among_contact(k, solved.state.active)));
+    add(warnings_of_rollers(solved));
+    add(warnings_of_ends(solved));
+    add(warnings_of_holds(solved));
+    if (solved.change && *solved.change > scene.solve.substeps.tolerance)
+      warnings.push_back(
+        "twice as many substeps, " + std::to_string(solved.substeps) +
+        ", still changed the load step by " +
+        to_text(100. * *solved.change, 2) +
+        " %: where it slips while pressures change, results depend on the way; "
+        "put load factors between");
+    add(warnings_of_closures(sampled.closures));
+    if (built.strength() != nullptr)
+      if (const std::string doubt = doubt_of_worst(
+            sampled.plies, scene.supports, scene.loads, structure.bodies());
+          !doubt.empty())
+        warnings.push_back(doubt);
+    return warnings;
+  }
+
+
+
+  namespace
+  {
+    /// That points @p spacing apart touch the roller of @p contact, and what to
+    /// take; a line to it if that @p may_be.
+    std::string
+    describe_few_points(const ContactInterface &contact,
+                        const double            spacing,
+                        const bool              may_be)
+    {
+      const double radius = contact.obstacle->radius;
+      return "contact " + contact.name + ": points that touch are " +
+             to_text(spacing, 3) + " apart on a roller of radius " +
+             to_text(radius, 4) +
+             ", so that the direction of its force is off by up to " +
+             to_text(0.5 * spacing / radius, 2) + " rad: take " +
+             (may_be ? "Discretisation = line to roller, or " : "") +
+             "shorter elements wherever it touches";
+    }
+  } // namespace
+
+
+
+  std::vector<std::string>
+  StepRecorder::warnings_of_rollers(const SolvedStep &solved) const
+  {
+    std::vector<std::string> warnings;
+    if (!structure.turns())
+      return warnings;
+    for (unsigned int c = 0; c < built.interfaces().size(); ++c)
+      {
+        const ContactInterface &contact = built.interfaces()[c];
+        const auto active = built.rows().among_contact(c, solved.state.active);
+        if (contact.obstacle == nullptr ||
+            contact.obstacle->shape != Obstacle::Shape::cylinder)
+          continue;
+        const bool nestles =
+                     built.contact_lives()[c]->nestles(solved.state.u,
+                                                       solved.load_factor,
+                                                       active),
+                   is_line =
+                     contact.discretisation == Discretisation::line_to_roller;
+        if (is_line && nestles)
+          warnings.push_back(
+            "contact " + contact.name + ": the body bends around '" +
+            contact.second_name +
+            "', where a line is not all that touches: take Discretisation = "
+            "auto or surface to surface");
+        if (is_line || nestles)
+          continue;
+        const PressedArc arc = pressed_arc(contact, active);
+        // What is turned by little has its force where it was.
+        if (arc.is_line() &&
+            are_few_on(arc.spacing * std::min(1., solved.checks.max_rotation),
+                       contact.obstacle->radius))
+          warnings.push_back(describe_few_points(
+            contact,
+            arc.spacing,
+            may_be_line(scene.contacts[c], scene.bodies[contact.first_body])));
+      }
+    return warnings;
+  }
+
+
+
+  bool
+  StepRecorder::touches(const unsigned int contact,
+                        const SolvedStep  &solved) const
+  {
+    const ContactInterface &own = built.interfaces()[contact];
+    for (unsigned int c = 0; c < built.interfaces().size(); ++c)
+      {
+        const ContactInterface &other = built.interfaces()[c];
+        if (other.first_body == own.first_body &&
+            other.second_name == own.second_name &&
+            !built.rows().among_contact(c, solved.state.active).empty())
+          return true;
+      }
+    return false;
+  }
+
+
+
+  void
+  StepRecorder::require_found(const SolvedStep &solved) const
+  {
+    // Of the displacements.
+    constexpr double worth_failing = 1e-2;
+    for (unsigned int c = 0; c < built.interfaces().size(); ++c)
+      {
+        if (touches(c, solved))
+          continue;
+        const ContactInterface &contact = built.interfaces()[c];
+        const auto              sunk =
+          built.contact_lives()[c]->sunk_place(solved.state.u,
+                                               solved.load_factor);
+        const unsigned int number =
+          sunk && sunk->of_second ? *contact.second_body : contact.first_body;
+        const Body &body = *structure.bodies()[number];
+        if (!sunk || sunk->depth <
+                       std::max(worth_failing * solved.checks.max_displacement,
+                                arithmetic::as_written * body.size()))
+          continue;
+        throw_between_points(contact, *sunk, number);
+      }
+  }
+
+
+
+  void
+  StepRecorder::throw_between_points(const ContactInterface &contact,
+                                     const SunkPlace        &sunk,
+                                     const unsigned int      body) const
+  {
+    // Nodes of B4 at an end of two elements are 0.28 of their length h apart.
+    // With one where a roller is deepest the mean gap there is
+    // (0.28 h)^2 / (12 R) wider, a hundredth of the depth.
+    const double longest =
+      contact.obstacle == nullptr ?
+        0. :
+        std::sqrt(1.5 * contact.obstacle->radius * sunk.depth);
+    throw BetweenPoints(
+      "contact " + contact.name + ": nothing touches, but '" +
+        (sunk.of_second ? structure.bodies()[contact.first_body]->name() :
+                          contact.second_name) +
+        "' is inside of the body at " + to_text(sunk.position) +
+        ", between its points, by " + to_text(sunk.depth, 2) + ". Give body '" +
+        structure.bodies()[body]->name() + "' Axis elements = auto, or " +
+        (longest > 0. ? "elements of at most " + to_text(longest, 2) :
+                        std::string("shorter elements")) +
+        " there (Axis breaks)" +
+        (longest > 0. ? "; or take Discretisation = line to roller." : "."),
+      body,
+      scene.bodies[body].placement.to_body(sunk.position)[1],
+      longest);
+  }
+
+
+
+  namespace
+  {
+    /// Bodies whose ends have rows, and against which others, by name.
+    std::set<std::pair<std::string, std::string>>
+    ends_with_rows(const std::vector<ContactInterface> &contacts,
+                   const Bodies                        &bodies)
+    {
+      std::set<std::pair<std::string, std::string>> found;
+      for (const ContactInterface &contact : contacts)
+        if (contact.discretisation != Discretisation::surface_to_surface)
+          {
+            const std::string &first = bodies[contact.first_body]->name();
+            const bool         is_both =
+              contact.discretisation == Discretisation::node_to_node;
+            if (!contact.points_on_second || is_both)
+              found.emplace(first, contact.second_name);
+            if (contact.points_on_second || is_both)
+              found.emplace(contact.second_name, first);
+          }
+      return found;
+    }
+  } // namespace
+
+
+
+  std::vector<std::string>
+  StepRecorder::warnings_of_ends(const SolvedStep &solved) const
+  {
+    // Of the cell's depth and of the displacements: gaps of faces are averages.
+    // What is in by the latter costs a contact force half a per cent.
+    constexpr double         worth_saying = 1e-2, of_displacements = 3e-3;
+    std::vector<std::string> warnings;
+    auto have_rows = ends_with_rows(built.interfaces(), structure.bodies());
+    for (unsigned int c = 0; c < built.interfaces().size(); ++c)
+      {
+        const ContactInterface &contact = built.interfaces()[c];
+        const auto end = built.contact_lives()[c]->sunk_end(solved.state.u,
+                                                            solved.load_factor);
+        if (!end)
+          continue;
+        const double worth =
+          std::min(worth_saying * end->cell,
+                   of_displacements * solved.checks.max_displacement);
+        // What a penalty leaves is no lack of rows.
+        if (end->depth < worth + solved.checks.contacts[c].max_penetration)
+          continue;
+        const std::string first =
+          structure.bodies()[contact.first_body]->name();
+        const auto &[one, other] =
+          end->second ? std::make_pair(contact.second_name, first) :
+                        std::make_pair(first, contact.second_name);
+        // Of several contacts of the same surfaces one says it.
+        if (!have_rows.emplace(one, other).second)
+          continue;
+        warnings.push_back(
+          "contact " + contact.name + ": an end of body '" + one + "' is " +
+          to_text(end->depth, 2) + " behind the surface of body '" + other +
+          "', where no row holds it: beside this contact take one of the same "
+          "surfaces with Discretisation = edge to surface, whose Points on are "
+          "of body '" +
+          one + "'");
+      }
+    return warnings;
+  }
+
+
+
+  double
+  StepRecorder::largest_moment(const SolvedStep &solved) const
+  {
+    // Couples bear on thin sections with forces that are far larger than what
+    // they are over the size of the scene.
+    const double size    = structure.size();
+    double       largest = 0.;
+    for (const LoadResultant &load : structure.load_resultants())
+      largest = std::max(largest,
+                         load.force.norm() * size >
+                             arithmetic::as_written * load.moment.norm() ?
+                           load.force.norm() * size :
+                           load.moment.norm());
+    largest *= std::abs(solved.load_factor.of_scene());
+    for (const Resultant &reaction : solved.checks.reactions)
+      largest = std::max(largest, reaction.force.norm() * size);
+    for (const KuhnTucker &contact : solved.checks.contacts)
+      largest = std::max(largest, contact.force.norm() * size);
+    // Loads that balance on their own, and heat, leave rounding.
+    const double of_nodes =
+      size *
+      std::max(structure.load(solved.load_factor, solved.state.u).linfty_norm(),
+               arithmetic::as_written * structure.heat_load().l2_norm());
+    return largest > arithmetic::as_written * of_nodes ? largest : of_nodes;
+  }
+
+
+
+  std::vector<std::string>
+  StepRecorder::warnings_of_holds(const SolvedStep &solved) const
+  {
+    // Of the largest force, a moment over the scene's size.
+    constexpr double         worth_saying = 1e-3;
+    const Checks            &checks       = solved.checks;
+    std::vector<std::string> warnings;
+    // What balances on the undeformed body (check_balance_of_held()) need not
+    // where it has gone.
+    double largest = 0.;
+    if (checks.is_large)
+      largest = std::max(
+        structure.load(solved.load_factor, solved.state.u).linfty_norm(),
+        arithmetic::as_written * structure.heat_load().l2_norm());
+    for (const Resultant &reaction : checks.reactions)
+      largest = std::max(largest, reaction.force.norm());
+    for (const KuhnTucker &contact : checks.contacts)
+      largest = std::max(largest, contact.force.norm());
+    const double of_moments =
+      checks.is_large ? largest_moment(solved) : largest * structure.size();
+    for (unsigned int s = 0; s < scene.supports.size(); ++s)
+      {
+        const Resultant &reaction = checks.reactions[s];
+        const double     share    = std::max(reaction.force.norm() / largest,
+                                      reaction.moment.norm() / of_moments);
+        if (scene.supports[s].hold && share > worth_saying &&
+            (checks.is_large || !checks.contacts.empty()))
+          warnings.push_back(
+            "the hold of body '" +
+            structure.bodies()[scene.supports[s].hold->body]->name() +
+            "' bears a force of " + to_text(reaction.force) +
+            " and a moment of " + to_text(reaction.moment) + ", " +
+            to_text(100. * share, 2) + " % of the largest: " +
+            (checks.is_large ?
+               "where bodies have gone loads and contact forces " :
+               "contact forces off their main direction ") +
+            "do not balance in motions that it takes out. Put a support where "
+            "the real one is, if that is too much");
+      }
+    return warnings;
+  }
+
+
+
+  std::vector<std::string>
+  StepRecorder::warnings_of_closures(const Closures &closures) const
+  {
+    constexpr double         much = 0.05;
+    std::vector<std::string> warnings;
+    for_each_closure(
+      facts,
+      closures,
+      [&](const std::string &kind,
+          const std::string &name,
+          const double       share) {
+        if (share > much)
+          warnings.push_back(
+            kind + " " + name +
+            ": transverse stresses by equilibrium miss the traction on the "
+            "upper face by " +
+            to_text(100. * share, 2) +
+            " % of the largest; put more elements along the axis there, or "
+            "look further away from supports, edges and concentrated loads");
+      });
+    return warnings;
+  }
+} // namespace lamella
