@@ -25,7 +25,7 @@ list_files()
   git ls-files --cached --others --exclude-standard -- "$@" 2>/dev/null ||
     find "$@" -type f 2>/dev/null || true
 }
-mapfile -t files < <(list_files include source tests tutorials |
+mapfile -t files < <(list_files include source components tests tutorials |
   grep -E '\.(h|cc)$' | while read -r file; do [ ! -f "$file" ] || echo "$file"; done)
 if [ ${#files[@]} = 0 ]; then
   echo "no code to check"
