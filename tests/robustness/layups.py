@@ -79,7 +79,7 @@ class Case:
         text = with_entry((self.folder / "made.prm").read_text(), "Theory", theory)
         for name, value in LAYUPS[layup].items():
             if name == "Ply thickness":
-                value = ", ".join(f"{h * SIZES[kind][2] / 2:g}" for h in value)
+                value = ", ".join(f"{h * SIZES[kind][2] / 2:.15g}" for h in value)
             text = with_entry(text, name, value)
         if "Ply materials" in LAYUPS[layup]:
             text = with_entry(text, "Materials", "carbon, core") + CORE
@@ -88,7 +88,7 @@ class Case:
         text += "set Write VTU = false\nsubsection Goals\n  set Error bars = false\nend\n"
         if kind == "four-point":
             # 100 N turn a sandwich by more than linear kinematics takes.
-            text += "set Load factors = 0.1\n"
+            text = re.sub(r"(Total force = 0, 0, -?)50", r"\g<1>5", text)
         self.places = ALL_PLACES if kind == "four-point" else PLACES
         probes = re.search(r"set Probes\s*=\s*(.*)", text).group(1)
         self.text = with_entry(text, "Probes", ", ".join([probes, *self.places]))
