@@ -136,7 +136,9 @@ class Case:
         largest force."""
         held, held_summary = self.solved("held", self.text)
         hold = held_summary["supports"]["hold-coupon"]
-        displacements = {row["probe"]: {c: row["u" + c] for c in "xyz"} for row in held}
+        # Numbers below 1e-30 are refused, and those below 1e-20 are rounding.
+        displacements = {row["probe"]: {c: row["u" + c] if abs(float(row["u" + c])) > 1e-20
+                                        else "0" for c in "xyz"} for row in held}
         twin, twin_summary = self.solved("twin", self.twin(displacements, hold["moment"][2]))
         pairs = []
         for columns in ("ux uy uz", "sxx syy szz sxy sxz syz"):
