@@ -79,7 +79,7 @@ class Case:
         text = with_entry((self.folder / "made.prm").read_text(), "Theory", theory)
         for name, value in LAYUPS[layup].items():
             if name == "Ply thickness":
-                value = ", ".join(f"{h * SIZES[kind][2] / 2:g}" for h in value)
+                value = ", ".join(f"{h * SIZES[kind][2] / 2:.15g}" for h in value)
             text = with_entry(text, name, value)
         if "Ply materials" in LAYUPS[layup]:
             text = with_entry(text, "Materials", "carbon, core") + CORE
@@ -88,7 +88,7 @@ class Case:
         text += "set Write VTU = false\nsubsection Goals\n  set Error bars = false\nend\n"
         if kind == "four-point":
             # 100 N turn a sandwich by more than linear kinematics takes.
-            text += "set Load factors = 0.1\n"
+            text = re.sub(r"(Total force = 0, 0, -?)50", r"\g<1>5", text)
         self.places = ALL_PLACES if kind == "four-point" else PLACES
         probes = re.search(r"set Probes\s*=\s*(.*)", text).group(1)
         self.text = with_entry(text, "Probes", ", ".join([probes, *self.places]))
@@ -136,7 +136,9 @@ class Case:
         largest force."""
         held, held_summary = self.solved("held", self.text)
         hold = held_summary["supports"]["hold-coupon"]
-        displacements = {row["probe"]: {c: row["u" + c] for c in "xyz"} for row in held}
+        # Numbers below 1e-30 are refused, and those below 1e-20 are rounding.
+        displacements = {row["probe"]: {c: row["u" + c] if abs(float(row["u" + c])) > 1e-20
+                                        else "0" for c in "xyz"} for row in held}
         twin, twin_summary = self.solved("twin", self.twin(displacements, hold["moment"][2]))
         pairs = []
         for columns in ("ux uy uz", "sxx syy szz sxy sxz syz"):
