@@ -19,7 +19,7 @@ from measure_solids import calculix, hanging, million, solids
 from measure_friction import friction, rubbing
 from measure_rubbing import cattaneo, coupon, crossed_cylinders, punch, rubbed, rubbing_cost, \
     rubbing_full
-from measure_turning import rubbing_turning, turning
+from measure_turning import rubbing_turning, thin, turning
 from measure_rollers import rollers
 from measure_leaves import leaves
 from measure_tolerances import c3d20r, indentation, tolerances
@@ -341,7 +341,8 @@ def main():
                                       rates, tolerances, indentation, leaves, c3d20r, beyond,
                                       foreseen, plans, friction, rubbing, punch,
                                       cattaneo, coupon, crossed_cylinders, rubbing_cost,
-                                      rubbing_full, rubbed, rubbing_turning, rollers, turning)}
+                                      rubbing_full, rubbed, rubbing_turning, rollers, thin,
+                                      turning)}
     unknown = [name for name in sys.argv[1:] if name not in tables]
     if unknown:
         sys.exit(f"no table {unknown[0]}; there are: {', '.join(tables)}")
@@ -351,7 +352,7 @@ def main():
                   "bars_richer", "corners", "tolerances", "indentation", "c3d20r", "beyond",
                   "foreseen", "plans", "friction", "rubbing", "punch", "cattaneo",
                   "coupon", "crossed_cylinders", "rubbing_cost", "rubbing_full", "rubbed", "rubbing_turning",
-                  "rollers", "turning")
+                  "rollers", "thin", "turning")
     for name in sys.argv[1:] or [name for name in tables if name not in only_asked]:
         print(f"## {name}: {tables[name].__doc__}\n")
         tables[name]()

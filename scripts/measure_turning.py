@@ -14,6 +14,7 @@ COUPON = ROOT / "prm/flexure_large.prm"
 SLIDE = ROOT / "tests/scenes/large_slide.prm"
 BELT = ROOT / "tests/scenes/turning_capstan.prm"
 CORNERS = ROOT / "tests/scenes/large_corners.prm"
+THIN = ROOT / "tests/scenes/large_thin_strip.prm"
 
 
 class Section:
@@ -486,6 +487,58 @@ def rings():
     print("large_tube: M / (E I k) of a ring, and of Brazier's first term")
     for alpha in (0.1, 0.2, 0.3, 0.4, 0.47):
         print(alpha, f"{ring(alpha):.5f} {1. - 1.5 * alpha ** 2:.3f}")
+
+
+def thin_strip(height, load, places, length=100., width=10., modulus=70e3):
+    """The strip of tests/scenes/large_thin_strip.prm, `height` thick, under P L^2 / (E I) = load,
+    as a rod by shooting: sigma_yz in the middle of the section and sigma_yy on top at each of
+    `places`, in the section's axes."""
+    section = Section(modulus, width, height)
+    section.shear *= 5. / 6.
+    force = np.array([0., -load * section.bending / length ** 2])
+    unit = section.bending / length
+    moment = [0.]
+    for share in np.arange(0.1, 1.01, 0.1):
+        moment = solve(lambda m: shoot(section, [0., 0., 0., unit * m[0]], length,
+                                       share * force)[3:] / unit, moment)
+    moment = unit * moment
+    stresses = []
+    for place in places:
+        angle, here = shoot(section, [0., 0., 0., moment[0]], place, force)[2:]
+        stresses.append((1.5 * force @ across(angle) / (width * height),
+                         force @ along(angle) / (width * height)
+                         - 6. * here / (width * height ** 2)))
+    return -force[1], stresses
+
+
+def thin():
+    """Stresses of tests/scenes/large_thin_strip.prm on the default axis, and their error bars."""
+    rows = []
+    for slenderness in (10, 100, 500, 2000):
+        for load in (0.5, 3., 10.):
+            height = 100. / slenderness
+            force, ((near, _), (half, _), (_, above)) = thin_strip(height, load, (10., 50., 12.5))
+            row = [slenderness, f"{load:g}"]
+            for theory in ("SV-6", "LE-3"):
+                run = BarRun(THIN, [
+                    f"Theory={theory}", f"Section strip/Ply thickness={height}",
+                    f"Load p/Total force=0, 0, {-force}", "Goals/Error bars=true",
+                    "Goals/Quantities=near: syz, half: syz, above: syy"] + [
+                        f"Probe {name}/At=beam: 5, {y}, {share * height}" for name, y, share in (
+                            ("tip", 100, 0.5), ("near", 10, 0.5), ("half", 50, 0.5),
+                            ("above", 12.5, 1), ("quarter", 25, 1))])
+                for quantity, true in (("near: syz", near), ("half: syz", half),
+                                       ("above: syy", above)):
+                    if run.failure:
+                        row.append("no result")
+                        continue
+                    goal = run.summary["goals"].get(quantity, {})
+                    row.append(f"{100 * (run.value(quantity) / true - 1):+.2f} "
+                               f"({100 * abs(goal.get('bar', math.nan) / true):.2f})")
+            rows.append(row)
+    table(["L / h", "P L^2 / EI"] + [
+        f"{theory}: {what}" for theory in ("SV-6", "LE-3")
+        for what in ("s_yz at 10 [%] (bar)", "s_yz at 50", "s_yy at 12.5")], rows)
 
 
 def turning():

@@ -85,7 +85,10 @@ namespace
   {
     const LinearTrial trial(scene, text, out);
     if (!trial.suffices())
-      run_scene(trial.chosen(), command.output, command.resume);
+      run_scene(trial.chosen(),
+                command.output,
+                command.resume,
+                bars_afterwards(trial.chosen()));
     else if (!command.resume)
       trial.write(command.output, bars_afterwards(trial.chosen()));
     else

@@ -65,11 +65,11 @@ namespace lamella
   FieldSample
   turned_sample_of(const Tensor<1, 3> &displacement,
                    const Gradient     &H,
+                   const Voigt        &strain,
                    const Placement    &placement,
                    const Triad        &ply,
                    const ElasticLaw   &law)
   {
-    const Voigt              strain = green_strain(H);
     const PolarDecomposition F(H);
     FieldSample              sample =
       SampleTurns(placement, ply)

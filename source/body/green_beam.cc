@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <lamella/base/exceptions.h>
+#include <lamella/base/lagrange.h>
 #include <lamella/base/processes.h>
 #include <lamella/body/fields.h>
 #include <lamella/body/green_beam.h>
@@ -33,7 +34,7 @@ namespace lamella
                        std::shared_ptr<const Axis>    axis,
                        const Placement               &placement)
     : Beam(name, turning(section, *axis), axis, placement)
-    , green(fields())
+    , green(fields(), along_axis().n_stations())
   {}
 
 
@@ -131,17 +132,50 @@ namespace lamella
 
 
 
+  Voigt
+  GreenBeam::strain_at(const SectionPoint &point,
+                       const AxisPoint    &on_axis,
+                       const Gradient     &H,
+                       const Vector       &u) const
+  {
+    constexpr std::array<unsigned int, 3> lowered{{1, 3, 5}};
+    const unsigned int cell = on_axis.cell, n = along_axis().n_stations();
+    const double       begin = axis().cell_begin(cell);
+    const FieldParts   q     = along_axis().at(
+      ArrayView<const AxisPoint>(&axis().integration_points()[cell * n], n),
+      *point.fields,
+      u);
+    const std::vector<double> weights =
+      gauss_projection(n,
+                       n - 2,
+                       (on_axis.y - begin) / (axis().cell_end(cell) - begin));
+    Voigt strain = green_strain(H);
+    for (const unsigned int c : lowered)
+      strain[c] = 0.;
+    for (unsigned int k = 0; k < n; ++k)
+      {
+        const Voigt at_station = green_strain(gradient_at(point, q, k));
+        for (const unsigned int c : lowered)
+          strain[c] += weights[k] * at_station[c];
+      }
+    return strain;
+  }
+
+
+
   FieldSample
   GreenBeam::sample_at(const SectionPoint &point,
                        const AxisPoint    &on_axis,
                        const Vector       &u) const
   {
     const FieldParts q = parts_at(point, on_axis, u);
+    const Gradient   H = gradient_at(point, q, 0);
     Tensor<1, 3>     displacement;
     for (unsigned int a = 0; a < point.fields->size(); ++a)
       displacement += q[FieldPart::value](a, 0) * point.value[a];
     return turned_sample_of(displacement,
-                            gradient_at(point, q, 0),
+                            H,
+                            strain_at(point, on_axis, H, u),
                             placement,
                             section().ply_axes(point.cell, point.position),
                             law_at(point.cell,
@@ -255,6 +289,40 @@ namespace lamella
 
 
   void
+  GreenBeam::take_off(const unsigned int                           cell,
+                      const std::vector<GreenAnswer::CellTangent> &tangents,
+                      StiffnessBlock                              &block) const
+  {
+    const double       length = axis().cell_end(cell) - axis().cell_begin(cell);
+    const unsigned int n      = tangents[0].fields->size(),
+                       n_points = tangents[0].stretch.m(),
+                       columns  = block.columns.size();
+    LAPACKFullMatrix<double> X(n_points, columns), Y(n_points, columns),
+      product(columns, columns);
+    for (unsigned int k = 0; k < tangents.size(); ++k)
+      {
+        const AxisPoint &point =
+          axis().integration_points()[cell * tangents.size() + k];
+        const auto add = [&](const LAPACKFullMatrix<double> &rows,
+                             const double                    factor,
+                             LAPACKFullMatrix<double>       &sum) {
+          for (unsigned int p = 0; p < n_points; ++p)
+            for (unsigned int j = 0; j < columns; ++j)
+              sum(p, j) += factor * (point.N[j / n] * rows(p, j % n) +
+                                     point.dN[j / n] * rows(p, n + j % n));
+        };
+        add(tangents[k].stretch, green.share(k), X);
+        add(tangents[k].on_stretch, length * green.share(k), Y);
+      }
+    Y.Tmmult(product, X);
+    for (unsigned int i = 0; i < columns; ++i)
+      for (unsigned int j = 0; j < columns; ++j)
+        block.values[i * columns + j] -= product(i, j) + product(j, i);
+  }
+
+
+
+  void
   GreenBeam::add_values(const unsigned int           cell,
                         const Vector                &u,
                         const Vector                &correction,
@@ -265,16 +333,13 @@ namespace lamella
     const std::vector<unsigned int> &all = dofs().fields(0);
     const FieldParts                 q   = loop.on_element(cell, all, u),
                      dq = loop.on_element(cell, all, correction);
-    for (unsigned int k = 0; k < loop.n_stations(); ++k)
-      {
-        auto block = blocks.begin();
-        green.for_each_cell(q,
-                            dq,
-                            k,
-                            [&](const GreenAnswer::CellTangent &tangent) {
-                              add_station(cell, k, tangent, *block++);
-                            });
-      }
+    auto block          = blocks.begin();
+    green.for_each_cell(
+      q, dq, [&](const std::vector<GreenAnswer::CellTangent> &tangents) {
+        for (unsigned int k = 0; k < tangents.size(); ++k)
+          add_station(cell, k, tangents[k], *block);
+        take_off(cell, tangents, *block++);
+      });
   }
 
 

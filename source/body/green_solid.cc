@@ -129,8 +129,10 @@ namespace lamella
     for (unsigned int i = 0; i < nodes.size(); ++i)
       for (unsigned int c = 0; c < 3; ++c)
         displacement[c] += point.N[i] * u[3 * DofIndex(nodes[i]) + c];
+    const Gradient H = gradient_at(place.cell, point, u);
     return turned_sample_of(displacement,
-                            gradient_at(place.cell, point, u),
+                            H,
+                            green_strain(H),
                             placement,
                             ply_axes(place.cell, point.position),
                             law_at(place.cell, place.unit, point.position));
@@ -214,9 +216,12 @@ namespace lamella
         block.rows = block.columns = dofs_of(cell);
         if (with_values)
           block.values = tangent_of(cell, [&](const HexahedronPoint &point) {
-            return green_tangent(gradient_at(cell, point, u),
-                                 gradient_at(cell, point, correction),
-                                 law(cell, point.position));
+            const Gradient   H = gradient_at(cell, point, u);
+            const ElasticLaw C = law(cell, point.position);
+            return green_tangent(H,
+                                 C.stress(predicted_strain(
+                                   H, gradient_at(cell, point, correction))),
+                                 C);
           });
         use(block);
       }

@@ -3,6 +3,7 @@
 // The points of a beam whose sections turn: where they are, what forces there
 // do, and what is shown of them.
 
+#include <lamella/base/lagrange.h>
 #include <lamella/base/processes.h>
 #include <lamella/body/fields.h>
 #include <lamella/body/reissner_beam.h>
@@ -21,7 +22,7 @@ namespace lamella
   ReissnerBeam::SectionState
   ReissnerBeam::section_state(const unsigned int cell, const Frame &frame) const
   {
-    SectionState state{frame, strains(frame), {}, {}};
+    SectionState state{frame, strains(frame), {}, {}, {}};
     state.value.assign(section().n_fields(), 0.);
     state.derivative.assign(section().n_fields(), 0.);
     const auto set = [&](const unsigned int alpha, const double by) {
@@ -44,6 +45,7 @@ namespace lamella
             state.derivative[alpha] += mode[alpha] * frame.da[a];
           }
       }
+    state.warping = state.value;
     return state;
   }
 
@@ -83,8 +85,37 @@ namespace lamella
     const Tensor<1, 3> X = from_centre(point);
     Tensor<1, 3>       warping;
     for (unsigned int k = 0; k < point.fields->size(); ++k)
-      warping += state.value[(*point.fields)[k]] * point.value[k];
+      warping += state.warping[(*point.fields)[k]] * point.value[k];
     return state.frame.r + (R * X - X) + R * warping;
+  }
+
+
+
+  ReissnerBeam::SectionState
+  ReissnerBeam::shown_state(const AxisPoint &on_axis, const Vector &u) const
+  {
+    const unsigned int        cell = on_axis.cell, n = stations[cell].size();
+    const double              begin = axis().cell_begin(cell);
+    const std::vector<double> weights =
+      gauss_projection(n,
+                       n - 1,
+                       (on_axis.y - begin) / (axis().cell_end(cell) - begin));
+    SectionState state = section_state(on_axis, u);
+    for (std::vector<double> *part :
+         {&state.e, &state.value, &state.derivative})
+      part->assign(part->size(), 0.);
+    const auto add = [](const double weight, const auto &from, auto &to) {
+      for (unsigned int i = 0; i < to.size(); ++i)
+        to[i] += weight * from[i];
+    };
+    for (unsigned int k = 0; k < n; ++k)
+      {
+        const SectionState at = section_state(stations[cell][k].point, u);
+        add(weights[k], at.e, state.e);
+        add(weights[k], at.value, state.value);
+        add(weights[k], at.derivative, state.derivative);
+      }
+    return state;
   }
 
 
@@ -405,7 +436,7 @@ namespace lamella
                           const AxisPoint    &on_axis,
                           const Vector       &u) const
   {
-    return sample_of_section(point, on_axis.y, section_state(on_axis, u));
+    return sample_of_section(point, on_axis.y, shown_state(on_axis, u));
   }
 
 
@@ -418,7 +449,7 @@ namespace lamella
     std::vector<FieldSample> samples;
     for (const AxisPoint &on_axis : places)
       {
-        const SectionState state = section_state(on_axis, u);
+        const SectionState state = shown_state(on_axis, u);
         for (const SectionPoint &point : points)
           samples.push_back(sample_of_section(point, on_axis.y, state));
       }

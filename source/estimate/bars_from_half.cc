@@ -83,6 +83,8 @@ namespace lamella
       {
         if (body.theory.is_solid())
           return "body " + body.name + " is a solid";
+        if (scene.solve.rotations == Rotations::large)
+          continue;
         if (!body.pieces.empty())
           return "body " + body.name + " is made of pieces";
         if (body.theory.has_responses())
@@ -154,9 +156,14 @@ namespace lamella
   BarsFromHalf::solve_levels(OtherModels &others, const Scene &scene)
   {
     const Scene half_scene = on_coarser_axis(scene, chosen.times);
-    const Scene rich       = richer_in_section(half_scene, chosen.degree);
-    const Scene low        = of_one_degree_less(layerwise ? half_scene : rich);
-    half                   = others.solved(half_scene, "coarser axis").numbers;
+    if (chosen.degree == 0)
+      {
+        half = richer = others.solved(half_scene, "coarser axis").numbers;
+        return;
+      }
+    const Scene rich = richer_in_section(half_scene, chosen.degree);
+    const Scene low  = of_one_degree_less(layerwise ? half_scene : rich);
+    half             = others.solved(half_scene, "coarser axis").numbers;
     richer = others.solved(rich, "coarser axis, richer section").numbers;
     if (any_body(layerwise ? half_scene : rich, [](const auto &body) {
           return is_of_layers(body) && body.theory.order > 1;
@@ -207,9 +214,11 @@ namespace lamella
     ErrorBar             bar      = by_levels(quantity);
     bar.bar           = std::max(bar.bar, of_run.rounding_of(quantity));
     GoalResult result = of_run.with_bar(number, bar);
-    result.shares     = {{name_of(Source::axis), value - half.value(quantity)},
-                         {name_of(layerwise ? Source::section : Source::fields),
-                          2. * (richer.value(quantity) - half.value(quantity))}};
+    result.shares     = {{name_of(Source::axis), value - half.value(quantity)}};
+    if (chosen.degree > 0)
+      result.shares.emplace_back(
+        name_of(layerwise ? Source::section : Source::fields),
+        2. * (richer.value(quantity) - half.value(quantity)));
     of_contact.add_to(quantity, result);
     return result;
   }

@@ -8,8 +8,10 @@
 namespace lamella
 {
   ContactShares::ContactShares(const Simulation &run)
-    : any_penalty(has_source(run.model().scene(), Source::contact))
-    , any_friction(has_source(run.model().scene(), Source::path))
+    : any_penalty(has_source(run.model().scene(), Source::contact) &&
+                  run.model().scene().solve.rotations != Rotations::large)
+    , any_friction(has_source(run.model().scene(), Source::path) &&
+                   run.model().scene().solve.rotations != Rotations::large)
   {
     // With friction the last state is that of a path: all of it is to be gone
     // again.

@@ -301,9 +301,11 @@ namespace lamella
   {
     Scene scene          = run.model().anew();
     scene.solve.strategy = Strategy::condensed;
-    if (first_with_friction(scene) == nullptr)
+    // At large rotations each load step starts from the last one.
+    const bool is_large = scene.solve.rotations == Rotations::large;
+    if (!is_large && first_with_friction(scene) == nullptr)
       scene.solve.load_factors = {scene.solve.load_factors.back()};
-    else
+    else if (!is_large)
       for (const StepResults &step : run.results().steps)
         scene.solve.substeps.each.push_back(step.substeps);
     scene.lines.clear();

@@ -148,9 +148,38 @@ namespace lamella
 
 
 
+  namespace
+  {
+    /// Those of @p run with large rotations, by a model on a coarser axis.
+    GoalBars
+    at_large_rotations(const Simulation &run,
+                       std::ostream     &out,
+                       ModelCache       &cache)
+    {
+      for (const std::string &why :
+           {RunGoals::reason_for_none(run), BarsFromHalf::reason_for_none(run)})
+        if (!why.empty())
+          return {{}, why};
+      out << "Error bars, from a model on a coarser axis:" << std::endl;
+      Goals         goals;
+      const Outcome outcome = outcome_of([&] {
+        goals = BarsFromHalf(run, HalfPlan{1, 0}, out, cache).goals();
+      });
+      if (outcome.status != 0)
+        return {{},
+                "the model on a coarser axis has no result (" +
+                  trimmed(outcome.message) + ")"};
+      return {goals, ""};
+    }
+  } // namespace
+
+
+
   GoalBars
   bars_of(const Simulation &run, std::ostream &out, ModelCache &cache)
   {
+    if (run.model().scene().solve.rotations == Rotations::large)
+      return at_large_rotations(run, out, cache);
     std::string failure;
     if (const auto goals = cheap_goals(run, out, cache, failure))
       return {*goals, ""};

@@ -17,6 +17,10 @@ namespace lamella
       return "the scene has neither Quantities in Goals nor probes";
     if (goals.bars == ErrorBars::never)
       return "Error bars = false, in Goals";
+    if (goals.bars == ErrorBars::automatic &&
+        run.model().scene().solve.rotations == Rotations::large)
+      return "at large rotations they take another run, on a coarser axis; "
+             "--set \"Goals/Error bars=true\" makes them";
     return "";
   }
 
@@ -73,11 +77,14 @@ namespace lamella
   double
   RunGoals::rounding_of(const NamedQuantity &quantity) const
   {
-    const State &state = run.results().last().state;
-    return values.largest_of_kind(quantity) *
-           (state.contact_corrections.empty() ?
-              state.free_corrections.back() :
-              state.contact_corrections.back());
+    const State               &state       = run.results().last().state;
+    const std::vector<double> &corrections = state.contact_corrections.empty() ?
+                                               state.free_corrections :
+                                               state.contact_corrections;
+    // Newton's method, of large rotations, has none.
+    return corrections.empty() ?
+             0. :
+             values.largest_of_kind(quantity) * corrections.back();
   }
 
 

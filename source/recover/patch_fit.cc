@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <lamella/base/lagrange.h>
 #include <lamella/base/orthogonal.h>
 #include <lamella/recover/patch_fit.h>
 
@@ -17,19 +18,6 @@ namespace lamella
     // terms before. In regular patches it is 0.3 or more, in one layer of
     // distorted elements what their distortion amounts to.
     constexpr double seen = 0.1;
-
-
-
-    /// P_0(t) ... P_n(t).
-    std::vector<double>
-    legendre(const unsigned int n, const double t)
-    {
-      std::vector<double> P(n + 1, 1.);
-      for (unsigned int k = 1; k <= n; ++k)
-        P[k] =
-          k == 1 ? t : ((2. * k - 1.) * t * P[k - 1] - (k - 1.) * P[k - 2]) / k;
-      return P;
-    }
 
 
 

@@ -37,7 +37,8 @@ namespace lamella
                       selection<ErrorBars>(),
                       "Whether errors are estimated: true, or auto where that "
                       "is cheap, by the run itself, poorer models or half of "
-                      "the axis; richer: by richer models.");
+                      "the axis; richer: by richer models. With Rotations = "
+                      "large true alone makes them, by half of the axis.");
     prm.declare_entry("Budget DoFs",
                       "0",
                       patterns::number(),

@@ -181,19 +181,18 @@ namespace lamella
 
 
     void
-    check_goals(GoalParameters &goals)
+    check_goals(const GoalParameters &goals)
     {
       if (!goals.tolerances.empty())
         refuse("Goals/Tolerance",
                "",
                rule,
                "Leave it out, and run the scene with more elements beside it.");
-      if (goals.bars == ErrorBars::always || goals.bars == ErrorBars::richer)
+      if (goals.bars == ErrorBars::richer)
         refuse("Goals/Error bars",
                name_of(goals.bars),
                rule,
-               "Leave it out, and run the scene with more elements beside it.");
-      goals.bars = ErrorBars::never;
+               "Take true: the same model on a coarser axis.");
     }
 
 

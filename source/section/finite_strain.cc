@@ -208,12 +208,19 @@ namespace lamella
 
 
 
+  Voigt
+  predicted_strain(const Gradient &H, const Gradient &dH)
+  {
+    return green_strain(H) - quadratic_strain(dH);
+  }
+
+
+
   Tensor<2, 9>
-  green_tangent(const Gradient &H, const Gradient &dH, const ElasticLaw &law)
+  green_tangent(const Gradient &H, const Voigt &second, const ElasticLaw &law)
   {
     const auto   B = strain_derivative(H);
-    Tensor<2, 9> D =
-      stress_tangent(law.stress(green_strain(H) - quadratic_strain(dH)));
+    Tensor<2, 9> D = stress_tangent(second);
     for (unsigned int n = 0; n < 9; ++n)
       {
         Voigt column;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <lamella/base/lagrange.h>
 #include <lamella/section/green_answer.h>
 
 #include <algorithm>
@@ -47,13 +48,36 @@ namespace lamella
           for (unsigned int s = 0; s < 9; ++s)
             DG(first + r, b) += weight * D[r][s] * G(first + s, b);
     }
+
+
+
+    /// Sets the row @p p of @p rows to what the first stress @p P at the point
+    /// number p does on each column of @p G.
+    void
+    set_row(const unsigned int              p,
+            const Tensor<2, 3>             &P,
+            const LAPACKFullMatrix<double> &G,
+            LAPACKFullMatrix<double>       &rows)
+    {
+      for (unsigned int b = 0; b < G.n(); ++b)
+        for (unsigned int i = 0; i < 3; ++i)
+          for (unsigned int c = 0; c < 3; ++c)
+            rows(p, b) += P[i][c] * G(9 * p + 3 * i + c, b);
+    }
   } // namespace
 
 
 
-  GreenAnswer::GreenAnswer(const FieldSpace &space)
+  GreenAnswer::GreenAnswer(const FieldSpace  &space,
+                           const unsigned int n_stations)
     : space(space)
   {
+    const unsigned int degree = n_stations - 1;
+    const QGauss<1>    rule(n_stations);
+    weights = rule.get_weights();
+    for (unsigned int k = 0; k < n_stations; ++k)
+      modes.push_back(std::sqrt(2. * degree + 1.) *
+                      legendre(degree, 2. * rule.point(k)[0] - 1.)[degree]);
     const Section &section = space.section();
     Assert(space.n_fields() == section.n_fields() &&
              !section.completes_strains(),
@@ -87,25 +111,41 @@ namespace lamella
 
 
 
-  std::vector<Gradient>
-  GreenAnswer::gradients(const Cell        &cell,
-                         const FieldParts  &q,
-                         const unsigned int k) const
+  std::vector<std::vector<Gradient>>
+  GreenAnswer::gradients(const Cell &cell, const FieldParts &q) const
   {
-    const unsigned int n = cell.fields->size();
-    Vector             coefficients(2 * n), H(cell.G.m());
-    for (unsigned int a = 0; a < n; ++a)
+    const unsigned int n = cell.fields->size(), n_points = cell.points.size();
+    std::vector<std::vector<Gradient>> at_stations(
+      q[FieldPart::value].n(), std::vector<Gradient>(n_points));
+    Vector coefficients(2 * n), H(cell.G.m());
+    for (unsigned int k = 0; k < at_stations.size(); ++k)
       {
-        coefficients[a]     = q[FieldPart::value]((*cell.fields)[a], k);
-        coefficients[n + a] = q[FieldPart::derivative]((*cell.fields)[a], k);
+        for (unsigned int a = 0; a < n; ++a)
+          {
+            coefficients[a] = q[FieldPart::value]((*cell.fields)[a], k);
+            coefficients[n + a] =
+              q[FieldPart::derivative]((*cell.fields)[a], k);
+          }
+        cell.G.vmult(H, coefficients);
+        for (unsigned int p = 0; p < n_points; ++p)
+          for (unsigned int i = 0; i < 3; ++i)
+            for (unsigned int c = 0; c < 3; ++c)
+              at_stations[k][p][i][c] = H[9 * p + 3 * i + c];
       }
-    cell.G.vmult(H, coefficients);
-    std::vector<Gradient> at_points(cell.points.size());
-    for (unsigned int p = 0; p < at_points.size(); ++p)
-      for (unsigned int i = 0; i < 3; ++i)
-        for (unsigned int c = 0; c < 3; ++c)
-          at_points[p][i][c] = H[9 * p + 3 * i + c];
-    return at_points;
+    return at_stations;
+  }
+
+
+
+  void
+  GreenAnswer::lower(std::vector<Voigt> &values) const
+  {
+    constexpr unsigned int yy  = 1;
+    double                 sum = 0.;
+    for (unsigned int k = 0; k < values.size(); ++k)
+      sum += share(k) * values[k][yy];
+    for (unsigned int k = 0; k < values.size(); ++k)
+      values[k][yy] -= modes[k] * sum;
   }
 
 
@@ -116,30 +156,43 @@ namespace lamella
     const unsigned int n_stations = q[FieldPart::value].n();
     SectionForces      result(space.n_fields(), n_stations);
     for (const Cell &cell : cells)
-      for (unsigned int k = 0; k < n_stations; ++k)
-        {
-          const unsigned int          n = cell.fields->size();
-          const std::vector<Gradient> H = gradients(cell, q, k);
-          Vector                      P(cell.G.m()), work(2 * n);
-          for (unsigned int p = 0; p < H.size(); ++p)
-            {
-              const Voigt strain = green_strain(H[p]),
-                          stress = cell.points[p].weight *
-                                   cell.points[p].law.stress(strain);
-              result.energy[k] += 0.5 * (stress * strain);
-              const Tensor<2, 3> at_point = first_stress(H[p], stress);
-              for (unsigned int i = 0; i < 3; ++i)
-                for (unsigned int c = 0; c < 3; ++c)
-                  P[9 * p + 3 * i + c] = at_point[i][c];
-            }
-          cell.G.Tvmult(work, P);
-          for (unsigned int a = 0; a < n; ++a)
-            {
-              const unsigned int alpha = (*cell.fields)[a];
-              result.work[FieldPart::value](alpha, k) += work[a];
-              result.work[FieldPart::derivative](alpha, k) += work[n + a];
-            }
-        }
+      {
+        const unsigned int  n = cell.fields->size();
+        const auto          H = gradients(cell, q);
+        std::vector<Vector> P(n_stations, Vector(cell.G.m()));
+        for (unsigned int p = 0; p < cell.points.size(); ++p)
+          {
+            std::vector<Voigt> strain, stress;
+            for (unsigned int k = 0; k < n_stations; ++k)
+              strain.push_back(green_strain(H[k][p]));
+            lower(strain);
+            for (unsigned int k = 0; k < n_stations; ++k)
+              {
+                stress.push_back(cell.points[p].weight *
+                                 cell.points[p].law.stress(strain[k]));
+                result.energy[k] += 0.5 * (stress[k] * strain[k]);
+              }
+            lower(stress);
+            for (unsigned int k = 0; k < n_stations; ++k)
+              {
+                const Tensor<2, 3> at_point = first_stress(H[k][p], stress[k]);
+                for (unsigned int i = 0; i < 3; ++i)
+                  for (unsigned int c = 0; c < 3; ++c)
+                    P[k][9 * p + 3 * i + c] = at_point[i][c];
+              }
+          }
+        Vector work(2 * n);
+        for (unsigned int k = 0; k < n_stations; ++k)
+          {
+            cell.G.Tvmult(work, P[k]);
+            for (unsigned int a = 0; a < n; ++a)
+              {
+                const unsigned int alpha = (*cell.fields)[a];
+                result.work[FieldPart::value](alpha, k) += work[a];
+                result.work[FieldPart::derivative](alpha, k) += work[n + a];
+              }
+          }
+      }
     return result;
   }
 
@@ -148,25 +201,27 @@ namespace lamella
   Stretch
   GreenAnswer::largest(const FieldParts &q) const
   {
-    Stretch found;
-    for (unsigned int k = 0; k < q[FieldPart::value].n(); ++k)
+    Stretch             found;
+    double              area = 0.;
+    std::vector<double> squares(q[FieldPart::value].n(), 0.);
+    for (const Cell &cell : cells)
       {
-        double area = 0., squares = 0.;
-        for (const Cell &cell : cells)
+        const auto H = gradients(cell, q);
+        for (unsigned int p = 0; p < cell.points.size(); ++p)
           {
-            const std::vector<Gradient> H = gradients(cell, q, k);
-            for (unsigned int p = 0; p < H.size(); ++p)
+            const double weight = cell.points[p].weight;
+            area += weight;
+            for (unsigned int k = 0; k < squares.size(); ++k)
               {
-                const Stretch here   = stretch_of(H[p]);
-                const double  weight = cell.points[p].weight;
-                found.turn           = std::max(found.turn, here.turn);
-                found.strain         = std::max(found.strain, here.strain);
-                area += weight;
-                squares += weight * here.along * here.along;
+                const Stretch here = stretch_of(H[k][p]);
+                found.turn         = std::max(found.turn, here.turn);
+                found.strain       = std::max(found.strain, here.strain);
+                squares[k] += weight * here.along * here.along;
               }
           }
-        found.along = std::max(found.along, std::sqrt(squares / area));
       }
+    for (const double square : squares)
+      found.along = std::max(found.along, std::sqrt(square / area));
     return found;
   }
 
@@ -180,8 +235,37 @@ namespace lamella
     LAPACKFullMatrix<double> DG(cell.G.m(), cell.G.n());
     for (unsigned int p = 0; p < cell.points.size(); ++p)
       add_product(D(p), cell.points[p].weight, cell.G, 9 * p, DG);
-    CellTangent tangent{cell.fields, LAPACKFullMatrix<double>(DG.n(), DG.n())};
+    CellTangent tangent;
+    tangent.fields = cell.fields;
+    tangent.matrix.reinit(DG.n(), DG.n());
     cell.G.Tmmult(tangent.matrix, DG);
+    return tangent;
+  }
+
+
+
+  GreenAnswer::CellTangent
+  GreenAnswer::tangent_at(const Cell                  &cell,
+                          const std::vector<Gradient> &H,
+                          const std::vector<Voigt>    &second)
+  {
+    CellTangent tangent = tangent_of(cell, [&](const unsigned int p) {
+      return green_tangent(H[p], second[p], cell.points[p].law);
+    });
+    Voigt       along;
+    along[1] = 1.;
+    tangent.stretch.reinit(H.size(), cell.G.n());
+    tangent.on_stretch.reinit(H.size(), cell.G.n());
+    for (unsigned int p = 0; p < H.size(); ++p)
+      {
+        const Voigt C_yy = cell.points[p].law.stress(along);
+        set_row(p, first_stress(H[p], along), cell.G, tangent.stretch);
+        set_row(p,
+                cell.points[p].weight *
+                  first_stress(H[p], C_yy - 0.5 * C_yy[1] * along),
+                cell.G,
+                tangent.on_stretch);
+      }
     return tangent;
   }
 
@@ -189,18 +273,31 @@ namespace lamella
 
   void
   GreenAnswer::for_each_cell(
-    const FieldParts                               &q,
-    const FieldParts                               &correction,
-    const unsigned int                              k,
-    const std::function<void(const CellTangent &)> &use) const
+    const FieldParts                                            &q,
+    const FieldParts                                            &correction,
+    const std::function<void(const std::vector<CellTangent> &)> &use) const
   {
     for (const Cell &cell : cells)
       {
-        const std::vector<Gradient> H  = gradients(cell, q, k),
-                                    dH = gradients(cell, correction, k);
-        use(tangent_of(cell, [&](const unsigned int p) {
-          return green_tangent(H[p], dH[p], cell.points[p].law);
-        }));
+        const auto H = gradients(cell, q), dH = gradients(cell, correction);
+        std::vector<std::vector<Voigt>> second(
+          H.size(), std::vector<Voigt>(cell.points.size()));
+        for (unsigned int p = 0; p < cell.points.size(); ++p)
+          {
+            std::vector<Voigt> values;
+            for (unsigned int k = 0; k < H.size(); ++k)
+              values.push_back(predicted_strain(H[k][p], dH[k][p]));
+            lower(values);
+            for (Voigt &value : values)
+              value = cell.points[p].law.stress(value);
+            lower(values);
+            for (unsigned int k = 0; k < H.size(); ++k)
+              second[k][p] = values[k];
+          }
+        std::vector<CellTangent> tangents;
+        for (unsigned int k = 0; k < H.size(); ++k)
+          tangents.push_back(tangent_at(cell, H[k], second[k]));
+        use(tangents);
       }
   }
 

@@ -117,7 +117,7 @@ namespace lamella
       if (is_large && scene.trade.error_bars)
         throw InputError("Trade/Error bars",
                          "true",
-                         "there are none with Rotations = large",
+                         "with Rotations = large they are of the axis alone",
                          "Leave it out: the finest rung is the reference.");
     }
   } // namespace

@@ -3,6 +3,8 @@
 #ifndef lamella_base_lagrange_h
 #define lamella_base_lagrange_h
 
+#include <deal.II/base/quadrature_lib.h>
+
 #include <vector>
 
 namespace lamella
@@ -18,6 +20,39 @@ namespace lamella
       if (j != i)
         value *= (t - points[j]) / (points[i] - points[j]);
     return value;
+  }
+
+  /// Legendre's polynomials P_0(t) ... P_n(t).
+  inline std::vector<double>
+  legendre(const unsigned int n, const double t)
+  {
+    std::vector<double> P(n + 1, 1.);
+    for (unsigned int k = 1; k <= n; ++k)
+      P[k] =
+        k == 1 ? t : ((2. * k - 1.) * t * P[k - 1] - (k - 1.) * P[k - 2]) / k;
+    return P;
+  }
+
+  /// The weights of values at @p n_points Gauss points of [0, 1] in their
+  /// least-squares polynomial of degree @p degree at @p t: with weights w_k,
+  ///   w_k sum_n (2 n + 1) P_n(2 t_k - 1) P_n(2 t - 1).
+  /// The polynomial through the values, if its degree is n_points - 1.
+  inline std::vector<double>
+  gauss_projection(const unsigned int n_points,
+                   const unsigned int degree,
+                   const double       t)
+  {
+    const dealii::QGauss<1>   rule(n_points);
+    const std::vector<double> P = legendre(degree, 2. * t - 1.);
+    std::vector<double>       weights(n_points, 0.);
+    for (unsigned int k = 0; k < n_points; ++k)
+      {
+        const std::vector<double> at =
+          legendre(degree, 2. * rule.point(k)[0] - 1.);
+        for (unsigned int n = 0; n <= degree; ++n)
+          weights[k] += rule.weight(k) * (2. * n + 1.) * at[n] * P[n];
+      }
+    return weights;
   }
 } // namespace lamella
 

@@ -76,10 +76,12 @@ namespace lamella
             const ElasticLaw           &law);
 
   /// The same of a body that turns by any angle, where the gradient of the
-  /// displacement is @p H: Green's strain, and the stress R^T sigma R.
+  /// displacement is @p H: Green's strain @p strain, and the stress R^T sigma
+  /// R.
   FieldSample
   turned_sample_of(const dealii::Tensor<1, 3> &displacement,
                    const Gradient             &H,
+                   const Voigt                &strain,
                    const Placement            &placement,
                    const Triad                &ply,
                    const ElasticLaw           &law);

@@ -20,7 +20,10 @@ namespace lamella
    * Samples have Green's strain E, and as stress R^T sigma R, Cauchy's in axes
    * that turn with the material (PolarDecomposition): where nothing turns these
    * are the body's axes, and ply axes turn along, so that both mean what they
-   * do of a Beam. second_order() is that of small rotations.
+   * do of a Beam. second_order() is that of small rotations. E_yy and the
+   * transverse shears of samples are of degree 2 along an element, the
+   * least-squares polynomials of their values at the stations: between these
+   * their other parts are no strain but what cannot cancel (GreenAnswer).
    *
    * With B4 alone and for theories whose strains are those of their
    * displacements (LE, TE-2 and up).
@@ -75,6 +78,14 @@ namespace lamella
              const AxisPoint    &on_axis,
              const Vector       &u) const;
 
+    /// The strain that is shown of @p point at @p on_axis, where the gradient
+    /// of the displacement is @p H.
+    Voigt
+    strain_at(const SectionPoint &point,
+              const AxisPoint    &on_axis,
+              const Gradient     &H,
+              const Vector       &u) const;
+
     /// How far the middle of the section turns from one end of the axis element
     /// @p cell to the other [rad].
     double
@@ -107,6 +118,13 @@ namespace lamella
                 const unsigned int              k,
                 const GreenAnswer::CellTangent &tangent,
                 StiffnessBlock                 &block) const;
+
+    /// Takes off @p block, of the axis element @p cell, what the section's
+    /// @p tangents at its stations say (GreenAnswer::for_each_cell()).
+    void
+    take_off(const unsigned int                           cell,
+             const std::vector<GreenAnswer::CellTangent> &tangents,
+             StiffnessBlock                              &block) const;
 
     const GreenAnswer green;
   };

@@ -335,12 +335,18 @@ namespace lamella
       /// e, and what the warpings and the frame's strains are of each field of
       /// the section: of its value and of its derivative along the axis.
       std::vector<double> e, value, derivative;
+      /// The values that displacements are made of.
+      std::vector<double> warping;
     };
     /// That of a section of the element @p cell.
     SectionState
     section_state(const unsigned int cell, const Frame &frame) const;
     SectionState
     section_state(const AxisPoint &on_axis, const Vector &u) const;
+    /// The same with the strains of samples: the polynomials along the element
+    /// through those at its stations.
+    SectionState
+    shown_state(const AxisPoint &on_axis, const Vector &u) const;
 
     PointFields
     fields_at(const Location::Place &place) const;

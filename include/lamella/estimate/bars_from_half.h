@@ -31,7 +31,7 @@ namespace lamella
 
   /// The models that a run is compared with: elements along the axis halved so
   /// often, and the degree of the LE that stands for theories without
-  /// responses.
+  /// responses; 0 if the section is not compared.
   struct HalfPlan
   {
     unsigned int times = 1, degree = 2;
@@ -48,6 +48,9 @@ namespace lamella
    * run has the bar 2 |s| + |J(run) - J(H_p)|,   at least |J(H_p) - J(H_l)| /
    * 8, or of others than LE |J(H_r) - J(H_l)|: their families are no levels of
    * LE. The value plus s is the better number (the combination technique).
+   *
+   * Without a richer section (degree 0) the bar is |J(run) - J(H_p)|: what
+   * the axis leaves. It is all that runs with large rotations have.
    *
    * Penalties: as in BarsFromBelow.
    */

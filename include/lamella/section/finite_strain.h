@@ -38,19 +38,22 @@ namespace lamella
   dealii::Tensor<2, 3>
   first_stress(const Gradient &H, const Voigt &second);
 
+  /// The strain that the last correction @p dH, which reached @p H, predicted,
+  ///   E_ij - sum_c dH_ic dH_jc / 2,
+  /// E of before and its linear change; E itself for a correction of zero.
+  Voigt
+  predicted_strain(const Gradient &H, const Gradient &dH);
+
   /**
    * The derivative of first_stress() by H where S = C E is that of @p law: row
    * and column 3 i + c of H[i][c],
    *   (dE/dH)^T C dE/dH + S_ij delta_cd,
-   * symmetric. The S of the second part is the one that was predicted where H
-   * was reached by the last correction @p dH,
-   *   C (E - sum_c dH_ic dH_jc / 2),
-   * E of before and its linear change (Magisano, Leonetti and Garcea, Int. J.
-   * Numer. Meth. Engng 110, 2017: the tangent of mixed integration points);
-   * that of H itself for a correction of zero.
+   * symmetric. The S of the second part is @p second, of predicted_strain()
+   * (Magisano, Leonetti and Garcea, Int. J. Numer. Meth. Engng 110, 2017: the
+   * tangent of mixed integration points).
    */
   dealii::Tensor<2, 9>
-  green_tangent(const Gradient &H, const Gradient &dH, const ElasticLaw &law);
+  green_tangent(const Gradient &H, const Voigt &second, const ElasticLaw &law);
 
   /// S_ij delta_cd of the second stress @p second, in the same order: what a
   /// stress that does not change adds where H does.
