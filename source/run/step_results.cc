@@ -245,6 +245,29 @@ namespace lamella
 
 
 
+  namespace
+  {
+    /// That points of @p contact are @p spacing apart, too few for the radius
+    /// of its roller; the remedy is a line, too, if it
+    /// @p may_be_line.
+    std::string
+    note_of_few_points(const ContactInterface &contact,
+                       const double            spacing,
+                       const bool              may_be_line)
+    {
+      const double radius = contact.obstacle->radius;
+      return "contact " + contact.name + ": points that touch are " +
+             to_text(spacing, 3) + " apart on a roller of radius " +
+             to_text(radius, 4) +
+             ", so that the direction of its force is off by up to " +
+             to_text(0.5 * spacing / radius, 2) + " rad: take " +
+             (may_be_line ? "Discretisation = line to roller, or " : "") +
+             "shorter elements wherever it touches";
+    }
+  } // namespace
+
+
+
   std::vector<std::string>
   StepRecorder::warnings_of_rollers(const SolvedStep &solved) const
   {
@@ -272,22 +295,16 @@ namespace lamella
             "auto or surface to surface");
         if (is_line || nestles)
           continue;
-        const PressedArc arc    = pressed_arc(contact, active);
-        const double     radius = contact.obstacle->radius;
+        const PressedArc arc = pressed_arc(contact, active);
         // What is turned by little has its force where it was.
         if (arc.is_line() &&
             are_few_on(arc.spacing * std::min(1., solved.checks.max_rotation),
-                       radius))
-          warnings.push_back(
-            "contact " + contact.name + ": points that touch are " +
-            to_text(arc.spacing, 3) + " apart on a roller of radius " +
-            to_text(radius, 4) +
-            ", so that the direction of its force is off by up to " +
-            to_text(0.5 * arc.spacing / radius, 2) + " rad: take " +
-            (may_be_line(scene.contacts[c], scene.bodies[contact.first_body]) ?
-               "Discretisation = line to roller, or " :
-               "") +
-            "shorter elements wherever it touches");
+                       contact.obstacle->radius))
+          warnings.push_back(note_of_few_points(
+            contact,
+            arc.spacing,
+            may_be_line(scene.contacts[c], scene.bodies[contact.first_body]) &&
+              !scene.contacts[c].may_take_points));
       }
     return warnings;
   }
@@ -359,8 +376,8 @@ namespace lamella
   StepRecorder::warnings_of_ends(const SolvedStep &solved) const
   {
     // Of the cell's depth and of the displacements: gaps of faces are averages.
-    // What is in by the latter costs a contact force half a per cent.
-    constexpr double         worth_saying = 1e-2, of_displacements = 3e-3;
+    // What is in by the latter costs a contact force as much or more.
+    constexpr double         worth_saying = 1e-2, of_displacements = 1e-3;
     std::vector<std::string> warnings;
     auto have_rows = ends_with_rows(built.interfaces(), structure.bodies());
     for (unsigned int c = 0; c < built.interfaces().size(); ++c)
