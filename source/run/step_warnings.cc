@@ -206,7 +206,8 @@ namespace lamella
           warnings.push_back(describe_few_points(
             contact,
             arc.spacing,
-            may_be_line(scene.contacts[c], scene.bodies[contact.first_body])));
+            may_be_line(scene.contacts[c], scene.bodies[contact.first_body]) &&
+              !scene.contacts[c].may_take_points));
       }
     return warnings;
   }
@@ -316,8 +317,8 @@ namespace lamella
   StepRecorder::warnings_of_ends(const SolvedStep &solved) const
   {
     // Of the cell's depth and of the displacements: gaps of faces are averages.
-    // What is in by the latter costs a contact force half a per cent.
-    constexpr double         worth_saying = 1e-2, of_displacements = 3e-3;
+    // What is in by the latter costs a contact force as much or more.
+    constexpr double         worth_saying = 1e-2, of_displacements = 1e-3;
     std::vector<std::string> warnings;
     auto have_rows = ends_with_rows(built.interfaces(), structure.bodies());
     for (unsigned int c = 0; c < built.interfaces().size(); ++c)
