@@ -183,7 +183,8 @@ namespace lamella
     ErrorBar bar;
     bar.estimate = change;
     bar.trusted  = true;
-    bar.bar      = 2. * std::abs(change) + std::abs(value - half.value(goal));
+    bar.bar      = 2. * std::abs(change) + (chosen.degree == 0 ? 2. : 1.) *
+                                        std::abs(value - half.value(goal));
     if (!lower)
       return bar;
     const double before =
