@@ -523,7 +523,7 @@ def thin():
                 run = BarRun(THIN, [
                     f"Theory={theory}", f"Section strip/Ply thickness={height}",
                     f"Load p/Total force=0, 0, {-force}", "Goals/Error bars=true",
-                    "Goals/Quantities=near: syz, half: syz, above: syy"] + [
+                    "Goals/Quantities=near: syz | half: syz | above: syy"] + [
                         f"Probe {name}/At=beam: 5, {y}, {share * height}" for name, y, share in (
                             ("tip", 100, 0.5), ("near", 10, 0.5), ("half", 50, 0.5),
                             ("above", 12.5, 1), ("quarter", 25, 1))])
