@@ -13,8 +13,8 @@ namespace lamella
   {
     /// Equal elements, as where a scene says nothing of the axis, for bodies
     /// that are planned to have them: graded to a contact that is everywhere
-    /// they would be fine everywhere. Bodies whose nodes a contact pairs go
-    /// together.
+    /// they would be fine everywhere. A roller touches at one place, which
+    /// equal elements miss. Bodies whose nodes a contact pairs go together.
     void
     begin_with_equal_elements(Scene &scene, std::vector<unsigned int> elements)
     {
@@ -27,6 +27,9 @@ namespace lamella
             elements[one]            = elements[other] =
               elements[one] > 0 && elements[other] > 0 ? most : 0;
           }
+        else if (contact.obstacle != nullptr &&
+                 contact.obstacle->shape == Obstacle::Shape::cylinder)
+          elements[contact.first.body] = 0;
       for (unsigned int b = 0; b < scene.bodies.size(); ++b)
         if (AxisMesh &axis = scene.bodies[b].axis; elements[b] > 0)
           {

@@ -321,14 +321,14 @@ namespace lamella
         found.buckling_factor  = 1. / mu;
         take_mode(structure, state, energies, mode, found);
       }
-    else if (const double twice_energy =
-               2. * std::accumulate(energies.begin(), energies.end(), 0.);
-             twice_energy > 0.)
-      {
-        const double share =
-          -(modes.geometric_forces(state.u) * state.u) / twice_energy;
-        found.amplification = std::max(0., share);
-      }
+    else if (const double energy =
+               std::accumulate(energies.begin(), energies.end(), 0.);
+             energy > 0.)
+      // No mode that was looked for grows by more than `least`.
+      found.amplification =
+        std::clamp(-0.5 * (modes.geometric_forces(state.u) * state.u) / energy,
+                   0.,
+                   least);
     return found;
   }
 

@@ -45,7 +45,8 @@ namespace lamella
     /// along it in the energy norm grows to c lambda / (lambda - 1), and this
     /// is |c| / |u| / (lambda - 1). Zero where loads do not excite it, as in a
     /// column that is straight. Without a factor it is -u.K_G u / u.K u, the
-    /// growth to the first order, or zero where tension prevails.
+    /// growth to the first order: at least zero, at most the largest 1 / lambda
+    /// that no factor is given for.
     double amplification = 0.;
   };
 
