@@ -49,8 +49,8 @@ namespace lamella
    * 8, or of others than LE |J(H_r) - J(H_l)|: their families are no levels of
    * LE. The value plus s is the better number (the combination technique).
    *
-   * Without a richer section (degree 0) the bar is |J(run) - J(H_p)|: what
-   * the axis leaves. It is all that runs with large rotations have.
+   * Without a richer section (degree 0), the bar is |J(run) - J(H_p)|, the
+   * error of the axis. Runs with large rotations have only this bar.
    *
    * Penalties: as in BarsFromBelow.
    */
