@@ -259,7 +259,8 @@ namespace lamella
       }
     if (!is_rigid && largest < small_strain && largest > arithmetic::rounding)
       sentences.push_back("strains reach " + to_text(largest, 2) +
-                          " and no more: so little is hardly meant" + remedy);
+                          " and no more: intended loads cause larger ones" +
+                          remedy);
   }
 
 
@@ -287,7 +288,7 @@ namespace lamella
         to_text(farthest->displacement.value, 3) + " at " +
         to_text(farthest->displacement.place) +
         ", and nothing is strained: it moves or tips over as a rigid body, no "
-        "force resists, and how far it goes says nothing. Check where its "
+        "force resists, and the displacement is arbitrary. Check where its "
         "contacts and supports are");
   }
 

@@ -84,7 +84,7 @@ namespace lamella
              "nothing presses in contact " + joined(names) +
                ": no load step brings more than a force of rounding there. "
                "Close the gap (Origin of a body, Through of an obstacle), or "
-               "look which way loads and prescribed displacements act";
+               "check the direction of loads and prescribed displacements";
   }
 
 

@@ -43,7 +43,7 @@ namespace lamella
     {
       if (rotation <= meaningless_rotation)
         return "";
-      return "no part is meant to turn that far, so check first that moduli, "
+      return "rotations this large are rarely intended: check first that moduli, "
              "densities, lengths and loads are in the scene's Units. If they "
              "are: ";
     }
