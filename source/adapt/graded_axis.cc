@@ -74,8 +74,8 @@ namespace lamella
 
 
 
-    /// At least @p wanted, in pairs or one by one as @p together says, and
-    /// @p fineness times as many of these.
+    /// Returns the number of elements for @p wanted: rounded up, to an even
+    /// number if @p together, and multiplied by @p fineness.
     unsigned int
     n_elements(const double wanted,
                const double together,
@@ -87,8 +87,8 @@ namespace lamella
 
 
 
-    /// Adds to @p breaks the n - 1 places that divide @p integral, which is
-    /// given at samples @p step apart from @p begin on, into equal parts.
+    /// Adds to @p breaks the n - 1 places that divide @p integral, sampled
+    /// every @p step from @p begin on, into equal parts.
     void
     add_equal_parts(const std::vector<double> &integral,
                     const double               begin,
@@ -304,8 +304,8 @@ namespace lamella
 
 
 
-    /// All that an axis is graded to.
-    struct Wishes
+    /// Places and loaded parts that an axis is graded to.
+    struct GradingTargets
     {
       std::vector<ShortElement> places;
       std::vector<LoadedPart>   loaded;
@@ -313,7 +313,8 @@ namespace lamella
 
 
 
-    /// What supports, loads and contacts want along the axis of body @p number.
+    /// Returns the grading targets of supports, loads and contacts on body
+    /// @p number.
     std::vector<ShortElement>
     places_of(const unsigned int                   number,
               const Bodies                        &bodies,
@@ -347,7 +348,7 @@ namespace lamella
     void
     share_places_of_paired_nodes(const std::vector<ContactPair>  &contacts,
                                  const std::vector<const Beam *> &beams,
-                                 std::vector<Wishes>             &wishes)
+                                 std::vector<GradingTargets>     &targets)
     {
       for (const ContactPair &contact : contacts)
         {
@@ -368,10 +369,10 @@ namespace lamella
           const auto add = [](const auto &more, auto &all) {
             all.insert(all.end(), more.begin(), more.end());
           };
-          Wishes both = wishes[a];
-          add(wishes[b].places, both.places);
-          add(wishes[b].loaded, both.loaded);
-          wishes[a] = wishes[b] = both;
+          GradingTargets both = targets[a];
+          add(targets[b].places, both.places);
+          add(targets[b].loaded, both.loaded);
+          targets[a] = targets[b] = both;
         }
     }
 
@@ -422,30 +423,31 @@ namespace lamella
 
   namespace
   {
-    /// What all automatic axes are graded to, on the axes that @p bodies have.
-    std::vector<Wishes>
-    wishes_of(const std::vector<BodyDescription> &bodies,
-              const SectionMeshes                &meshes,
-              const std::vector<Support>         &supports,
-              std::vector<Load>                   loads,
-              const std::vector<ContactPair>     &contacts,
-              const Tensor<1, 3>                 &gravity,
-              const GradingRules                 &rules)
+    /// Returns the grading targets of all automatic axes, on the current axes
+    /// of @p bodies.
+    std::vector<GradingTargets>
+    grading_targets(const std::vector<BodyDescription> &bodies,
+                    const SectionMeshes                &meshes,
+                    const std::vector<Support>         &supports,
+                    std::vector<Load>                   loads,
+                    const std::vector<ContactPair>     &contacts,
+                    const Tensor<1, 3>                 &gravity,
+                    const GradingRules                 &rules)
     {
       const Bodies plain = plain_beams(bodies, meshes);
       spread_totals(loads, plain);
       apply_heat(loads, plain);
-      const auto          touching = interfaces_of(contacts, plain);
-      std::vector<Wishes> wishes(bodies.size());
+      const auto                  touching = interfaces_of(contacts, plain);
+      std::vector<GradingTargets> targets(bodies.size());
       for (unsigned int b = 0; b < bodies.size(); ++b)
         if (is_automatic(bodies[b]))
           {
-            auto &[places, loaded] = wishes[b];
+            auto &[places, loaded] = targets[b];
             places = places_of(b, plain, supports, loads, touching, rules);
             loaded = loaded_parts(b, plain, loads, gravity, places);
           }
-      share_places_of_paired_nodes(contacts, beams_of(plain), wishes);
-      return wishes;
+      share_places_of_paired_nodes(contacts, beams_of(plain), targets);
+      return targets;
     }
   } // namespace
 
@@ -468,17 +470,17 @@ namespace lamella
           body.axis.length, height(*meshes.at(body.section)), rules)};
     for (unsigned int pass = 0; pass < 2; ++pass)
       {
-        const std::vector<Wishes> wishes =
-          wishes_of(bodies, meshes, supports, loads, contacts, gravity, rules);
+        const std::vector<GradingTargets> targets = grading_targets(
+          bodies, meshes, supports, loads, contacts, gravity, rules);
         for (unsigned int b = 0; b < bodies.size(); ++b)
           if (is_automatic(bodies[b]))
             {
               AxisMesh &axis = bodies[b].axis;
               axis.breaks    = graded_breaks(axis.length,
-                                          wishes[b].places,
+                                          targets[b].places,
                                           rules,
                                           axis.fineness,
-                                          wishes[b].loaded);
+                                          targets[b].loaded);
               axis.elements.assign(axis.breaks.size() + 1, 1);
             }
       }

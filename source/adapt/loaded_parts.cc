@@ -13,12 +13,13 @@ namespace lamella
 
   namespace
   {
-    /// Vectors along an axis, one for each of its nodes.
+    /// Vectors along an axis, one per node.
     using AlongAxis = std::vector<Vector>;
 
 
 
-    /// Whether @p region, of @p beam, is a side or a line that is not across.
+    /// Returns whether @p region of @p beam is a side, or a line along the
+    /// axis.
     bool
     acts_along(const Region &region, const Beam &beam)
     {
@@ -36,8 +37,8 @@ namespace lamella
 
 
 
-    /// What @p load, a vector of @p beam, does across the axis at each node, in
-    /// the fields of the section.
+    /// Returns the transverse part of @p load, a vector of @p beam, at each
+    /// node, in the fields of the section.
     AlongAxis
     across_axis(const Beam &beam, const Vector &load)
     {
@@ -55,10 +56,10 @@ namespace lamella
 
 
 
-    /// What the heat of @p beam is off, at each node, the linear function
-    /// through its neighbours; zero where that is rounding.
+    /// Returns the deviation of the heat of @p beam at each node from the line
+    /// through its neighbors; zero below rounding.
     AlongAxis
-    bends_of_heat(const Beam &beam)
+    heat_deviations(const Beam &beam)
     {
       const std::vector<double> &y = beam.axis().nodes();
       AlongAxis heat, result(y.size(), Vector(beam.section().n_fields()));
@@ -79,9 +80,10 @@ namespace lamella
 
 
 
-    /// Adds to @p parts where @p f acts along the axis of @p beam: pieces
-    /// between @p ends of spans and where it changes its sign. Spans that are
-    /// shorter than the section is high are full of short elements.
+    /// Adds the parts of the axis of @p beam that @p f loads to @p parts:
+    /// pieces between @p ends of spans and changes of its sign. Spans shorter
+    /// than the height of the section are left out, since their elements are
+    /// short already.
     void
     add_parts(const Beam              &beam,
               const AlongAxis         &f,
@@ -147,7 +149,7 @@ namespace lamella
         add(across_axis(beam, weight));
       }
     if (beam.is_heated())
-      add(bends_of_heat(beam));
+      add(heat_deviations(beam));
     return parts;
   }
 } // namespace lamella

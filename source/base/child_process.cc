@@ -28,8 +28,8 @@ namespace lamella
 {
   namespace
   {
-    /// The environment without what an MPI that has started leaves in it: a
-    /// child would take itself for one of its processes.
+    /// Environment without the variables of a started MPI: with them, the child
+    /// would join its processes.
     std::vector<std::string>
     environment_without_mpi()
     {
@@ -47,7 +47,7 @@ namespace lamella
 
 
 
-    /// What is set in the child before it works.
+    /// Settings of the child before its work.
     void
     limit_child(const double processor_seconds)
     {
@@ -84,7 +84,8 @@ namespace lamella
 
   namespace
   {
-    /// Opens @p path, unless it is empty, to be the descriptor @p descriptor.
+    /// Opens @p path as the file descriptor @p descriptor, unless @p path is
+    /// empty.
     void
     redirect(const int descriptor, const std::string &path, const int flags)
     {
@@ -142,7 +143,7 @@ namespace lamella
                  const int                           answer_to)
     {
       limit_child(processor_seconds);
-      // A program that this process becomes answers nothing.
+      // A program that replaces this process sends no answer.
       fcntl(answer_to, F_SETFD, FD_CLOEXEC);
       redirect(STDIN_FILENO, "/dev/null", O_RDONLY);
       constexpr int anew = O_WRONLY | O_CREAT | O_TRUNC;

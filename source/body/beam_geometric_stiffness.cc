@@ -104,7 +104,7 @@ namespace lamella
   BeamGeometricStiffness::Coefficients
   BeamGeometricStiffness::coefficients(const Vector &w) const
   {
-    // Of each node, a row each, the coefficients of fields and of modes.
+    // Coefficients of fields and modes: one row per node.
     const unsigned int       n_fields = beam.section().n_fields();
     LAPACKFullMatrix<double> of_nodes(beam.axis().n_nodes(), n_fields),
       of_modes(of_nodes.m(), modes.n());
@@ -132,7 +132,7 @@ namespace lamella
               const double here = of_nodes(nodes[i], alpha);
               q[FieldPart::value](k, alpha) += at.N[i] * here;
               q[FieldPart::shear_value](k, alpha) += at.N_shear[i] * here;
-              // A translation has no derivative, to the last bit.
+              // Derivatives of a translation are exactly zero.
               q[FieldPart::derivative](k, alpha) +=
                 at.dN[i] * (here - of_nodes(nodes[0], alpha));
             }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-// The second-order terms of a beam: the stretch of a line that deflects, and
-// the geometric stiffness of the stress field.
+// The second-order terms of a beam: the stretch by deflection, and the
+// geometric stiffness of the stress field.
 
 #include <lamella/base/processes.h>
 #include <lamella/body/beam_geometric_stiffness.h>
@@ -35,7 +35,7 @@ namespace lamella
     }
 
   private:
-    /// Finds e_2 at the stations.
+    /// Computes e_2 at the stations.
     void
     sample_stretch();
     /// Interpolates e_2 to the integration points.
@@ -45,8 +45,8 @@ namespace lamella
     const Beam            &beam;
     const Vector           u;
     BeamGeometricStiffness geometric;
-    /// e_2 at the stations, and at each integration point of the axis (zero at
-    /// those of other processes).
+    /// Values of e_2 at the stations, and at each integration point of the axis
+    /// (zero at those of other processes).
     std::vector<double> sampled, stretch;
   };
 
@@ -67,7 +67,7 @@ namespace lamella
   void
   BeamSecondOrder::sample_stretch()
   {
-    // The means of u_x and u_z over the section, of a unit of each field.
+    // Means of u_x and u_z over the section for a unit of each field.
     std::vector<double> mean_x(beam.section().n_fields(), 0.), mean_z = mean_x;
     double              area = 0.;
     beam.section().for_each_point(

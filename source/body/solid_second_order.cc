@@ -55,7 +55,7 @@ namespace lamella
     /// Of each cell at each sample e_2 and the stress s; empty for cells of
     /// other processes.
     Samples stretch, stress;
-    /// short_waves() of this process.
+    /// Value of short_waves() on this process.
     double largest_wave = 0.;
   };
 

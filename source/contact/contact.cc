@@ -18,10 +18,10 @@ namespace lamella
     // small rotations leave as they are.
     constexpr double small_sliding = 0.1, small_turn = 0.1, most_of = 0.9;
 
-    // Of the curvature of a roller: from there on a body goes around it. Bodies
-    // that bend by less than 2 % of strain over rollers of up to twelve times
-    // their thickness stay below.
-    constexpr double on_the_way_around = 0.5;
+    // Ratio to the curvature of a roller above which a body starts to wrap
+    // around it. Bodies with bending strains below 2 % stay below it, on
+    // rollers of up to twelve times their thickness.
+    constexpr double wrapping_onset = 0.5;
 
 
 
@@ -704,7 +704,7 @@ namespace lamella
                          const LoadFactor                &factor,
                          const std::vector<unsigned int> &active)
   {
-    // What is nearest to a roller is found wherever it is.
+    // The nearest line is found at any distance from the roller.
     if (lines == nullptr)
       search.check(interface, u, factor, active);
   }
@@ -712,9 +712,9 @@ namespace lamella
 
 
   bool
-  Contact::nestles(const BlockVector               &u,
-                   const LoadFactor                &factor,
-                   const std::vector<unsigned int> &active) const
+  Contact::wraps_around(const BlockVector               &u,
+                        const LoadFactor                &factor,
+                        const std::vector<unsigned int> &active) const
   {
     if (interface.obstacle == nullptr ||
         interface.obstacle->shape != Obstacle::Shape::cylinder)
@@ -726,15 +726,15 @@ namespace lamella
     return RollerLines::curvature(*at.obstacle(),
                                   *undeformed.surface(false),
                                   *at.surface(false),
-                                  places) > on_the_way_around;
+                                  places) > wrapping_onset;
   }
 
 
 
   bool
-  Contact::take_points()
+  Contact::switch_to_points()
   {
-    if (!undeformed.contact().may_take_points)
+    if (!undeformed.contact().may_switch_to_points)
       return false;
     undeformed.decide(Discretisation::surface_to_surface, PointsOn::first);
     return true;

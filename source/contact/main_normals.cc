@@ -16,10 +16,10 @@ namespace lamella
     /// One of the two surfaces of a contact.
     struct Side
     {
-      /// Of a body; none of an obstacle.
+      /// Body of the surface; null for an obstacle.
       std::vector<SurfacePoint> points;
-      /// The direction of the straight lines that it is made of, or of a plane
-      /// its normal.
+      /// Direction of the straight generators, or the normal of a
+      /// plane.
       Tensor<1, 3> ruling;
       bool         is_plane = false;
     };
@@ -43,7 +43,8 @@ namespace lamella
 
 
 
-    /// The normal of @p side near the places @p near if it is flat there.
+    /// Returns the normal of @p side near the places @p near if it is flat
+    /// there.
     std::optional<Tensor<1, 3>>
     flat_normal(const Side &side, const std::vector<Point<3>> &near)
     {
@@ -71,7 +72,7 @@ namespace lamella
 
 
 
-    /// The normal along @p n that both sides have where they touch.
+    /// Returns the normal, along @p n, that both sides share where they touch.
     Tensor<1, 3>
     common_normal(Tensor<1, 3>                                n,
                   const std::array<Side, 2>                  &sides,
@@ -101,10 +102,10 @@ namespace lamella
 
 
 
-    /// The rows of @p interface that are closer than @p depth to the closest
-    /// one, in the order of their gaps.
+    /// Returns the rows of @p interface with gaps less than @p depth above the
+    /// smallest one, in ascending order.
     std::vector<unsigned int>
-    rows_that_touch_first(const ContactInterface &interface, const double depth)
+    closest_rows(const ContactInterface &interface, const double depth)
     {
       std::vector<unsigned int> rows;
       for (unsigned int k = 0; k < interface.rows.size(); ++k)
@@ -144,7 +145,7 @@ namespace lamella
        interface.second_body ?
          side_of(*bodies[*interface.second_body], contact.second.surface) :
          side_of(*interface.obstacle)}};
-    std::vector<unsigned int> rows = rows_that_touch_first(interface, depth);
+    std::vector<unsigned int> rows = closest_rows(interface, depth);
     std::vector<MainNormal>   result;
     while (!rows.empty())
       {

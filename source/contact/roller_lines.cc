@@ -235,7 +235,7 @@ namespace lamella
         const double              spacing =
           at.map({st[0], 1.}).position.distance(at.map({st[0], 0.}).position) /
           at.side.degree_t;
-        // Of what a straight surface leaves the roller by, before and behind.
+        // Gap over that of a straight surface, before and behind.
         std::array<double, 2> left{{1., 1.}};
         for (const auto &[other, s] : line)
           for (unsigned int i = 0; i <= samples; ++i)
@@ -258,13 +258,13 @@ namespace lamella
 
 
 
-  PressedArc
-  pressed_arc(const ContactInterface          &interface,
+  ContactArc
+  contact_arc(const ContactInterface          &interface,
               const std::vector<unsigned int> &active)
   {
     const Obstacle &roller = *interface.obstacle;
-    // How far the row @p k is from row @p j on one line along the body; nothing
-    // of another line.
+    // Distance of the rows @p k and @p j if they are on one line along the
+    // body, else nothing.
     const auto apart = [&](const unsigned int j,
                            const unsigned int k) -> std::optional<double> {
       const Tensor<1, 3> way =
@@ -274,7 +274,7 @@ namespace lamella
         return {};
       return way.norm();
     };
-    PressedArc arc;
+    ContactArc arc;
     for (const unsigned int j : active)
       {
         double nearest = std::numeric_limits<double>::max();

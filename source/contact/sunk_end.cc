@@ -16,9 +16,9 @@ namespace lamella
 
 
 
-    /// The place of @p other that @p point faces, at most @p reach away, if no
-    /// place that it does not face is nearer: then it is beside the body, and
-    /// what it faces is the far side.
+    /// Returns the closest-point projection of @p point onto @p other, at most
+    /// @p reach away. None if a place that @p point does not face is closer:
+    /// the point is then beside the body and projects onto its far side.
     std::optional<SurfaceHit>
     nearest_foot(const MeshSurface  &other,
                  const SurfacePoint &point,
@@ -58,11 +58,11 @@ namespace lamella
             const auto foot = nearest_foot(other, nodes[k], reach);
             if (!foot)
               continue;
-            const Tensor<1, 3> came_nearer =
+            const Tensor<1, 3> approach =
               (moved.facets()[foot->facet].map(foot->st).position -
                foot->position) -
               (are[k].position - nodes[k].position);
-            const double depth = foot->normal * came_nearer - foot->distance;
+            const double depth = foot->normal * approach - foot->distance;
             if (depth > (deepest ? deepest->depth : 0.))
               deepest = {second,
                          depth,

@@ -301,7 +301,7 @@ namespace lamella
   {
     Scene scene          = run.model().anew();
     scene.solve.strategy = Strategy::condensed;
-    // At large rotations each load step starts from the last one.
+    // For large rotations each load step starts from the last one.
     const bool is_large = scene.solve.rotations == Rotations::large;
     if (!is_large && first_with_friction(scene) == nullptr)
       scene.solve.load_factors = {scene.solve.load_factors.back()};

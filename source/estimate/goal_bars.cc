@@ -114,8 +114,8 @@ namespace lamella
 
 
 
-    /// The goals of @p run with bars by maker_for(); none if these are not
-    /// wanted, are not to be had or fail, which @p failure then tells.
+    /// Returns the goals of @p run with bars by maker_for(). None if bars are
+    /// not wanted, impossible or fail; @p failure then has the reason.
     std::optional<Goals>
     cheap_goals(const Simulation &run,
                 std::ostream     &out,
@@ -150,7 +150,7 @@ namespace lamella
 
   namespace
   {
-    /// Those of @p run with large rotations, by a model on a coarser axis.
+    /// Returns the bars of a @p run with large rotations, by a coarser axis.
     GoalBars
     at_large_rotations(const Simulation &run,
                        std::ostream     &out,

@@ -32,9 +32,10 @@ namespace lamella
 
 
 
-    /// Appends the ends of the elements @p begin to @p end of @p lengths, two
-    /// by two, to @p ends; of an odd number the longest, or its neighbour, goes
-    /// with the next two or, if it is the last, with those before it.
+    /// Appends the ends of the elements @p begin to @p end of @p lengths,
+    /// merged two by two, to @p ends. If their number is odd, three are merged:
+    /// the longest (or its neighbor) and the next two, or at the end the two
+    /// before.
     void
     pair_up(const std::vector<double> &lengths,
             const std::size_t          begin,

@@ -25,7 +25,7 @@ namespace lamella
 {
   namespace
   {
-    /// Throws NumericsError if no contact of @p run touches in its last step,
+    /// Throws NumericsError if no contact of @p run touches in its last step
     /// and all goals are zero.
     void
     require_touch(const Simulation &run)

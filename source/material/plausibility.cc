@@ -14,7 +14,7 @@ namespace lamella
   {
     using Named = std::pair<const char *, double>;
 
-    /// That @p what ("numbers are") in the stress of @p units is to be checked.
+    /// Returns the request to check @p what ("numbers are") against @p units.
     std::string
     remedy(const std::string &what, const Units &units)
     {
@@ -50,7 +50,7 @@ namespace lamella
     if (units.stress.empty())
       return "";
     const EngineeringConstants &c = material.elastic;
-    // Cores are softer in their plane.
+    // Cores may be softer in their plane.
     const bool is_soft =
       largest_modulus(material).second < softest * units.pascal;
     std::vector<std::string> odd;
@@ -76,7 +76,7 @@ namespace lamella
 
   namespace
   {
-    /// A number over another one.
+    /// Quotient of two named numbers.
     struct Ratio
     {
       Named over, under;
@@ -90,7 +90,7 @@ namespace lamella
 
 
 
-    /// Each strength over the modulus of its direction.
+    /// Returns the ratio of each strength to the modulus of its direction.
     std::vector<Ratio>
     strength_ratios(const Material &material)
     {
@@ -125,7 +125,7 @@ namespace lamella
     {
       const Named        E1("E1", c.E1), E2("E2", c.E2), G12("G12", c.G12);
       std::vector<Ratio> all{{G12, E1}, {G12, E2}};
-      // Of a honeycomb G13 is anything beside E1, and next to nothing of E3.
+      // Honeycombs have any G13 / E1, and very small E3.
       if (c.E3 <= c.E1)
         all.insert(all.end(), {{{"G13", c.G13}, E1}, {{"G23", c.G23}, E2}});
       return all;
@@ -133,8 +133,8 @@ namespace lamella
 
 
 
-    /// The one of @p ratios that is farthest outside of @p low to @p high, in
-    /// words; empty if all are inside.
+    /// Returns a sentence on the ratio of @p ratios that is farthest outside of
+    /// @p low to @p high; empty if all are inside.
     std::string
     worst_ratio(const std::vector<Ratio> &ratios,
                 const double              low,
@@ -184,7 +184,7 @@ namespace lamella
     std::string
     doubt_of_density(const double density, const Units &units)
     {
-      // Aerogels and osmium [kg/m^3].
+      // Lower limit: aerogels; upper limit: osmium [kg/m^3].
       constexpr double lightest = 5., heaviest = 25000.;
       // A stress is a force over length^2, a density one over length^4.
       const double of_scene = units.pascal * units.pascal;
@@ -223,9 +223,9 @@ namespace lamella
                      const Material    &material,
                      const Units       &units)
   {
-    // Of concrete in tension and of whiskers; of the stiffest fibres beside
-    // their resin and of laminates at 45 degrees. What is typed in another
-    // unit is off by a thousand.
+    // Limits for strengths: concrete in tension, whiskers. Limits for shear
+    // moduli: stiffest fibers with resin, laminates at 45 degrees. Numbers in
+    // another unit are off by a factor of a thousand.
     constexpr double weakest = 1. / 10000., strongest = 0.3, least_shear = 1e-3,
                      most_shear = 10.;
     std::vector<std::string> doubts;
@@ -240,7 +240,7 @@ namespace lamella
                                     least_shear,
                                     most_shear,
                                     units);
-    // A shear modulus that is off makes its strength look so, too.
+    // A wrong shear modulus makes its strength look wrong, too.
     if (ratio.empty())
       ratio = worst_ratio(strength_ratios(material), weakest, strongest, units);
     add(ratio);

@@ -13,17 +13,17 @@ namespace lamella
 
   namespace
   {
-    // Fibres break, resins crack and metals yield before that; and no load that
-    // is meant strains so little.
+    // Fibers, resins and metals fail at smaller strains than the first; no
+    // intended load causes strains below the second.
     constexpr double large_strain = 0.02, small_strain = arithmetic::negligible;
     constexpr std::size_t enough = 1000;
-    // Of the depth of the cell below: bodies side by side bulge by their strain
-    // of their thickness, a thousandth.
+    // Share of the depth of the cell below: bodies side by side bulge by a
+    // thousandth of their thickness.
     constexpr double deep = 0.1;
 
 
 
-    /// The number of the one of @p points that is nearest to @p x.
+    /// Returns the number of the point of @p points that is nearest to @p x.
     template <typename Points, typename Position>
     std::size_t
     nearest(const Points &points, const Point<3> &x, const Position &position)
@@ -47,9 +47,9 @@ namespace lamella
 
 
 
-    /// Some a thousand of @p points, evenly.
+    /// Returns about a thousand of @p points, evenly chosen.
     std::vector<SurfacePoint>
-    thinned(const std::vector<SurfacePoint> &points)
+    sampled_points(const std::vector<SurfacePoint> &points)
     {
       const std::size_t         stride = points.size() / enough + 1;
       std::vector<SurfacePoint> some;
@@ -78,14 +78,14 @@ namespace lamella
   std::vector<SurfacePoint>
   Plausibility::face_points(const unsigned int b) const
   {
-    // Inside of facets, three each way: sides of bodies may be flush.
+    // Interior points of facets, three each way, since sides may be flush.
     const std::vector<SurfaceFacet> facets = bodies[b]->surface_facets("all");
     std::vector<SurfacePoint>       points;
     for (const SurfaceFacet &facet : facets)
       for (const double s : {1. / 6., 0.5, 5. / 6.})
         for (const double t : {1. / 6., 0.5, 5. / 6.})
           points.push_back(bodies[b]->surface_point(facet, {s, t}));
-    return thinned(points);
+    return sampled_points(points);
   }
 
 
@@ -93,7 +93,7 @@ namespace lamella
   double
   Plausibility::depth(const Point<3> &X, const unsigned int b) const
   {
-    // What is nearest may belong to the side beside.
+    // The nearest point may belong to the adjacent side.
     constexpr double    around = 2.;
     const SurfacePoint &there  = faces[b][nearest(faces[b], X, undeformed)];
     const double        reach  = around * there.position.distance(X);
@@ -259,7 +259,8 @@ namespace lamella
       }
     if (!is_rigid && largest < small_strain && largest > arithmetic::rounding)
       sentences.push_back("strains reach " + to_text(largest, 2) +
-                          " and no more: so little is hardly meant" + remedy);
+                          " and no more: intended loads cause larger ones" +
+                          remedy);
   }
 
 
@@ -287,7 +288,7 @@ namespace lamella
         to_text(farthest->displacement.value, 3) + " at " +
         to_text(farthest->displacement.place) +
         ", and nothing is strained: it moves or tips over as a rigid body, no "
-        "force resists, and how far it goes says nothing. Check where its "
+        "force resists, and the displacement is arbitrary. Check where its "
         "contacts and supports are");
   }
 
@@ -310,7 +311,8 @@ namespace lamella
         for (unsigned int b = 0; b < n; ++b)
           {
             if (places.size() == b)
-              places.push_back(thinned(bodies[b]->surface_points("all")));
+              places.push_back(
+                sampled_points(bodies[b]->surface_points("all")));
             moved.push_back(moved_by(u.block(b), b, places[b]));
           }
         if (!units.length.empty())

@@ -41,13 +41,13 @@ namespace lamella
 
   namespace
   {
-    /// A warning of one load step or of several, which may give other numbers,
-    /// and of the load at first failure.
+    /// Warning of one or several load steps, whose numbers may differ, and of
+    /// the load at first failure.
     struct StepWarning
     {
       /// What is left of it without its numbers.
       std::string kind;
-      /// Of the largest load factor, that of one of these steps, or of none at
+      /// Step of the largest load factor among its steps; null if it belongs to
       /// first failure.
       std::string        text;
       const StepResults *step;
@@ -69,7 +69,8 @@ namespace lamella
 
 
 
-    /// Adds those of @p first to @p all, of each kind where it is known.
+    /// Adds the warnings of @p first failure to @p all, to known kinds if
+    /// possible.
     void
     add_first_failure(const FirstFailure &first, std::vector<StepWarning> &all)
     {
@@ -98,8 +99,8 @@ namespace lamella
 
 
 
-    /// Those of all steps of @p results and of its first failure, each kind
-    /// once, in the order of their first.
+    /// Returns the warnings of all steps of @p results and of first failure,
+    /// each kind once, in the order of their first occurrence.
     std::vector<StepWarning>
     warnings_by_kind(const Results &results)
     {
@@ -153,8 +154,9 @@ namespace lamella
 
 
 
-    /// `load step 2: `, `load steps 1-3 (numbers of step 3): `, `first failure:
-    /// `, `load step 1 and first failure (numbers of first failure): `.
+    /// Returns `load step 2: `, `load steps 1-3 (numbers of step 3): `, `first
+    /// failure: ` or `load step 1 and first failure (numbers of first failure):
+    /// `.
     std::string
     place_of(const StepWarning &warning)
     {
@@ -172,8 +174,8 @@ namespace lamella
                 ")";
       return text + ": ";
     }
-    /// A warning with the names that it is of: @p before a name of kind
-    /// @p noun, and after it.
+    /// Warning with the names that it applies to: the text @p before a name of
+    /// kind @p noun, and the text after it.
     struct NamedWarning
     {
       std::string              before, noun, after;
@@ -194,8 +196,8 @@ namespace lamella
 
 
 
-    /// @p warnings, those that differ by no more than the name of a contact or
-    /// a body once, with all of these names.
+    /// Returns @p warnings, merging those that differ by the name of a contact
+    /// or a body only.
     std::vector<std::string>
     merged(const std::vector<std::string> &warnings)
     {

@@ -62,7 +62,7 @@ namespace lamella
     place.make_room();
     const Scenery of    = scenery();
     const bool    first = results.steps.size() == 1;
-    // Of a run that has begun anew nothing stays.
+    // Results of a run that has started again are removed.
     if (first)
       standing = {};
     standing.version = version();

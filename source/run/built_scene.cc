@@ -237,11 +237,11 @@ namespace lamella
           std::make_unique<Contact>(contact, whole->bodies(), contacts[k]));
         if (contacts[k].discretisation == Discretisation::node_to_node &&
             contact.discretisation == Discretisation::automatic)
-          chose_nodes.push_back(k);
+          automatic_node_pairs.push_back(k);
         contact.discretisation = contacts[k].discretisation;
         drop_held_slips(contacts[k], *whole);
-        // A scene that is read again decides anew.
-        if (contact.may_take_points)
+        // Scenes that are read again choose again.
+        if (contact.may_switch_to_points)
           continue;
         given.resolved =
           SceneText::with_automatic(given.resolved,
@@ -262,7 +262,7 @@ namespace lamella
   BuiltScene::anew() const
   {
     Scene again = given;
-    for (const unsigned int k : chose_nodes)
+    for (const unsigned int k : automatic_node_pairs)
       again.contacts[k].discretisation = Discretisation::automatic;
     return again;
   }
@@ -274,7 +274,7 @@ namespace lamella
                            const ContactInterface::Point &at) const
   {
     const ContactInterface &own = contacts[contact];
-    // A short normal is that of an average over a curved surface.
+    // Averaged normals over a curved surface are shorter than 1.
     const Tensor<1, 3> n = at.normal / at.normal.norm();
     const auto is_held   = [&](const unsigned int body, const Point<3> &x) {
       const auto row = row_of({body, x, n}, whole->bodies());

@@ -106,7 +106,7 @@ namespace lamella
               print_results(simulation, directory, simulation.output());
             }
           else
-            // They may tell why.
+            // Notes may explain the failure.
             for (const std::string &note : found.notes)
               simulation.output() << "Note: " << note << ".\n";
           if (writer.folder().has_earlier_results())

@@ -71,7 +71,7 @@ namespace lamella
 
 
   bool
-  Simulation::shorten_elements(const BetweenPoints &missed)
+  Simulation::shorten_elements(const UndetectedPenetration &missed)
   {
     if (!may_refine[missed.body] || last_is_bare)
       return false;
@@ -82,7 +82,7 @@ namespace lamella
                              ": shorter elements at y = " + to_text(missed.y) +
                              " of its axis, for a contact between its points";
     out << what << std::endl;
-    // Load steps of one axis do not go on on another.
+    // Load steps of another axis cannot be resumed.
     shorter.resolved += "# " + what + "\n";
     forget_solver();
     build(shorter, built->rules());
@@ -106,7 +106,7 @@ namespace lamella
   const Results &
   Simulation::solve(const Observer &observer)
   {
-    // Of 1000 elements one is left that is as long as all were.
+    // Ten bisections: 1/1000 of the initial element length.
     constexpr unsigned int most = 10;
     for (unsigned int attempt = 0;; ++attempt)
       try
@@ -119,7 +119,7 @@ namespace lamella
           if (!found.steps.empty() || !take_all_fields())
             throw;
         }
-      catch (const BetweenPoints &missed)
+      catch (const UndetectedPenetration &missed)
         {
           if (attempt == most || !shorten_elements(missed))
             throw;
@@ -234,7 +234,7 @@ namespace lamella
                                              scene().solve.strategy);
     solver->progress = [this,
                         last = std::string()](const std::string &line) mutable {
-      // Of iterations that differ in their number alone the first.
+      // Among lines of iterations that differ in their number alone, the first.
       const std::string what = line.substr(line.find(':') + 1);
       if (what.empty() || what != last)
         out << "  " << line << std::endl;
@@ -373,7 +373,7 @@ namespace lamella
       },
       out);
     found.first_failure = search.find(found.steps);
-    // What fails in a load step is told with that.
+    // Failures at a load step are reported with it.
     if (failing)
       found.first_failure->warnings =
         recorder->warnings_beside(*failing, std::move(plies_there));

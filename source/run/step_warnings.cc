@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-// What the user should know of the end of a load step.
+// Warnings about the state at the end of a load step.
 
 #include <lamella/base/text.h>
 #include <lamella/contact/assumptions.h>
@@ -15,13 +15,13 @@
 namespace lamella
 {
   bool
-  StepRecorder::has_borne(const unsigned int c) const
+  StepRecorder::has_carried_force(const unsigned int c) const
   {
     const ContactInterface &contact = built.interfaces()[c];
     return std::any_of(
       facts.steps.begin(), facts.steps.end(), [&](const StepResults &step) {
         const std::vector<double> &energies = step.checks.energies;
-        // Of a run that was resumed no energies are left.
+        // Energies of a resumed run are not known.
         const auto is_strained = [&](const unsigned int body) {
           return energies.empty() || energies[body] > 0.;
         };
@@ -40,12 +40,12 @@ namespace lamella
     const StepResults                   &last     = facts.last();
     std::vector<unsigned int>            idle;
     for (unsigned int c = 0; c < contacts.size(); ++c)
-      if (!has_borne(c) && !last.contacts[c].empty())
+      if (!has_carried_force(c) && !last.contacts[c].empty())
         idle.push_back(c);
     const auto is_unstrained = [&last](const unsigned int body) {
       return last.checks.energies[body] == 0.;
     };
-    // A stop that a strained body does not reach may be meant.
+    // A stop that a strained body does not reach may be intended.
     if (idle.size() < contacts.size())
       idle.erase(
         std::remove_if(idle.begin(),
@@ -84,7 +84,7 @@ namespace lamella
              "nothing presses in contact " + joined(names) +
                ": no load step brings more than a force of rounding there. "
                "Close the gap (Origin of a body, Through of an obstacle), or "
-               "look which way loads and prescribed displacements act";
+               "check the direction of loads and prescribed displacements";
   }
 
 
@@ -151,12 +151,12 @@ namespace lamella
 
   namespace
   {
-    /// That points @p spacing apart touch the roller of @p contact, and what to
-    /// take; a line to it if that @p may_be.
+    /// Returns a warning that points @p spacing apart touch the roller of
+    /// @p contact, with the remedy; a line to it if @p may_be.
     std::string
-    describe_few_points(const ContactInterface &contact,
-                        const double            spacing,
-                        const bool              may_be)
+    describe_coarse_points(const ContactInterface &contact,
+                           const double            spacing,
+                           const bool              may_be)
     {
       const double radius = contact.obstacle->radius;
       return "contact " + contact.name + ": points that touch are " +
@@ -184,30 +184,31 @@ namespace lamella
         if (contact.obstacle == nullptr ||
             contact.obstacle->shape != Obstacle::Shape::cylinder)
           continue;
-        const bool nestles =
-                     built.contact_lives()[c]->nestles(solved.state.u,
-                                                       solved.load_factor,
-                                                       active),
+        const bool wraps_around =
+                     built.contact_lives()[c]->wraps_around(solved.state.u,
+                                                            solved.load_factor,
+                                                            active),
                    is_line =
                      contact.discretisation == Discretisation::line_to_roller;
-        if (is_line && nestles)
+        if (is_line && wraps_around)
           warnings.push_back(
             "contact " + contact.name + ": the body bends around '" +
             contact.second_name +
             "', where a line is not all that touches: take Discretisation = "
             "auto or surface to surface");
-        if (is_line || nestles)
+        if (is_line || wraps_around)
           continue;
-        const PressedArc arc = pressed_arc(contact, active);
-        // What is turned by little has its force where it was.
+        const ContactArc arc = contact_arc(contact, active);
+        // Small rotations do not move the force.
         if (arc.is_line() &&
-            are_few_on(arc.spacing * std::min(1., solved.checks.max_rotation),
-                       contact.obstacle->radius))
-          warnings.push_back(describe_few_points(
+            are_coarse_on(arc.spacing *
+                            std::min(1., solved.checks.max_rotation),
+                          contact.obstacle->radius))
+          warnings.push_back(describe_coarse_points(
             contact,
             arc.spacing,
-            may_be_line(scene.contacts[c], scene.bodies[contact.first_body]) &&
-              !scene.contacts[c].may_take_points));
+            can_be_line(scene.contacts[c], scene.bodies[contact.first_body]) &&
+              !scene.contacts[c].may_switch_to_points));
       }
     return warnings;
   }
@@ -252,25 +253,25 @@ namespace lamella
                        std::max(worth_failing * solved.checks.max_displacement,
                                 arithmetic::as_written * body.size()))
           continue;
-        throw_between_points(contact, *sunk, number);
+        throw_undetected_penetration(contact, *sunk, number);
       }
   }
 
 
 
   void
-  StepRecorder::throw_between_points(const ContactInterface &contact,
-                                     const SunkPlace        &sunk,
-                                     const unsigned int      body) const
+  StepRecorder::throw_undetected_penetration(const ContactInterface &contact,
+                                             const SunkPlace        &sunk,
+                                             const unsigned int      body) const
   {
-    // Nodes of B4 at an end of two elements are 0.28 of their length h apart.
-    // With one where a roller is deepest the mean gap there is
-    // (0.28 h)^2 / (12 R) wider, a hundredth of the depth.
+    // Nodes of B4 beside the common end of two elements are 0.28 of their
+    // length h apart. If the roller is deepest at one of them, the mean gap
+    // there is (0.28 h)^2 / (12 R) larger: a hundredth of the depth.
     const double longest =
       contact.obstacle == nullptr ?
         0. :
         std::sqrt(1.5 * contact.obstacle->radius * sunk.depth);
-    throw BetweenPoints(
+    throw UndetectedPenetration(
       "contact " + contact.name + ": nothing touches, but '" +
         (sunk.of_second ? structure.bodies()[contact.first_body]->name() :
                           contact.second_name) +
@@ -316,8 +317,8 @@ namespace lamella
   std::vector<std::string>
   StepRecorder::warnings_of_ends(const SolvedStep &solved) const
   {
-    // Of the cell's depth and of the displacements: gaps of faces are averages.
-    // What is in by the latter costs a contact force as much or more.
+    // Shares of the cell's depth and of the displacements: gaps of faces are
+    // averages. Penetrations of the latter change a contact force by 0.1 %.
     constexpr double         worth_saying = 1e-2, of_displacements = 1e-3;
     std::vector<std::string> warnings;
     auto have_rows = ends_with_rows(built.interfaces(), structure.bodies());
@@ -331,7 +332,7 @@ namespace lamella
         const double worth =
           std::min(worth_saying * end->cell,
                    of_displacements * solved.checks.max_displacement);
-        // What a penalty leaves is no lack of rows.
+        // The penetration of a penalty is no lack of constraints.
         if (end->depth < worth + solved.checks.contacts[c].max_penetration)
           continue;
         const std::string first =

@@ -19,8 +19,8 @@ namespace lamella
 
 
 
-    /// How many lengths of @p units are a meter: pressures are forces over
-    /// squares of lengths.
+    /// Returns the number of lengths of @p units in a meter; pressures are
+    /// forces per squared length.
     double
     meter(const Units &units)
     {
@@ -41,8 +41,8 @@ namespace lamella
     std::string
     doubt_of_angles(const SectionMesh &section)
     {
-      // The largest that radians are as a rule, pi; and what is left out where
-      // users write three digits or more.
+      // Limit for radians, about pi, and a tolerance for numbers of three or
+      // more digits.
       constexpr double most = 3.2, written = 1e-3;
       const Ply       *told = nullptr;
       unsigned int     part = 0;
@@ -70,8 +70,8 @@ namespace lamella
     std::string
     doubt_of_softness(const SectionMesh &section, const Units &units)
     {
-      // Plies, metals, glass and wood are stiffer [Pa]; so soft are foams [kg /
-      // m^3] and rubbers, which are hardly compressible.
+      // Lower limit of plies, metals, glass and wood [Pa]; density of foams
+      // [kg / m^3] and Poisson's ratio of rubbers, which may be softer.
       constexpr double soft = 1e9, light = 600., incompressible = 0.45;
       const Ply       &stiffest =
         *std::max_element(section.plies.begin(),
@@ -103,7 +103,7 @@ namespace lamella
     std::string
     doubt_of_size(const SectionMesh &section, const Units &units)
     {
-      // [micrometers]
+      // Limits in micrometers.
       constexpr double thinnest = 1., thickest = 1e7;
       const auto   box = dealii::GridTools::compute_bounding_box(section.mesh);
       const double thickness =
@@ -119,7 +119,7 @@ namespace lamella
 
 
 
-    /// Name of the material and thickness of the plies of @p shape that say it.
+    /// Returns the material name and thickness of each ply of @p shape.
     std::vector<std::pair<std::string, double>>
     thicknesses(const SectionShape &shape)
     {
@@ -144,9 +144,9 @@ namespace lamella
     std::string
     doubt_of_plies(const SectionShape &shape, const Scene &scene)
     {
-      // Fibers of carbon are 5 micrometers thick, and nobody lays a ply of a
-      // tenth of a meter [micrometers]; stiffer than timber [Pa], and than
-      // across.
+      // Carbon fibers are 5 micrometers thick, and plies are thinner than 0.1 m
+      // [micrometers]. Fiber plies are stiffer than timber [Pa], and than
+      // across the fibers.
       constexpr double thinnest = 5., thickest = 1e5, stiff = 30e9,
                        of_fibers = 2.;
       const Units &units         = scene.units;
@@ -179,7 +179,7 @@ namespace lamella
             {
               of_section.push_back(doubt_of_softness(*mesh, scene.units));
               const std::string size = doubt_of_size(*mesh, scene.units);
-              // One of the two tells what is the matter.
+              // One of the two warnings suffices.
               of_section.push_back(
                 size.empty() ? doubt_of_plies(scene.sections.at(name), scene) :
                                size);
@@ -197,7 +197,7 @@ namespace lamella
   std::vector<std::string>
   doubts_of_magnitude(const Scene &scene, const SectionMeshes &meshes)
   {
-    // That of the Earth is 9.78 to 9.83 m/s^2.
+    // Gravity of the Earth: 9.78 to 9.83 m/s^2.
     constexpr double         least = 9.7, most = 9.9, thousand = 1000.;
     std::vector<std::string> doubts = doubts_of_sections(scene, meshes);
     const double             g      = scene.gravity.norm();

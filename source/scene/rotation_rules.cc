@@ -57,10 +57,10 @@ namespace lamella
 
 
 
-    /// Whether the elements of @p body are so long where it meets @p roller
-    /// that points of its surface are few beside the radius: then the roller
-    /// touches between them, and the nearest line is sought. An automatic axis
-    /// has them fine for small rotations.
+    /// Returns whether the surface points of @p body at @p roller are too
+    /// coarse for its radius, so that the roller touches between them and the
+    /// nearest line is needed. Automatic axes are fine enough there for small
+    /// rotations.
     bool
     touches_on_a_line(const BodyDescription &body, const Obstacle &roller)
     {
@@ -77,7 +77,7 @@ namespace lamella
             length = (to - from) / axis.elements[piece];
           from = to;
         }
-      return are_few_on(length / axis.degree, roller.radius);
+      return are_coarse_on(length / axis.degree, roller.radius);
     }
 
 
@@ -106,11 +106,11 @@ namespace lamella
 
 
 
-    /// Throws InputError if @p contact cannot be the line to a roller that it
-    /// is said to be; makes it one where that is left to the program and points
-    /// of @p body are few.
+    /// Throws InputError if `line to roller` is set for @p contact but
+    /// impossible. Sets it where the choice is `auto` and points of @p body are
+    /// too coarse.
     void
-    take_line(ContactPair &contact, const BodyDescription &body)
+    choose_line(ContactPair &contact, const BodyDescription &body)
     {
       const std::string place = "Contact " + contact.name + "/";
       const bool        is_line =
@@ -129,11 +129,11 @@ namespace lamella
             body.name + "' would have to be",
           "Take auto.");
       if (contact.discretisation != Discretisation::automatic ||
-          !may_be_line(contact, body) ||
+          !can_be_line(contact, body) ||
           !touches_on_a_line(body, *contact.obstacle))
         return;
-      contact.discretisation  = Discretisation::line_to_roller;
-      contact.may_take_points = true;
+      contact.discretisation       = Discretisation::line_to_roller;
+      contact.may_switch_to_points = true;
     }
 
 
@@ -149,7 +149,7 @@ namespace lamella
                "pairs of nodes stay pairs, and surfaces of bodies that turn "
                "slide",
                "Take surface to surface or node to surface.");
-      take_line(contact, body);
+      choose_line(contact, body);
       if (contact.discretisation == Discretisation::automatic)
         contact.discretisation = Discretisation::surface_to_surface;
     }
@@ -214,7 +214,7 @@ namespace lamella
 
 
   bool
-  may_be_line(const ContactPair &contact, const BodyDescription &body)
+  can_be_line(const ContactPair &contact, const BodyDescription &body)
   {
     return has_roller(contact, body) && !has_area_penalty(contact);
   }
@@ -288,7 +288,7 @@ namespace lamella
       }
     check_linear(scene);
     for (ContactPair &contact : scene.contacts)
-      take_line(contact, scene.bodies[contact.first.body]);
+      choose_line(contact, scene.bodies[contact.first.body]);
     if (scene.solve.rotations == Rotations::automatic)
       try
         {

@@ -51,8 +51,8 @@ namespace lamella
 
 
 
-    /// Sets the row @p p of @p rows to what the first stress @p P at the point
-    /// number p does on each column of @p G.
+    /// Sets row @p p of @p rows to the work of the first stress @p P at point p
+    /// on each column of @p G.
     void
     set_row(const unsigned int              p,
             const Tensor<2, 3>             &P,

@@ -56,7 +56,7 @@ namespace lamella
       std::optional<std::pair<double, BlockVector>>
       largest(const double least);
 
-      /// K_G @p v.
+      /// Returns K_G @p v.
       BlockVector
       geometric_forces(const BlockVector &v) const;
 

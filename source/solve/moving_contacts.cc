@@ -248,9 +248,9 @@ namespace lamella
       {
         lives[c]->begin_step(state.u, factor);
         if (lives[c]->is_line() &&
-            lives[c]->nestles(state.u,
-                              factor,
-                              numbered.among_contact(c, state.active)))
+            lives[c]->wraps_around(state.u,
+                                   factor,
+                                   numbered.among_contact(c, state.active)))
           lost = "Contact " + all[c].name +
                  ", line to roller, becomes more than a line: the body bends "
                  "around '" +
@@ -323,11 +323,11 @@ namespace lamella
     bool                any = false;
     for (unsigned int c = 0; c < all.size(); ++c)
       {
-        const auto active    = numbered.among_contact(c, state.active);
-        const bool goes_over = lives[c]->is_line() &&
-                               lives[c]->nestles(state.u, factor, active) &&
-                               lives[c]->take_points();
-        if (!goes_over &&
+        const auto active   = numbered.among_contact(c, state.active);
+        const bool switches = lives[c]->is_line() &&
+                              lives[c]->wraps_around(state.u, factor, active) &&
+                              lives[c]->switch_to_points();
+        if (!switches &&
             lives[c]->stays_paired(state.u, factor, active).unseen == 0)
           continue;
         any = true;

@@ -12,9 +12,9 @@ namespace lamella
 {
   namespace
   {
-    // Beyond these the linear strain misses about rotation^2 / 2, 0.5 %; and
-    // what hardly any scene is meant to reach, half a turn.
-    constexpr double linear_rotation = 0.1, absurd_rotation = 3.;
+    // Rotation limits: the linear strain has an error of rotation^2 / 2, 0.5 %;
+    // and half a turn, which scenes rarely intend.
+    constexpr double linear_rotation = 0.1, meaningless_rotation = 3.;
     // A first correction above this says that the assembled matrix has lost
     // more than half of its digits.
     constexpr double lost_digits = 1e-7;
@@ -37,13 +37,13 @@ namespace lamella
 
 
 
-    /// What to look at first where linear rotations are beyond any meaning.
+    /// Returns the first check to make when linear rotations are meaningless.
     std::string
     doubt_of_rotation(const double rotation)
     {
-      if (rotation <= absurd_rotation)
+      if (rotation <= meaningless_rotation)
         return "";
-      return "no part is meant to turn that far, so check first that moduli, "
+      return "rotations this large are rarely intended: check first that moduli, "
              "densities, lengths and loads are in the scene's Units. If they "
              "are: ";
     }

@@ -30,12 +30,12 @@ namespace lamella
     double growth = 0.6;
     /// At least as many elements on an axis.
     unsigned int least = 4;
-    /// As many where a load acts all along, over a span between places that
-    /// hold the axis or where the load changes its sign. Ends of B4 are exact
-    /// there; inside of an element of length h a uniform load leaves out the
-    /// bubble q h^4 / (384 E I), of the q L^4 / (384 E I) between clamps
-    /// n^-4: 0.077 % for n = 6, 0.024 % for 8, 0.01 % for 10, 0.005 % for 12.
-    /// Between other supports it is a smaller share.
+    /// Elements in a span that is loaded all along, between places that hold
+    /// the axis or where the load changes its sign. B4 is exact at its ends.
+    /// Inside an element of length h, a uniform load leaves out the bubble
+    /// q h^4 / (384 E I), n^-4 of the deflection between clamps: 0.077 % for
+    /// n = 6, 0.024 % for 8, 0.01 % for 10, 0.005 % for 12. Between other
+    /// supports the share is smaller.
     double over_span = 10.;
     /// Places closer to each other than this share of their size are one.
     double one_place = 0.5;
@@ -53,17 +53,17 @@ namespace lamella
   };
 
   /**
-   * The ends of elements on an axis of @p length which are as short as
-   * @p places say and grow from there: with
-   *   s(y) = min_k (c size_k + growth |y - y_k|), at most length / least and,
-   *   within the parts of @p loaded, their spans / over_span,
+   * Returns the ends of elements on an axis of @p length, graded to
+   * @p places. With the element size
+   *   s(y) = min_k (c size_k + growth |y - y_k|),
    *   c = growth / (exp(growth) - 1),
-   * each piece between two places has N elements, N the integral of dy / s over
-   * the piece, rounded up, to an even number where it is loaded: halved() then
-   * has all of them. With @p fineness there are as many times more. Each has
-   * 1 / N of that integral. Every place is the end of an element; places closer
-   * to each other than one_place of their size are one. Between 0 and length,
-   * both left out, ascending.
+   * limited by length / least and, in the parts of @p loaded, by span /
+   * over_span, a piece between two places has N elements: the integral of
+   * dy / s over it, rounded up (to an even number if loaded, for
+   * halved()) and multiplied by @p fineness. Each element has 1 / N of
+   * that integral. Every place is the end of an element; places closer
+   * than one_place of their size are merged. Ascending, without 0 and
+   * length.
    */
   std::vector<double>
   graded_breaks(const double                     length,
@@ -72,9 +72,9 @@ namespace lamella
                 const double                     fineness = 1.,
                 const std::vector<LoadedPart>   &loaded   = {});
 
-  /// Bisects elements of @p axis, whose lengths are known, until those at @p y,
-  /// which becomes the end of one, are of @p size or, if that is 0, half as
-  /// long as the one there, and others by GradingRules::growth longer.
+  /// Bisects elements of @p axis until those at @p y are of @p size, or half as
+  /// long if it is 0. Other elements may be longer by GradingRules::growth.
+  /// Lengths must be known; @p y becomes the end of an element.
   void
   shorten_at(AxisMesh           &axis,
              const double        y,
@@ -82,16 +82,16 @@ namespace lamella
              const GradingRules &rules = {});
 
   /**
-   * Makes the axes of `Axis elements = auto` (AxisMesh::fineness) among
-   * @p bodies: graded to what touches each of them, with as many times more
-   * elements everywhere as its fineness says, which is 0 afterwards. Contacts
-   * are looked for on equal elements first, then again on the graded ones;
-   * where bodies do not lie upon each other the place is that of the smallest
-   * gap, which a parabola through three rows gives. Supports of ends count as
-   * clamps; two bodies whose nodes a contact pairs, along the same line, are
-   * graded alike. Loads on sides, lines along the axis, the weight under
-   * @p gravity, across the axis, and heat that is not linear along it limit
-   * elements all along (GradingRules::over_span).
+   * Makes the axes of `Axis elements = auto` among @p bodies
+   * (AxisMesh::fineness, 0 afterwards): graded to loads, supports and
+   * contacts, with fineness times as many elements. Contacts are
+   * searched on equal elements, then on the graded ones. For bodies
+   * apart, the place is that of the smallest gap, by a parabola through
+   * three rows. Supports of ends count as clamps. Bodies whose nodes a
+   * contact pairs along one line share their grading. Loads on sides and
+   * on lines along the axis, weight across it under @p gravity, and heat
+   * that is not linear along it limit elements all along
+   * (GradingRules::over_span).
    *
    * Throws what conditions and contacts throw. Collective where Beam is.
    */

@@ -21,17 +21,17 @@ namespace lamella
     bool holds = false;
   };
 
-  /// A part of an axis that a load acts on all along, and the distance between
-  /// what holds the axis there, or its load changes its sign [length].
+  /// Part of an axis that is loaded all along, and its span: the distance of
+  /// supports, contacts, or changes of the load's sign [length].
   struct LoadedPart
   {
     double begin = 0., end = 0., span = 0.;
   };
 
-  /// Where loads act across the axis of body number @p body, a beam, all along:
-  /// those of @p loads on its sides and on lines along it, its weight under
-  /// @p gravity, and its heat, unless that is linear along the axis. Those of
-  /// @p places that hold the axis end spans, and its ends do. Collective.
+  /// Returns the parts of the axis of the beam @p body that are loaded across
+  /// it: by @p loads on sides and lines along it, weight under @p gravity, and
+  /// heat that is not linear along it. Spans end at the ends of the axis and at
+  /// those @p places that hold it. Collective.
   std::vector<LoadedPart>
   loaded_parts(const unsigned int               body,
                const Bodies                    &bodies,

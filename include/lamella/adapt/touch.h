@@ -62,7 +62,7 @@ namespace lamella
                const std::vector<ContactInterface> &contacts,
                const TouchRules                    &rules = {});
 
-  /// What @p load loads body number @p body with, at load factor 1.
+  /// Returns the load vector of @p load on body number @p body, at factor 1.
   Vector
   load_on(const Load &load, const unsigned int body, const Bodies &bodies);
 

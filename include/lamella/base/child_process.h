@@ -39,8 +39,8 @@ namespace lamella
    *
    * @param program the path of the program; no shell reads it
    * @param words   its arguments, without its own name
-   * @param output, errors paths of files that are written anew; empty: where
-   *   this process prints
+   * @param output, errors paths of files to be overwritten; if empty, the
+   *   program prints where this process prints
    * @param processor_seconds of all its threads together, rounded up to whole
    *   seconds; one second later it is killed
    *
@@ -93,8 +93,8 @@ namespace lamella
   std::string
   python_with(const std::string &module);
 
-  /// The path of the script @p name of Lamella, as it is installed or else in
-  /// the source tree. Throws InputError if it is in neither.
+  /// Returns the path of Lamella's script @p name, as installed or else in the
+  /// source tree. Throws InputError if it is in neither.
   std::string
   path_of_script(const std::string &name);
 

@@ -22,7 +22,7 @@ namespace lamella
     return value;
   }
 
-  /// Legendre's polynomials P_0(t) ... P_n(t).
+  /// Returns the Legendre polynomials P_0(t) ... P_n(t).
   inline std::vector<double>
   legendre(const unsigned int n, const double t)
   {
@@ -33,10 +33,10 @@ namespace lamella
     return P;
   }
 
-  /// The weights of values at @p n_points Gauss points of [0, 1] in their
-  /// least-squares polynomial of degree @p degree at @p t: with weights w_k,
-  ///   w_k sum_n (2 n + 1) P_n(2 t_k - 1) P_n(2 t - 1).
-  /// The polynomial through the values, if its degree is n_points - 1.
+  /// Returns the weights of values at @p n_points Gauss points of [0, 1] in
+  /// their least-squares polynomial of degree @p degree at @p t,
+  ///   w_k sum_n (2 n + 1) P_n(2 t_k - 1) P_n(2 t - 1),   w_k Gauss weights.
+  /// Interpolates the values if the degree is n_points - 1.
   inline std::vector<double>
   gauss_projection(const unsigned int n_points,
                    const unsigned int degree,

@@ -17,13 +17,13 @@ namespace lamella
    *   v . K_G w = int s_ij v_k,i w_k,j dV.
    *
    * Stresses and displacement gradients are sampled at a tensor product of
-   * Gauss points: degree() points along each axis element (the stations) and,
-   * in each cell of the section, one point a direction less than its stiffness
-   * takes. These are Barlow's points, where stresses are most accurate. The
-   * forces apply the transpose of the map from coefficients to gradients,
+   * Gauss points: degree() along each axis element (the stations) and, in each
+   * cell of the section, one per direction fewer than its stiffness has. At
+   * these Barlow points stresses are most accurate. The forces apply to s_ij
+   * u_,j the transpose of the map from coefficients to gradients,
    *   u_,x = sum_a q_a Phi_a,x,  u_,y = sum_a q_a' Phi_a,
    *   u_,z = sum_a q_a Phi_a,z,
-   * to s_ij u_,j, one component of u at a time: most fields have only one.
+   * one component of u at a time, since most fields have only one.
    *
    * Refers to the beam. Each process has the stations of its own elements.
    */
@@ -32,35 +32,35 @@ namespace lamella
   public:
     explicit BeamGeometricStiffness(const Beam &beam);
 
-    /// The coefficients of each FieldPart: a row a station, a column a field of
-    /// the section.
+    /// Coefficients of each FieldPart: one row per station, one column per
+    /// field of the section.
     using Coefficients =
       std::array<dealii::LAPACKFullMatrix<double>, FieldPart::n>;
 
-    /// Those of the displacement @p w of the beam.
+    /// Returns the coefficients of the displacement @p w of the beam.
     Coefficients
     coefficients(const Vector &w) const;
 
-    /// Takes as s the stress that the strains of @p q make, with that of heat.
+    /// Sets s to the stress of the strains of @p q, including thermal stress.
     void
     set_stress(const Coefficients &q);
 
-    /// f += K_G @p w. Collective.
+    /// Adds K_G @p w to @p f. Collective.
     void
     add_forces(const Vector &w, Vector &f) const;
 
-    /// The largest short_wave_ratio() of all sampled points. Collective.
+    /// Returns the largest short_wave_ratio() of all points. Collective.
     double
     short_waves() const;
 
-    /// Gauss points of own axis elements, element by element.
+    /// Returns the Gauss points of own axis elements, element by element.
     const std::vector<AxisPoint> &
     stations() const
     {
       return along;
     }
 
-    /// Where they are on [0, 1] of each element.
+    /// Returns the positions of the stations on [0, 1] of each element.
     const dealii::QGauss<1> &
     quadrature() const
     {
@@ -68,9 +68,9 @@ namespace lamella
     }
 
   private:
-    /// The fields of a cell of the section that have one component of u, with
-    /// its values and its derivatives along x and z: a row a point (those along
-    /// z below those along x), a column a field.
+    /// Fields of a section cell that have one component of u, with their values
+    /// and derivatives: one row per point (derivatives along z below those
+    /// along x), one column per field.
     struct Component
     {
       std::vector<unsigned int>        fields;
@@ -80,7 +80,7 @@ namespace lamella
     struct Cell
     {
       std::vector<SectionPoint> points;
-      /// The area that each point stands for.
+      /// Integration weights of the points (areas).
       std::vector<double>      areas;
       std::array<Component, 3> components;
     };
@@ -96,36 +96,36 @@ namespace lamella
                   const unsigned int    p,
                   const FunctionValues &f,
                   Cell                 &cell) const;
-    /// Sets the stress at @p point of the section at all stations, times the
-    /// volume that it stands for, where @p area is its share of the section.
+    /// Sets the stress at @p point of the section at all stations, times its
+    /// integration weight (a volume); @p area is its weight in the section.
     void
     find_stress(const Coefficients &q,
                 const SectionPoint &point,
                 const double        area,
                 Voigt              *at_point);
-    /// Adds the forces of the stress @p of_cell on the fields of one of its
-    /// components to @p work.
+    /// Adds to @p work the forces of the stress @p of_cell on the fields of
+    /// @p component.
     void
     add_work(const Component    &component,
              const Voigt        *of_cell,
              const Coefficients &q,
              Coefficients       &work) const;
-    /// Adds what @p work does to the nodes to @p f.
+    /// Adds the nodal forces of @p work to @p f.
     void
     add_on_nodes(const Coefficients &work, Vector &f) const;
 
     const Beam &beam;
-    /// Those of the beam's FieldSpace.
+    /// Modes of the beam's FieldSpace.
     FieldColumns            modes;
     const dealii::QGauss<1> samples;
-    /// The stations, with the length that each stands for.
+    /// Stations, with their integration weights (lengths).
     std::vector<AxisPoint> along;
     std::vector<double>    lengths;
     std::vector<Cell>      cells;
-    /// Of each point of the section, cell by cell, the stress at all stations
-    /// times the volume that it stands for.
+    /// Stress at all stations, times the integration weight, for each point of
+    /// the section, cell by cell.
     std::vector<Voigt> stress;
-    /// short_waves() of this process.
+    /// Value of short_waves() on this process.
     double largest_wave = 0.;
   };
 } // namespace lamella

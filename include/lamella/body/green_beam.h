@@ -21,9 +21,9 @@ namespace lamella
    * that turn with the material (PolarDecomposition): where nothing turns these
    * are the body's axes, and ply axes turn along, so that both mean what they
    * do of a Beam. second_order() is that of small rotations. E_yy and the
-   * transverse shears of samples are of degree 2 along an element, the
-   * least-squares polynomials of their values at the stations: between these
-   * their other parts are no strain but what cannot cancel (GreenAnswer).
+   * transverse shears of samples are least-squares polynomials of degree 2
+   * through their values at the stations. Their other parts oscillate between
+   * stations without physical meaning (GreenAnswer).
    *
    * With B4 alone and for theories whose strains are those of their
    * displacements (LE, TE-2 and up).
@@ -78,8 +78,8 @@ namespace lamella
              const AxisPoint    &on_axis,
              const Vector       &u) const;
 
-    /// The strain that is shown of @p point at @p on_axis, where the gradient
-    /// of the displacement is @p H.
+    /// Returns the smoothed strain of samples of @p point at @p on_axis, with
+    /// the displacement gradient @p H there.
     Voigt
     strain_at(const SectionPoint &point,
               const AxisPoint    &on_axis,
@@ -119,8 +119,8 @@ namespace lamella
                 const GreenAnswer::CellTangent &tangent,
                 StiffnessBlock                 &block) const;
 
-    /// Takes off @p block, of the axis element @p cell, what the section's
-    /// @p tangents at its stations say (GreenAnswer::for_each_cell()).
+    /// Subtracts the assumed-strain terms of the section's @p tangents from
+    /// @p block of the axis element @p cell (GreenAnswer::for_each_cell()).
     void
     take_off(const unsigned int                           cell,
              const std::vector<GreenAnswer::CellTangent> &tangents,

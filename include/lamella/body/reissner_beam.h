@@ -335,7 +335,7 @@ namespace lamella
       /// e, and what the warpings and the frame's strains are of each field of
       /// the section: of its value and of its derivative along the axis.
       std::vector<double> e, value, derivative;
-      /// The values that displacements are made of.
+      /// Coefficients of the displacements.
       std::vector<double> warping;
     };
     /// That of a section of the element @p cell.
@@ -343,8 +343,8 @@ namespace lamella
     section_state(const unsigned int cell, const Frame &frame) const;
     SectionState
     section_state(const AxisPoint &on_axis, const Vector &u) const;
-    /// The same with the strains of samples: the polynomials along the element
-    /// through those at its stations.
+    /// Returns the section state for samples: its strains are interpolated
+    /// along the element from those at its stations.
     SectionState
     shown_state(const AxisPoint &on_axis, const Vector &u) const;
 

@@ -28,15 +28,15 @@ namespace lamella
    * it is s_m = C (B v + e_2): none in a cantilever, and in a strip between
    * clamps what carries it at large deflections.
    *
-   * The geometric stiffness. With s = C (B u - epsilon_0) + s_m (epsilon_0 of
-   * heat),
-   *   v . K_G w = int s_ij v_k,i w_k,j dV,
-   * of the stress field and of all the body's fields, as total Lagrangian
-   * bodies have it (Crisfield, Non-linear Finite Element Analysis of Solids and
-   * Structures 1, 5.1). It holds Euler's column with the shear of its section,
-   * lateral-torsional buckling under loads at any height where the theory has
-   * the stress that carries them there, wrinkling of faces and buckling of
-   * walls where the theory has their shapes.
+   * Geometric stiffness: with s = C (B u - epsilon_0) + s_m, epsilon_0
+   * thermal,
+   *   v . K_G w = int s_ij v_k,i w_k,j dV
+   * of the stress field with all of the body's fields, as in a total
+   * Lagrangian formulation (Crisfield, Non-linear Finite Element Analysis of
+   * Solids and Structures 1, 5.1). It includes columns with the shear of their
+   * section and lateral-torsional buckling under loads at any height, if the
+   * theory has the stress that carries them. It also includes wrinkling of
+   * faces and buckling of walls, if the theory has their mode shapes.
    *
    * Refers to the body. All functions are collective.
    */
@@ -58,18 +58,18 @@ namespace lamella
     virtual void
     add_geometric_forces(const Vector &w, Vector &f) const = 0;
 
-    /// The largest of short_wave_ratio() over the sampled points, after
-    /// settle().
+    /// Returns the largest short_wave_ratio() of the sampled points. Call
+    /// settle() first.
     virtual double
     short_waves() const = 0;
   };
 
   /**
-   * The largest -s_ii / G over the axes i, G the lower of the two moduli C of
-   * shear with that axis: what stress takes from the stiffness against a plane
-   * shear wave along i, however short. As a buckling factor its inverse is that
-   * of the material itself, which no mode of a homogeneous body is below
-   * (Rosen's microbuckling of fibres, -s = G). Zero without compression.
+   * Returns the largest -s_ii / G over the axes i, where G is the lower of the
+   * two shear moduli of C with that axis. Its inverse is the buckling factor of
+   * plane shear waves along i in the material (Rosen's microbuckling of fibers,
+   * -s = G). No mode of a homogeneous body has a lower one. Zero without
+   * compression.
    */
   double
   short_wave_ratio(const Voigt &stress, const ElasticTensor &C);

@@ -33,7 +33,7 @@ namespace lamella
     dealii::Tensor<1, 3> normal;
   };
 
-  /// n . u at @p place; none where that is outside of its body.
+  /// Returns n . u at @p place, or nothing if it is outside of its body.
   std::optional<BodyRow>
   row_of(const ContactPlace &place, const Bodies &bodies);
 

@@ -50,7 +50,7 @@ namespace lamella
     LoadFactor  factor;
     /// The places that face each other. Empty where nothing has moved.
     std::vector<GapPoint> points;
-    /// What made them: points may have taken over from a line.
+    /// Discretization of the points; may have switched from a line.
     Discretisation discretisation = Discretisation::undefined;
   };
 
@@ -180,14 +180,14 @@ namespace lamella
                  const LoadFactor                &factor,
                  const std::vector<unsigned int> &active);
 
-    /// Whether the surface curves where a roller touches it by half as much as
-    /// the roller or more, in the state @p u at @p factor with the rows
-    /// @p active pressed: on the way to an arc, which is more than a line
-    /// (RollerLines::curvature()). No of all that is no roller.
+    /// Returns whether the surface at a roller has half of the roller's
+    /// curvature or more (RollerLines::curvature()), so that an arc is about to
+    /// touch. The state is @p u at @p factor with active constraints @p active.
+    /// False if the obstacle is no roller.
     bool
-    nestles(const BlockVector               &u,
-            const LoadFactor                &factor,
-            const std::vector<unsigned int> &active) const;
+    wraps_around(const BlockVector               &u,
+                 const LoadFactor                &factor,
+                 const std::vector<unsigned int> &active) const;
 
     bool
     is_line() const
@@ -195,10 +195,10 @@ namespace lamella
       return lines != nullptr;
     }
 
-    /// Has points take over from the line to a roller from the next pair() on.
-    /// Whether they may.
+    /// Switches from the line to a roller to contact points from the next
+    /// pair() on. Returns false if the contact may not switch.
     bool
-    take_points();
+    switch_to_points();
 
     /// Throws NumericsError if the Search distance of a scene has left out
     /// what comes to touch: SearchCheck::check().
@@ -207,16 +207,16 @@ namespace lamella
                   const LoadFactor                &factor,
                   const std::vector<unsigned int> &active);
 
-    /// The deepest end of either body in the other in the state @p u at
-    /// @p factor (deepest_node()), of bodies that do not turn along the normals
-    /// of the undeformed; none against an obstacle.
+    /// Returns the deepest end of either body in the other in the state @p u at
+    /// @p factor (deepest_node()); for small rotations along undeformed
+    /// normals. None against an obstacle.
     std::optional<SunkEnd>
     sunk_end(const BlockVector &u, const LoadFactor &factor) const;
 
-    /// The deepest place of the body in a roller in the state @p u at @p
-    /// factor, of points or between them (RollerLines::deepest_in()), or of one
-    /// body that a node of the other is in (deepest_node()); none if rows are
-    /// of lines, and against a plane.
+    /// Returns the deepest place of the body in a roller, at points or between
+    /// them (RollerLines::deepest_in()), or of one body in the other
+    /// (deepest_node()). The state is @p u at @p factor. None for line contact
+    /// and against a plane.
     std::optional<SunkPlace>
     sunk_place(const BlockVector &u, const LoadFactor &factor) const;
 
@@ -229,8 +229,8 @@ namespace lamella
                  const LoadFactor  &to) const;
 
   private:
-    /// The sides that points are paired on: those @p now of bodies that turn,
-    /// else the undeformed.
+    /// Returns the sides that points are paired on: @p now for finite
+    /// rotations, else the undeformed ones.
     const ContactSides &
     paired_sides(const ContactSides &now) const;
     /// Sees to it that there are points: those of the pairing, and where a row
@@ -247,8 +247,8 @@ namespace lamella
     /// those of nodes: keeps one a line. Nothing of all others.
     void
     keep_lines();
-    /// Takes the rows of lines from nodes to where the undeformed are nearest
-    /// to the roller: those of linear kinematics.
+    /// Moves the points of lines from nodes to where the undeformed lines are
+    /// nearest to the roller. For linear kinematics.
     void
     move_lines();
     /// Says of each row where its point is and what that faces, undeformed: the

@@ -121,9 +121,9 @@ namespace lamella
     std::optional<double> search_distance;
     /// Coulomb's coefficient mu; 0 without friction.
     double friction = 0.;
-    /// Of a `line to roller` that `auto` came to: `surface to surface` takes
-    /// over where the contact becomes more than a line.
-    bool may_take_points = false;
+    /// Marks a `line to roller` that `auto` chose: `surface to surface`
+    /// replaces it when more than a line touches.
+    bool may_switch_to_points = false;
   };
 
   /// Whether the nodes of both sides are paired, or would be if they matched.

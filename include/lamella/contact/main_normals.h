@@ -18,19 +18,19 @@ namespace lamella
   };
 
   /**
-   * The main normals of those rows of @p interface, made of @p contact, that
-   * are to touch first, closer than @p depth to the closest one: one stands for
-   * all rows whose own normal is within 60 degrees of that of the closest row,
-   * and so on for those that are left. A roller on a flat face has one, across
-   * the face, although most of its rows are askew; a groove has one for each of
-   * its sides. Motions along which askew rows give way are not held by a
-   * contact.
+   * Returns the main normals of those rows of @p interface, made of
+   * @p contact, whose gaps are less than @p depth above the smallest one.
+   * One main normal stands for all rows whose own normal is within 60
+   * degrees of that of the closest row; the remaining rows are treated
+   * likewise. A roller on a flat face has one, across the face; a groove has
+   * one for each side. The contact does not restrain motions along other
+   * normals.
    *
-   * The main normal is the one that both surfaces have where they touch: that
-   * of a flat one; of two curved ones that across the generators of both, as
-   * sides of bodies and cylinders are ruled. It does not depend on where the
-   * mesh has its points. Of two flat ones that are askew, an edge on a face, it
-   * is that of the closest row.
+   * A main normal is common to both surfaces where they touch: the normal of
+   * a flat surface, or the normal across the generators of two curved ones
+   * (sides of bodies and cylinders are ruled surfaces). It does not depend
+   * on the mesh. For two flat surfaces at an angle, an edge on a face, it is
+   * that of the closest row.
    */
   std::vector<MainNormal>
   main_normals(const ContactPair      &contact,

@@ -13,8 +13,8 @@
 
 namespace lamella
 {
-  /// A place of a surface that a roller or another body is in, undeformed, and
-  /// how deep [length]; whether it is of the second side.
+  /// Place on the undeformed surface that penetrates a roller or another body,
+  /// its depth [length], and whether it is on the second side.
   struct SunkPlace
   {
     dealii::Point<3> position;
@@ -22,26 +22,26 @@ namespace lamella
     bool             of_second = false;
   };
 
-  /// Whether points @p spacing apart along a beam are few on a roller of
-  /// @p radius, lengths: the normal of a point that is half a spacing beside
-  /// the line that touches is off by 0.5 spacing / radius, and the force with
-  /// it.
+  /// Returns whether points @p spacing apart along a beam are too coarse for a
+  /// roller of @p radius [lengths]. A point half a spacing beside the contact
+  /// line has a normal that is off by 0.5 spacing / radius, and the force is
+  /// off by as much.
   inline bool
-  are_few_on(const double spacing, const double radius)
+  are_coarse_on(const double spacing, const double radius)
   {
-    // rad. doc/contact.md has what longer ones cost.
-    constexpr double worth_a_line = 3e-3;
-    return 0.5 * spacing > worth_a_line * radius;
+    // [rad] Errors at longer spacings: doc/contact.md.
+    constexpr double coarse_angle = 3e-3;
+    return 0.5 * spacing > coarse_angle * radius;
   }
 
-  /// What rows of points press on a roller, along the body: the distance of
-  /// neighbors and that of the two furthest apart [length].
-  struct PressedArc
+  /// Active contact points on a roller, along the body: spacing of neighbors
+  /// and distance of the outermost two [length].
+  struct ContactArc
   {
     double spacing = 0., length = 0.;
 
-    /// Two points share what presses between them, and averages around points
-    /// may have a third one.
+    /// Returns whether the contact is a line: two points share a force between
+    /// them, and averages around points may activate a third.
     bool
     is_line() const
     {
@@ -49,9 +49,9 @@ namespace lamella
     }
   };
 
-  /// That of the rows @p active of @p interface, whose obstacle is a roller.
-  PressedArc
-  pressed_arc(const ContactInterface          &interface,
+  /// Returns the arc of the rows @p active of @p interface, against a roller.
+  ContactArc
+  contact_arc(const ContactInterface          &interface,
               const std::vector<unsigned int> &active);
 
   /**
@@ -84,11 +84,11 @@ namespace lamella
            const Obstacle        &roller,
            std::vector<GapPoint> &points) const;
 
-    /// The largest curvature of @p surface, as it is @p now, over that of
-    /// @p roller, where it stands, on the lines through @p places of the
-    /// undeformed surface that touch: from how far each has left the roller a
-    /// spacing of nodes before and behind where it is nearest. From 1 on no
-    /// equilibrium has one line: the surface nestles against the roller.
+    /// Returns the largest curvature of @p surface, deformed as @p now, over
+    /// that of @p roller at its current place, on the lines through @p places
+    /// of the undeformed surface that touch. It follows from the gaps one node
+    /// spacing before and behind the closest point. From 1 on no equilibrium
+    /// has a single contact line: the surface wraps around the roller.
     static double
     curvature(const Obstacle                      &roller,
               const MeshSurface                   &surface,

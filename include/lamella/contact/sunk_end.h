@@ -9,7 +9,7 @@
 
 namespace lamella
 {
-  /// A node of a body that is behind the surface of the other one.
+  /// Node of a body behind the surface of the other body.
   struct SunkEnd
   {
     /// Whether it is of the second side.
@@ -17,16 +17,16 @@ namespace lamella
     /// How deep it is [length], and the depth of the cell below the place that
     /// it faces.
     double depth = 0., cell = 0.;
-    /// The place that it faces.
+    /// Closest-point projection of the node.
     MeshSurface::FacetPlace at = {};
   };
 
-  /// The deepest node of two bodies, or of their ends alone, behind the surface
-  /// of the other where they stand @p now, with feet at most @p reach away
-  /// [length], the nearest places of all: inside of it. Feet and normals are
-  /// those of the sides as @p paired: the same where bodies turn, the
-  /// undeformed in linear kinematics. Faces that slide over an end have no
-  /// constraint for it, unless it is among the points.
+  /// Returns the deepest node of either body, or of its ends alone, behind the
+  /// surface of the other in the configuration @p now. Projections are at most
+  /// @p reach away [length] and the closest of all. They are made on the sides
+  /// as @p paired: current ones for finite rotations, else undeformed. Faces
+  /// that slide over an end have no contact constraint for its nodes, unless
+  /// these are contact points.
   std::optional<SunkEnd>
   deepest_node(const ContactSides &paired,
                const ContactSides &now,

@@ -49,9 +49,9 @@ namespace lamella
    * 8, or of others than LE |J(H_r) - J(H_l)|: their families are no levels of
    * LE. The value plus s is the better number (the combination technique).
    *
-   * Without a richer section (degree 0) the bar is 2 |J(run) - J(H_p)|: what
-   * the axis leaves, also where the errors of both are of one sign and alike.
-   * It is all that runs with large rotations have.
+   * Without a richer section (degree 0) the bar is 2 |J(run) - J(H_p)|, the
+   * error of the axis, also if the errors of both models are alike and of one
+   * sign. Runs with large rotations have only this bar.
    *
    * Penalties: as in BarsFromBelow.
    */

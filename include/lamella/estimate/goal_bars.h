@@ -26,7 +26,7 @@ namespace lamella
    *   auto    with goals that have no derivative left without,
    *   true    if all goals have one;
    * else, and where they are to be `richer`, from richer models (Estimation).
-   * Those of large rotations are of the axis alone (BarsFromHalf).
+   * Bars at large rotations cover the axis alone (BarsFromHalf).
    * Where goals have tolerances they are made whatever they cost. @p out is
    * told of it, a line a model, which @p cache keeps. Collective.
    */

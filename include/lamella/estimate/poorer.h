@@ -14,8 +14,8 @@ namespace lamella
   /**
    * @p axis with about half as many elements, whose lengths are known (no
    * fineness): neighbours become one, two by two from each end of a piece to
-   * the next; of an odd number three become one, the longest among them: no
-   * element stays as it is but one that is alone between two such ends.
+   * the next; of an odd number three become one, the longest among them. Only
+   * an element alone between two such ends is kept.
    * Where all pieces are one element, as on graded axes, those places are taken
    * that elements get shorter to from both sides: what touches the axis is
    * there. All ends are ends of elements of @p axis.

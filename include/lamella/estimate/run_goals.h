@@ -22,7 +22,7 @@ namespace lamella
     static std::string
     reason_for_none(const Simulation &run);
 
-    /// Whether there are contacts in @p run, and none touches in its last step.
+    /// Returns whether @p run has contacts and none is active in its last step.
     static bool
     touches_nothing(const Simulation &run);
 
@@ -59,8 +59,8 @@ namespace lamella
     double
     rounding_of(const NamedQuantity &quantity) const;
 
-    /// The goal @p number with @p bar, which one without a limit is not held
-    /// to, nor one that is zero where no contact touches.
+    /// Returns the goal @p number with @p bar. A goal without a limit is not
+    /// checked; a goal that is zero since no contact touches is not met.
     GoalResult
     with_bar(const unsigned int number, const ErrorBar &bar) const;
 

@@ -41,7 +41,7 @@ namespace lamella
     double &
     diagonal(const DofIndex dof);
 
-    /// L out of A. Throws NotPositiveDefinite, in which @p what names A.
+    /// Replaces A by L. Throws NotPositiveDefinite, in which @p what names A.
     void
     factorise(const std::string &what);
     /// The square of the ratio of the least to the largest pivot, an estimate.

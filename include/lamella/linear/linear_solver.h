@@ -67,9 +67,9 @@ namespace lamella
     return non_zeros * non_zeros / n;
   }
 
-  /// Functions that the making of a solver calls. Each may be empty. They are
-  /// called once, in the order in which they stand; `blocks` is
-  /// assembled in the places of its factor and tells the size of that first.
+  /// Callbacks of the construction of a solver. Each may be empty. Each is
+  /// called once, in the order of declaration. `blocks` is assembled inside its
+  /// factor, whose size it reports first.
   struct SolverMonitor
   {
     /// The matrix is assembled; called on all processes.

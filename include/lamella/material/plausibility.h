@@ -11,21 +11,21 @@
 
 namespace lamella
 {
-  /// What is odd about the moduli of @p material, which the scene calls
-  /// @p name: those outside of 1 MPa to 2 TPa, between which nearly all solids
-  /// are, are typed in other units than @p units as a rule; but a core may be
-  /// softer in its plane. A sentence without a full stop; empty if there is
-  /// nothing to say, or without units.
+  /// Returns a warning about the moduli of @p material, named @p name in the
+  /// scene, that are outside of 1 MPa to 2 TPa. Nearly all solids are within,
+  /// so the unit is probably not that of @p units. Cores may be softer in their
+  /// plane. The sentence has no full stop. Empty without doubt or without
+  /// units.
   std::string
   doubt_of_moduli(const std::string &name,
                   const Material    &material,
                   const Units       &units);
 
   /**
-   * Sentences on all numbers of @p material that look as if they were typed in
-   * other units than @p units, or than each other: doubt_of_moduli(), and
+   * Returns warnings about the numbers of @p material whose unit is probably
+   * not that of @p units or of each other: doubt_of_moduli(), and
    *
-   *   number                      of solids
+   *   number                      usual range of solids
    *   strength / modulus          1e-4 to 0.3 (whiskers)
    *   ultimate strains            below 0.3
    *   G_12 / E_1, G_12 / E_2      1e-3 to 10; of plies (E_3 <= E_1), not of
@@ -33,14 +33,14 @@ namespace lamella
    *   density                     5 to 25,000 kg/m^3 (foams, osmium)
    *   thermal expansion           below 1e-3 / K (rubbers have 3e-4)
    *
-   * Ratios are compared without units, too. The worst of a kind is named.
+   * Ratios are checked without units, too. The worst of each kind is named.
    */
   std::vector<std::string>
   doubts_of_material(const std::string &name,
                      const Material    &material,
                      const Units       &units);
 
-  /// The largest Young's modulus of @p material, with its name.
+  /// Returns the largest Young's modulus of @p material, with its name.
   std::pair<const char *, double>
   largest_modulus(const Material &material);
 } // namespace lamella

@@ -35,7 +35,7 @@ namespace lamella
     /// In the order in which they were looked at; neither load steps nor load
     /// factors without a state are among them.
     std::vector<FailureTrial> trials;
-    /// What the user should know of the state at `failing`, as of a load step.
+    /// Warnings about the state at `failing`, as for a load step.
     std::vector<std::string> warnings;
   };
 } // namespace lamella

@@ -16,33 +16,33 @@
 namespace lamella
 {
   /**
-   * What results are as a rule not, if a scene is what its user means:
-   * - in the units that it names: strains above 2 %, displacements above the
-   *   length of a body, loads that strain nothing by 1e-9;
-   * - bodies that a load step ends with in each other though no contact is
-   *   between them and they were apart at the start;
-   * - bodies that move while nothing strains, and no support moves them.
+   * Checks for results that suggest a mistake in the scene:
+   * - in the units of the scene: strains above 2 %, displacements above the
+   *   length of a body, loads that cause strains below 1e-9;
+   * - bodies that penetrate each other at the end of a load step, although no
+   *   contact joins them and they were apart at the start;
+   * - bodies that move without strain and without a moving support.
    *
-   * Strains and displacements are looked at on the surface of each body, at a
-   * thousand points of it, where bending strains most; so places where stresses
-   * are singular hardly count.
+   * Strains and displacements are sampled at a thousand points of the surface
+   * of each body, where bending strains are largest. Few of these points are
+   * near stress singularities.
    */
   class Plausibility
   {
   public:
-    /// @p structure is referred to. Without @p units nothing is said of them.
+    /// Refers to @p structure. Without @p units, values are not checked.
     Plausibility(const Structure                     &structure,
                  const Units                         &units,
                  const std::vector<ContactInterface> &contacts);
 
-    /// A sentence a fault, without a full stop, of the displacements @p u and
-    /// their @p checks; of the @p last load step, which no step follows that
-    /// might bring bodies together.
+    /// Returns a sentence for each fault, without a full stop, of the
+    /// displacements @p u and their @p checks. The @p last load step has
+    /// further checks, since no later step can close a gap.
     std::vector<std::string>
     doubts(const BlockVector &u, const Checks &checks, const bool last);
 
   private:
-    /// The largest of some values, and where it is.
+    /// Largest of some values, and its place.
     struct Extreme
     {
       double           value = 0.;
@@ -58,8 +58,8 @@ namespace lamella
           }
       }
     };
-    /// The points of a body where it is now, how they have turned, a box around
-    /// them, and what is largest.
+    /// Deformed points of a body, their rotations, a bounding box, and extreme
+    /// values.
     struct Moved
     {
       std::vector<dealii::Point<3>> places;
@@ -68,7 +68,7 @@ namespace lamella
       Extreme                       strain, displacement;
     };
 
-    /// Points of body @p b inside of the facets of its surface.
+    /// Returns points of body @p b in the interior of its surface facets.
     std::vector<SurfacePoint>
     face_points(const unsigned int b) const;
     Moved
@@ -79,30 +79,30 @@ namespace lamella
     add_doubts_of_units(const std::vector<Moved> &moved,
                         const bool                is_rigid,
                         std::vector<std::string> &sentences) const;
-    /// Where nothing is strained.
+    /// Adds a sentence on rigid motion. For bodies without strain.
     void
     add_rigid_motion(const std::vector<Moved> &moved,
                      std::vector<std::string> &sentences) const;
-    /// How deep @p a is in body @p b, and where, with the displacements @p u of
-    /// that: at a point x of a the place X of b that is there now,
+    /// Returns the largest penetration of @p a into @p b, and its place. With
+    /// @p u of @p b, a point x of @p a is at the place X with
     ///   X + u(X) = x,
-    /// by Newton's method with the rotation for the gradient, from the nearest
-    /// point of the surface.
+    /// found by Newton's method from the nearest surface point (gradient:
+    /// rotation).
     Extreme
     deepest(const Moved       &a,
             const Moved       &b,
             const unsigned int number_of_b,
             const Vector      &u) const;
-    /// How far @p X of body @p b, inside of it, is from its surface: from the
-    /// nearest of the planes at the points around; zero if that is next to
-    /// nothing.
+    /// Returns the distance of @p X, inside of body @p b, from its surface:
+    /// from the nearest of the tangent planes at the points around. Zero below
+    /// rounding.
     double
     depth(const dealii::Point<3> &X, const unsigned int b) const;
-    /// Whether the middle of an element of @p a is inside of @p b from the
-    /// start: whoever puts bodies into each other means it.
+    /// Returns whether the center of an element of @p a is inside of @p b from
+    /// the start, which is taken as intended.
     bool
     are_nested(const Body &a, const Body &b) const;
-    /// Bodies that no contact keeps apart.
+    /// Adds sentences on overlapping bodies without a contact.
     void
     add_overlaps(const std::vector<Moved> &moved,
                  const BlockVector        &u,
@@ -111,10 +111,10 @@ namespace lamella
     const Structure &structure;
     const Bodies    &bodies;
     Units            units;
-    /// Numbers of bodies between which there is a contact, the lower one first.
+    /// Pairs of bodies that a contact joins, the lower number first.
     std::set<std::pair<unsigned int, unsigned int>> contacts;
-    /// Of each body nodes of its surface, and face_points(), once somebody has
-    /// asked: on large sections to list them takes a while.
+    /// Surface nodes and face_points() of each body, filled at their first use,
+    /// since listing them takes long on large sections.
     std::vector<std::vector<SurfacePoint>> places, faces;
   };
 } // namespace lamella

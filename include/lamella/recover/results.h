@@ -191,11 +191,11 @@ namespace lamella
     unsigned int
     n_dofs() const;
 
-    /// What the user should know: notes, the warnings of all steps (with their
-    /// steps where the scene has several, and those at first failure; what
-    /// differs by its numbers only once, as of the largest load factor),
-    /// endnotes; what differs by the name of a contact or a body only once, with
-    /// all names. A sentence each, without a full stop.
+    /// Returns notes, the warnings of all steps, and endnotes: a sentence each,
+    /// without a full stop. Warnings have their steps if there are several, or
+    /// that of first failure. Warnings that differ by numbers only are merged,
+    /// with the numbers of the largest load factor. So are those that differ by
+    /// the name of a contact or body, with all names.
     std::vector<std::string>
     all_warnings() const;
 

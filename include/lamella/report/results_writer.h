@@ -39,7 +39,7 @@ namespace lamella
   class ResultsWriter
   {
   public:
-    /// What pictures are made of, beyond results.
+    /// Objects that pictures are made from, besides results.
     struct Scenery
     {
       /// The bodies that are drawn.
@@ -56,9 +56,9 @@ namespace lamella
       const StrengthSweep *strength = nullptr;
     };
 
-    /// The results of what @p scenery returns, asked at each step, go into the
-    /// folder @p directory, which is this run's from now on, as long as the
-    /// object lives. Throws InputError (ResultsFolder).
+    /// Writes results into the folder @p directory, which is reserved for this
+    /// run during the lifetime of the object. Calls @p scenery at each step.
+    /// Throws InputError (ResultsFolder).
     ResultsWriter(const std::string              &directory,
                   const std::function<Scenery()> &scenery);
 

@@ -53,8 +53,8 @@ namespace lamella
       return given;
     }
 
-    /// scene(), for other axes: contacts that came to node to node by
-    /// themselves choose again.
+    /// Returns scene() for other axes: contacts for which `auto` chose node to
+    /// node are set to `auto` again.
     Scene
     anew() const;
 
@@ -132,7 +132,7 @@ namespace lamella
       return sweep.get();
     }
 
-    /// Tells what looks like a slip; lists its places when it is first asked.
+    /// Returns the checks of results; lists surface points at its first use.
     Plausibility &
     plausibility() const
     {
@@ -175,16 +175,16 @@ namespace lamella
     /// Search and pairing: the gap rows of all contacts, none twice.
     void
     build_contacts();
-    /// How far both sides of contact number @p contact overlap from the start
-    /// at @p at [length]; zero unless supports hold both there.
+    /// Returns the initial overlap of contact number @p contact at @p at
+    /// [length] if supports hold both sides there, else zero.
     double
     held_overlap(const unsigned int             contact,
                  const ContactInterface::Point &at) const;
-    /// Throws InputError where bodies overlap from the start at places that
-    /// supports hold on both sides: no contact force can part them there.
+    /// Throws InputError if bodies overlap from the start where supports hold
+    /// both sides, since no contact force can separate them there.
     void
     check_held_overlaps() const;
-    /// Appends the notes on the scene to those of @p found.
+    /// Appends the notes on the scene to @p found.
     void
     add_notes(Results &found) const;
     /// Throws InputError for a goal or a quantity of a trade that asks for the
@@ -202,8 +202,8 @@ namespace lamella
     std::vector<ContactInterface> contacts;
     GapRows                       gap_rows;
     Contacts                      lives;
-    /// Contacts that came to node to node by themselves.
-    std::vector<unsigned int> chose_nodes;
+    /// Contacts for which `auto` chose node to node.
+    std::vector<unsigned int> automatic_node_pairs;
     /// What the choice of fields has to say.
     std::vector<std::string> field_notes;
     /// Of each body, why its nodes carry the fields that they do.

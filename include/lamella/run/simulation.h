@@ -63,9 +63,9 @@ namespace lamella
      * step that cannot be solved or is not to be trusted, or in which a search
      * distance turns out too short; results() then has the steps before it.
      * Where a stiffness has lost its digits before the first step, bodies with
-     * fields of their own get all fields of their sections, once. Where a
-     * contact misses between its points what is inside of a body, an axis that
-     * grades itself gets shorter elements there, and all steps are done anew.
+     * fields of their own get all fields of their sections, once. If contact
+     * points miss a penetrating body, an automatic axis gets shorter elements
+     * there, and all steps are repeated.
      * With an @p observer the state and the tables of a step are dropped when
      * the next one is there: what it has not taken is gone. Without one all
      * steps stay whole. Collective.
@@ -142,11 +142,11 @@ namespace lamella
     /// of its own. False, and nothing is done, where there are none.
     bool
     take_all_fields();
-    /// Builds all anew with shorter elements where points have @p missed what
-    /// they may touch. False, and nothing is done, where the axis is the
-    /// user's.
+    /// Rebuilds the scene with shorter elements where contact points @p missed
+    /// a penetrating body. Returns false, without any change, if the user
+    /// prescribed the axis.
     bool
-    shorten_elements(const BetweenPoints &missed);
+    shorten_elements(const UndetectedPenetration &missed);
 
     /// solve() of the fields that are built.
     const Results &
@@ -205,8 +205,8 @@ namespace lamella
     std::unique_ptr<LoadPath>      path;
 
     Results found;
-    /// Of each body, whether its axis grades itself, or that of a model beside
-    /// a run, or of a run to a tolerance.
+    /// Marks bodies with an automatic axis, or that of a model beside a run or
+    /// of a run to a tolerance.
     std::vector<bool> may_refine;
     /// Whether the last step comes from an earlier run and has its state only.
     bool last_is_bare = false;

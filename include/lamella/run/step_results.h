@@ -11,22 +11,22 @@
 
 namespace lamella
 {
-  /// A contact touches nowhere, and what it may touch is inside of a body
-  /// between its points: they are too far apart.
-  struct BetweenPoints : public NumericsError
+  /// Exception: an inactive contact has a penetrating body between its points,
+  /// which are too far apart.
+  struct UndetectedPenetration : public NumericsError
   {
-    BetweenPoints(const std::string &message,
-                  const unsigned int body,
-                  const double       y,
-                  const double       longest)
+    UndetectedPenetration(const std::string &message,
+                          const unsigned int body,
+                          const double       y,
+                          const double       longest)
       : NumericsError(message)
       , body(body)
       , y(y)
       , longest(longest)
     {}
 
-    /// The body that wants shorter elements, the place along its axis, and the
-    /// longest there that would find it [length]; 0 where it is not known.
+    /// The body that needs shorter elements, the place along its axis, and the
+    /// longest sufficient length [length]; 0 if it is not known.
     unsigned int body;
     double       y, longest;
   };
@@ -58,9 +58,9 @@ namespace lamella
     void
     take_measures(Results &results) const;
 
-    /// Of contacts that bear no force in any of the steps so far: all of them
-    /// if none does, else those of bodies that nothing strains and of obstacles
-    /// that move. A sentence, empty if there are none.
+    /// Returns a sentence on contacts without a force in all steps so far: on
+    /// all if none has one, else on those of unstrained bodies and moving
+    /// obstacles. Empty if there are none.
     std::string
     note_on_idle_contacts() const;
 
@@ -69,8 +69,8 @@ namespace lamella
     FailureTrial
     trial(const SolvedStep &solved, std::vector<PlyReserve> &plies) const;
 
-    /// The warnings of a load step that comes to @p solved, a state beside the
-    /// path with the reserve factors @p plies.
+    /// Returns the warnings of @p solved, a state beside the load path, with
+    /// the reserve factors @p plies.
     std::vector<std::string>
     warnings_beside(const SolvedStep       &solved,
                     std::vector<PlyReserve> plies) const;
@@ -97,27 +97,27 @@ namespace lamella
     take_contacts(const SolvedStep &solved,
                   const State      &previous,
                   StepResults      &results) const;
-    /// Reserve factors of plies, into @p results.
+    /// Writes reserve factors of plies into @p results.
     void
     take_strength(StepResults &results, const FaceTractions &tractions) const;
-    /// What the user should know of the state, of what pairing assumed (small
-    /// sliding, collinear normals), and of what was @p sampled there: its step,
-    /// closures and plies.
+    /// Returns warnings about the state, the assumptions of contact (small
+    /// sliding, collinear normals), and the step, equilibrium defects and plies
+    /// in @p sampled.
     std::vector<std::string>
     warnings(const SolvedStep &solved, const StepResults &sampled) const;
     /// Of bodies that turn, where rollers touch them at few points.
     std::vector<std::string>
     warnings_of_rollers(const SolvedStep &solved) const;
-    /// Throws BetweenPoints where a body or an obstacle is inside of a body
-    /// between its contact points, and nothing touches.
+    /// Throws UndetectedPenetration where a body or an obstacle is inside of a
+    /// body between its contact points, and nothing touches.
     void
     require_found(const SolvedStep &solved) const;
     [[noreturn]] void
-    throw_between_points(const ContactInterface &contact,
-                         const SunkPlace        &sunk,
-                         const unsigned int      body) const;
-    /// Whether a row of contact number @p contact, or of another of the same
-    /// two, carries force.
+    throw_undetected_penetration(const ContactInterface &contact,
+                                 const SunkPlace        &sunk,
+                                 const unsigned int      body) const;
+    /// Returns whether contact number @p contact, or another one of the same
+    /// two bodies, has an active constraint.
     bool
     touches(const unsigned int contact, const SolvedStep &solved) const;
     /// Of bodies that turn, where an end of one lies in another.
@@ -131,13 +131,13 @@ namespace lamella
     /// motions that they take out.
     std::vector<std::string>
     warnings_of_holds(const SolvedStep &solved) const;
-    /// The numbers of the contacts of note_on_idle_contacts().
+    /// Returns the numbers of the contacts of note_on_idle_contacts().
     std::vector<unsigned int>
     idle_contacts() const;
-    /// Whether contact number @p c has borne a force of more than rounding: one
-    /// that strains a body.
+    /// Returns whether contact number @p c has had a force above rounding,
+    /// which strains a body.
     bool
-    has_borne(const unsigned int c) const;
+    has_carried_force(const unsigned int c) const;
     /// What is to be said of stresses whose equilibrium does not close.
     std::vector<std::string>
     warnings_of_closures(const Closures &closures) const;

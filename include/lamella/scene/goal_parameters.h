@@ -54,7 +54,7 @@ namespace lamella
     /// Whether the scene says nothing of its Theory, so that a run to a
     /// tolerance may begin with what suits it.
     bool theory_is_assumed = false;
-    /// The bodies of which it says nothing of their axes.
+    /// Names of the bodies whose axis elements the scene leaves open.
     std::set<std::string> axes_are_assumed;
 
     /// Declares them in `subsection Goals`, which must be entered.

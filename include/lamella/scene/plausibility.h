@@ -11,11 +11,11 @@
 namespace lamella
 {
   /**
-   * Sentences, without a full stop, on numbers of @p scene that look as if they
-   * were in other units than its own; those of single materials are not among
-   * them (doubts_of_material()). @p meshes are those of the scene's sections.
+   * Returns sentences, without a full stop, on numbers of @p scene whose unit
+   * is probably not that of the scene. Materials have their own check
+   * (doubts_of_material()). @p meshes are those of the scene's sections.
    *
-   *   number                    told if
+   *   number                    warning if
    *   layup                     no angle exceeds 3.2, and one is pi/2, pi/3,
    *                             pi/4 or pi/6 within 1e-3: radians
    *   stiffest material         softer than 1000 MPa, and no core, foam (below
@@ -25,7 +25,7 @@ namespace lamella
    *   Gravity                   9.7 to 9.9 mm/s^2, or as many km/s^2
    *   Rotation of a support     more than one turn: degrees
    *
-   * Lengths and stresses are looked at with `Units` only.
+   * Lengths and stresses are checked with `Units` only.
    */
   std::vector<std::string>
   doubts_of_magnitude(const Scene &scene, const SectionMeshes &meshes);

@@ -25,10 +25,10 @@ namespace lamella
   bool
   can_turn(const Theory &theory);
 
-  /// Whether @p contact of @p body can be the line of a beam that is nearest to
-  /// a roller across it.
+  /// Returns whether `line to roller` is possible for @p contact of @p body: a
+  /// beam's line that is nearest to a roller across the beam.
   bool
-  may_be_line(const ContactPair &contact, const BodyDescription &body);
+  can_be_line(const ContactPair &contact, const BodyDescription &body);
 
   /// Whether @p scene has what is of large rotations alone: loads that follow.
   bool

@@ -38,9 +38,9 @@ namespace lamella
   dealii::Tensor<2, 3>
   first_stress(const Gradient &H, const Voigt &second);
 
-  /// The strain that the last correction @p dH, which reached @p H, predicted,
+  /// Returns the strain that the linearization at the last iterate predicted,
   ///   E_ij - sum_c dH_ic dH_jc / 2,
-  /// E of before and its linear change; E itself for a correction of zero.
+  /// with the correction @p dH that led to @p H. For a zero correction it is E.
   Voigt
   predicted_strain(const Gradient &H, const Gradient &dH);
 
@@ -48,9 +48,9 @@ namespace lamella
    * The derivative of first_stress() by H where S = C E is that of @p law: row
    * and column 3 i + c of H[i][c],
    *   (dE/dH)^T C dE/dH + S_ij delta_cd,
-   * symmetric. The S of the second part is @p second, of predicted_strain()
-   * (Magisano, Leonetti and Garcea, Int. J. Numer. Meth. Engng 110, 2017: the
-   * tangent of mixed integration points).
+   * symmetric. @p second is the S of the second term, that of
+   * predicted_strain() (mixed integration points: Magisano, Leonetti and
+   * Garcea, Int. J. Numer. Meth. Engng 110, 2017).
    */
   dealii::Tensor<2, 9>
   green_tangent(const Gradient &H, const Voigt &second, const ElasticLaw &law);

@@ -22,12 +22,12 @@ namespace lamella
    *   dW/dq = int (dE/dq)^T C dE/dq + S_ij (dH_i/dq)^T dH_j/dq dA.
    * At q = 0 these are the matrices of SectionAnswer, over the same points.
    *
-   * Along an element of degree 3 bending and the squares in E_yy are of degrees
-   * 2 and 4. What cannot cancel between them locks, and shows as stress. So
-   * E_yy is an assumed strain of degree 2: of its values at the stations, Gauss
-   * points of weights w_k whose sum is 1, the part of degree 3 is taken off,
+   * In elements of degree 3, bending has degree 2 and the squares in E_yy have
+   * degree 4. Terms that cannot cancel cause locking and stress oscillations.
+   * So E_yy is an assumed strain of degree 2. From its values at the stations
+   * (Gauss weights w_k of sum 1) the part of degree 3 is subtracted,
    *   E_k - l_k sum_m w_m l_m E_m,   l_k = sqrt(7) P_3 at station k,
-   * which is nothing of a strain that is linear in q.
+   * which is zero for strains that are linear in q.
    *
    * For sections whose strains are those of their displacements, all affine
    * maps of the section among them: LE, TE-2 and up. A field alone is sparse in
@@ -38,10 +38,10 @@ namespace lamella
   public:
     /// An assertion fails if the section completes strains (StrainCompletion)
     /// or the space has modes.
-    /// Elements have @p n_stations.
+    /// @p n_stations is the number of stations of an element.
     GreenAnswer(const FieldSpace &space, const unsigned int n_stations);
 
-    /// Of all fields of the section, at the stations @p q of an element.
+    /// Returns the forces on all fields, at the stations @p q of an element.
     SectionForces
     forces(const FieldParts &q) const;
 
@@ -60,23 +60,23 @@ namespace lamella
     {
       const std::vector<unsigned int> *fields = nullptr;
       dealii::LAPACKFullMatrix<double> matrix;
-      /// A row for each point: dE_yy/dq, and its weight times
-      /// (C dE/dq)_yy - C_yyyy dE_yy/dq / 2.
+      /// Rows dE_yy/dq, one per point, and the weight times
+      ///   (C dE/dq)_yy - C_yyyy dE_yy/dq / 2.
       dealii::LAPACKFullMatrix<double> stretch, on_stretch;
     };
 
     /// Calls @p use with the tangents of each cell, one for each station @p q
-    /// of an element, which was reached by the last @p correction
-    /// (predicted_strain()). With the sums over the stations X of w_k l_k
-    /// stretch and Y of w_k l_k on_stretch, what an element takes off all of
-    /// them is Y^T X + X^T Y times its length.
+    /// of an element, after the @p correction (predicted_strain()). With the
+    /// sums over the stations X of w_k l_k stretch and Y of w_k l_k
+    /// on_stretch, the assumed strain subtracts Y^T X + X^T Y times the
+    /// element's length.
     void
     for_each_cell(
       const FieldParts                                            &q,
       const FieldParts                                            &correction,
       const std::function<void(const std::vector<CellTangent> &)> &use) const;
 
-    /// w_k l_k of station @p k.
+    /// Returns w_k l_k of station @p k.
     double
     share(const unsigned int k) const
     {
@@ -110,12 +110,12 @@ namespace lamella
       dealii::LAPACKFullMatrix<double> G;
     };
 
-    /// Makes E_yy or S_yy of the @p values at the stations of degree 2.
+    /// Reduces E_yy or S_yy in @p values at the stations to degree 2.
     void
     lower(std::vector<Voigt> &values) const;
 
-    /// The tangent at a station of @p cell where H and the second stress are
-    /// those of its points.
+    /// Returns the tangent at a station of @p cell for @p H and @p second
+    /// stresses at its points.
     static CellTangent
     tangent_at(const Cell                  &cell,
                const std::vector<Gradient> &H,
@@ -127,7 +127,7 @@ namespace lamella
       const Cell                                                    &cell,
       const std::function<dealii::Tensor<2, 9>(const unsigned int)> &D);
 
-    /// H at the points of @p cell, station after station of @p q.
+    /// Returns H at the points of @p cell for each station of @p q.
     std::vector<std::vector<Gradient>>
     gradients(const Cell &cell, const FieldParts &q) const;
 

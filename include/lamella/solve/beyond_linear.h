@@ -31,22 +31,22 @@ namespace lamella
     /// The number of the body that it is of.
     unsigned int stiffened = 0;
 
-    /// The smallest positive lambda of (K + lambda K_G) v = 0 with the
-    /// geometric stiffness of s_0 + s_m (SecondOrder) and the active rows of
-    /// contact held: what multiplies the loads where the state buckles, if its
-    /// stresses grow with them. Within a tenth above 10, much closer below.
-    /// None above 100, without compression, where the stiffening is above 1,
-    /// and above that of short waves in the material
-    /// (SecondOrder::short_waves()), which are no buckling of a structure.
+    /// Smallest positive lambda of (K + lambda K_G) v = 0, with the geometric
+    /// stiffness of s_0 + s_m (SecondOrder) and active contact constraints
+    /// held. The state buckles at lambda times the loads, if stresses grow in
+    /// proportion. Error: a tenth above 10, much less below. None above 100,
+    /// without compression, for a stiffening above 1, and above the limit of
+    /// short waves in the material (SecondOrder::short_waves()), which are no
+    /// structural buckling.
     std::optional<double> buckling_factor;
     /// The number of the body that holds most of the energy of that mode.
     unsigned int buckled = 0;
-    /// The relative growth of the displacements u by that mode: the part c of u
-    /// along it in the energy norm grows to c lambda / (lambda - 1), and this
-    /// is |c| / |u| / (lambda - 1). Zero where loads do not excite it, as in a
-    /// column that is straight. Without a factor it is -u.K_G u / u.K u, the
-    /// growth to the first order: at least zero, at most the largest 1 / lambda
-    /// that no factor is given for.
+    /// Relative growth of the displacements u by the buckling mode: |c| / |u| /
+    /// (lambda - 1), c the part of u along the mode in the energy norm, which
+    /// grows to c lambda / (lambda - 1). Zero if loads do not excite the mode,
+    /// as for a straight column. Without a factor: the first-order growth
+    /// -u.K_G u / u.K u, at least zero, at most the largest 1 / lambda that no
+    /// factor is given for.
     double amplification = 0.;
   };
 

@@ -326,8 +326,8 @@ namespace lamella
               const State      &state,
               const LoadFactor &factor) const;
 
-    /// How deep bodies overlap from the start, where, and the remedy, a
-    /// sentence; empty if none do.
+    /// Returns a sentence on the initial overlap of bodies, its place, and the
+    /// remedy; empty without overlap.
     std::string
     describe_overlap() const;
 

@@ -26,10 +26,10 @@ namespace lamella
   class Linearisation
   {
   public:
-    /// Functions that are called for each body: when work on it begins and
-    /// ends, when its stiffness is assembled, and with the size of its factor
-    /// before memory is spent on it. Each may be empty; what `sized` throws
-    /// prevents the factorisation.
+    /// Callbacks for each body: at the begin and end of its work, after the
+    /// assembly of its stiffness, and with the size of its factor before memory
+    /// is allocated. Each may be empty. An exception of `sized` prevents the
+    /// factorization.
     struct BodyMonitor
     {
       std::function<void(const Body &)>                     begins, assembled;

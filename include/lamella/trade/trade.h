@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 // The room `trade`: accuracy against cost. It owns ladders of theories and
-// meshes, the runs of their rungs, each in a process of its own, and what these
-// found; scripts/trade.py makes the table, the sentences and the picture that
-// say what is the cheapest. A rung is a scene like any other: it never looks
-// into a solution beyond its Results.
+// meshes, the runs of their rungs, each in a process of its own, and their
+// results. From these, scripts/trade.py makes a table, sentences on the
+// cheapest rung, and a picture. A rung is an ordinary scene: the room never
+// reads more of a solution than its Results.
 
 #ifndef lamella_trade_trade_h
 #define lamella_trade_trade_h
@@ -52,10 +52,10 @@ namespace lamella
           const unsigned int              threads,
           std::ostream                   &out);
 
-    /// Runs what is missing of the ladder in @p directory and presents it there
-    /// (present_trade()); the results of each rung go into rungs/NN_NAME.
-    /// Throws InputError if another trade is at work there, nothing can be
-    /// written, the scene changed in the meantime or a rung cannot give a
+    /// Runs the rungs of the ladder that have no results in @p directory and
+    /// presents all there (present_trade()). Results of rungs go into
+    /// rungs/NN_NAME. Throws InputError if another trade runs there, a file
+    /// cannot be written, the scene has changed meanwhile or a rung lacks a
     /// quantity; NumericsError if no reference succeeded.
     void
     run(const std::string &directory);

@@ -10,30 +10,30 @@
 
 namespace lamella
 {
-  /// Costs and values of the rungs of a trade, and what they are compared by.
+  /// Costs and values of the rungs of a trade, and their reference.
   struct TradeFindings
   {
-    /// In the order of the ladder. Those that did not fail have a value for
-    /// each of the quantities.
+    /// Rungs in the order of the ladder. Those without a failure have a value
+    /// for each quantity.
     std::vector<RungResult> rungs;
-    /// With their numbers where the reference is `given`.
+    /// Compared quantities, with given numbers if the reference is `given`.
     std::vector<NamedQuantity> quantities;
     /// `finest`, `solid`, `given` or the name of a rung (TradeParameters).
     std::string reference;
-    /// Shares of 1.
+    /// Relative tolerances.
     std::vector<double> tolerances;
-    /// Of the pictures, and text that is printed behind the sentences.
+    /// Title of the pictures, and text that is printed after the sentences.
     std::string title, remark = {};
   };
 
   /**
-   * Writes @p findings to trade.json in @p directory and has scripts/trade.py
-   * make the rest of it: tables and sentences, which are printed, trade.csv and
-   * the pictures (doc/trade.md). What the script prints goes where this process
-   * prints.
+   * Writes @p findings to trade.json in @p directory and runs
+   * scripts/trade.py there. The script prints tables and sentences, and
+   * writes trade.csv and the pictures (doc/trade.md). Its output goes to that
+   * of this process.
    *
-   * Throws NumericsError if the rung that the reference means, or every rung,
-   * failed; InputError if there is no python3 or a file cannot be written.
+   * Throws NumericsError if the rung of the reference, or every rung, failed;
+   * InputError if there is no python3 or a file cannot be written.
    */
   void
   present_trade(const TradeFindings &findings, const std::string &directory);
