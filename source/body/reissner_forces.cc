@@ -2,6 +2,7 @@
 
 // The forces of a beam whose sections turn, and their derivative.
 
+#include <lamella/base/lagrange.h>
 #include <lamella/body/reissner_beam.h>
 
 #include <algorithm>
@@ -406,5 +407,33 @@ namespace lamella
           }
         use(block_of(numbers, K));
       }
+  }
+
+
+  ReissnerBeam::SectionState
+  ReissnerBeam::shown_state(const AxisPoint &on_axis, const Vector &u) const
+  {
+    const unsigned int        cell = on_axis.cell, n = stations[cell].size();
+    const double              begin = axis().cell_begin(cell);
+    const std::vector<double> weights =
+      gauss_projection(n,
+                       n - 1,
+                       (on_axis.y - begin) / (axis().cell_end(cell) - begin));
+    SectionState state = section_state(on_axis, u);
+    for (std::vector<double> *part :
+         {&state.e, &state.value, &state.derivative})
+      part->assign(part->size(), 0.);
+    const auto add = [](const double weight, const auto &from, auto &to) {
+      for (unsigned int i = 0; i < to.size(); ++i)
+        to[i] += weight * from[i];
+    };
+    for (unsigned int k = 0; k < n; ++k)
+      {
+        const SectionState at = section_state(stations[cell][k].point, u);
+        add(weights[k], at.e, state.e);
+        add(weights[k], at.value, state.value);
+        add(weights[k], at.derivative, state.derivative);
+      }
+    return state;
   }
 } // namespace lamella

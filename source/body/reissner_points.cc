@@ -3,7 +3,6 @@
 // The points of a beam whose sections turn: where they are, what forces there
 // do, and what is shown of them.
 
-#include <lamella/base/lagrange.h>
 #include <lamella/base/processes.h>
 #include <lamella/body/fields.h>
 #include <lamella/body/reissner_beam.h>
@@ -87,35 +86,6 @@ namespace lamella
     for (unsigned int k = 0; k < point.fields->size(); ++k)
       warping += state.warping[(*point.fields)[k]] * point.value[k];
     return state.frame.r + (R * X - X) + R * warping;
-  }
-
-
-
-  ReissnerBeam::SectionState
-  ReissnerBeam::shown_state(const AxisPoint &on_axis, const Vector &u) const
-  {
-    const unsigned int        cell = on_axis.cell, n = stations[cell].size();
-    const double              begin = axis().cell_begin(cell);
-    const std::vector<double> weights =
-      gauss_projection(n,
-                       n - 1,
-                       (on_axis.y - begin) / (axis().cell_end(cell) - begin));
-    SectionState state = section_state(on_axis, u);
-    for (std::vector<double> *part :
-         {&state.e, &state.value, &state.derivative})
-      part->assign(part->size(), 0.);
-    const auto add = [](const double weight, const auto &from, auto &to) {
-      for (unsigned int i = 0; i < to.size(); ++i)
-        to[i] += weight * from[i];
-    };
-    for (unsigned int k = 0; k < n; ++k)
-      {
-        const SectionState at = section_state(stations[cell][k].point, u);
-        add(weights[k], at.e, state.e);
-        add(weights[k], at.value, state.value);
-        add(weights[k], at.derivative, state.derivative);
-      }
-    return state;
   }
 
 

@@ -8,6 +8,26 @@ namespace lamella
   using dealii::ParameterHandler;
   using dealii::Patterns::Anything;
 
+  namespace
+  {
+    void
+    declare_budgets(ParameterHandler &prm)
+    {
+      prm.declare_entry("Budget DoFs",
+                        "0",
+                        patterns::number(),
+                        "Of a run to a Tolerance: the largest model that it "
+                        "may solve; 0: any.");
+      prm.declare_entry("Budget seconds",
+                        "0",
+                        patterns::number(),
+                        "Of a run to a Tolerance: no new model is begun after "
+                        "that many seconds; 0: never mind.");
+    }
+  } // namespace
+
+
+
   void
   GoalParameters::declare(ParameterHandler &prm)
   {
@@ -39,16 +59,7 @@ namespace lamella
                       "is cheap, by the run itself, poorer models or half of "
                       "the axis; richer: by richer models. With Rotations = "
                       "large true alone makes them, by half of the axis.");
-    prm.declare_entry("Budget DoFs",
-                      "0",
-                      patterns::number(),
-                      "Of a run to a Tolerance: the largest model that it may "
-                      "solve; 0: any.");
-    prm.declare_entry("Budget seconds",
-                      "0",
-                      patterns::number(),
-                      "Of a run to a Tolerance: no new model is begun after "
-                      "that many seconds; 0: never mind.");
+    declare_budgets(prm);
   }
 
 

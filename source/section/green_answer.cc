@@ -150,6 +150,38 @@ namespace lamella
 
 
 
+  std::vector<Vector>
+  GreenAnswer::first_stresses(const Cell                               &cell,
+                              const std::vector<std::vector<Gradient>> &H,
+                              std::vector<double> &energy) const
+  {
+    std::vector<Vector> P(H.size(), Vector(cell.G.m()));
+    for (unsigned int p = 0; p < cell.points.size(); ++p)
+      {
+        std::vector<Voigt> strain, stress;
+        for (unsigned int k = 0; k < H.size(); ++k)
+          strain.push_back(green_strain(H[k][p]));
+        lower(strain);
+        for (unsigned int k = 0; k < H.size(); ++k)
+          {
+            stress.push_back(cell.points[p].weight *
+                             cell.points[p].law.stress(strain[k]));
+            energy[k] += 0.5 * (stress[k] * strain[k]);
+          }
+        lower(stress);
+        for (unsigned int k = 0; k < H.size(); ++k)
+          {
+            const Tensor<2, 3> at_point = first_stress(H[k][p], stress[k]);
+            for (unsigned int i = 0; i < 3; ++i)
+              for (unsigned int c = 0; c < 3; ++c)
+                P[k][9 * p + 3 * i + c] = at_point[i][c];
+          }
+      }
+    return P;
+  }
+
+
+
   SectionForces
   GreenAnswer::forces(const FieldParts &q) const
   {
@@ -157,30 +189,9 @@ namespace lamella
     SectionForces      result(space.n_fields(), n_stations);
     for (const Cell &cell : cells)
       {
-        const unsigned int  n = cell.fields->size();
-        const auto          H = gradients(cell, q);
-        std::vector<Vector> P(n_stations, Vector(cell.G.m()));
-        for (unsigned int p = 0; p < cell.points.size(); ++p)
-          {
-            std::vector<Voigt> strain, stress;
-            for (unsigned int k = 0; k < n_stations; ++k)
-              strain.push_back(green_strain(H[k][p]));
-            lower(strain);
-            for (unsigned int k = 0; k < n_stations; ++k)
-              {
-                stress.push_back(cell.points[p].weight *
-                                 cell.points[p].law.stress(strain[k]));
-                result.energy[k] += 0.5 * (stress[k] * strain[k]);
-              }
-            lower(stress);
-            for (unsigned int k = 0; k < n_stations; ++k)
-              {
-                const Tensor<2, 3> at_point = first_stress(H[k][p], stress[k]);
-                for (unsigned int i = 0; i < 3; ++i)
-                  for (unsigned int c = 0; c < 3; ++c)
-                    P[k][9 * p + 3 * i + c] = at_point[i][c];
-              }
-          }
+        const unsigned int        n = cell.fields->size();
+        const std::vector<Vector> P =
+          first_stresses(cell, gradients(cell, q), result.energy);
         Vector work(2 * n);
         for (unsigned int k = 0; k < n_stations; ++k)
           {

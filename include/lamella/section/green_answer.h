@@ -121,6 +121,14 @@ namespace lamella
                const std::vector<Gradient> &H,
                const std::vector<Voigt>    &second);
 
+    /// The first Piola-Kirchhoff stresses at the points of @p cell, nine
+    /// numbers each, times their areas, at each station; @p H holds the
+    /// gradients there. Adds to @p energy, per length, that of each station.
+    std::vector<Vector>
+    first_stresses(const Cell                               &cell,
+                   const std::vector<std::vector<Gradient>> &H,
+                   std::vector<double>                      &energy) const;
+
     /// int (dH/dq)^T D dH/dq dA over @p cell, D of its points.
     static CellTangent
     tangent_of(
