@@ -164,7 +164,7 @@ namespace lamella
       constexpr unsigned int first_look = 4, most_steps = 30;
       // Of mu; its error is of the square of the residual. What is far away
       // need not be known as well as what is near.
-      constexpr double settled = 1e-2, settled_far = 0.1;
+      constexpr double settled = 1e-2, settled_far = 0.05;
       constexpr double of_springs = 0.5,
                        rounding   = arithmetic::rounding_of_solutions;
 

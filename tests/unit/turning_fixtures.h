@@ -7,6 +7,8 @@
 
 #include "fixtures.h"
 
+#include <boost/test/unit_test.hpp>
+
 #include <random>
 
 namespace lamella

@@ -34,7 +34,7 @@ namespace lamella
     /// Smallest positive lambda of (K + lambda K_G) v = 0, with the geometric
     /// stiffness of s_0 + s_m (SecondOrder) and active contact constraints
     /// held. The state buckles at lambda times the loads, if stresses grow in
-    /// proportion. Error: a tenth above 10, much less below. None above 100,
+    /// proportion. Error: 5 % above 10, much less below. None above 100,
     /// without compression, for a stiffening above 1, and above the limit of
     /// short waves in the material (SecondOrder::short_waves()), which are no
     /// structural buckling.
