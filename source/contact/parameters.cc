@@ -63,16 +63,16 @@ namespace lamella
       name_of(Discretisation::automatic),
       selection<Discretisation>(),
       "auto: node to node where every node that faces the other surface faces "
-      "one of its nodes, line to roller where that is wanted (doc/contact.md), "
-      "else (and with obstacles) surface to surface; "
+      "one of its nodes, line to roller on rollers that are small beside the "
+      "elements (doc/contact.md), else surface to surface; "
       "node to node: rows between nodes that face each other; node to surface: "
       "between the nodes of one side and the places of the other that they "
       "face; surface to surface: gaps averaged around the nodes of one side, "
       "as in mortar methods, whatever the nodes of the other; edge to surface: "
       "between the nodes of one side where its body starts or ends and the "
       "other side, wherever they slide; line to roller: "
-      "the line of a beam that is nearest to a cylinder across it, wherever it "
-      "wanders.");
+      "the line of a beam that is nearest to a cylinder across it, followed as "
+      "it moves over the surface.");
     prm.declare_entry("Points on",
                       name_of(PointsOn::automatic),
                       selection<PointsOn>(),

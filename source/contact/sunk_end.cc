@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <lamella/base/arithmetic.h>
 #include <lamella/contact/foot.h>
 #include <lamella/contact/sunk_end.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace lamella
@@ -34,6 +36,28 @@ namespace lamella
         return {};
       return foot;
     }
+
+
+
+    /// Returns whether @p hit on @p other is at an end of that body, among
+    /// whose end nodes @p ends are: flush ends are as deep in each other as the
+    /// faces beside them.
+    bool
+    is_at_end(const MeshSurface               &other,
+              const SurfaceHit                &hit,
+              const std::vector<SurfacePoint> &ends)
+    {
+      const FacetMap    &map   = other.facets()[hit.facet].map;
+      const Tensor<1, 3> along = map(hit.st).d_t;
+      const double       across =
+        (map({1., 1.}).position - map({0., 0.}).position).norm();
+      return std::any_of(ends.begin(), ends.end(), [&](const auto &end) {
+        const Tensor<1, 3> way = end.position - hit.position;
+        return way.norm() <= across &&
+               std::abs(way * along) <=
+                 arithmetic::same_in_element * along.norm_square();
+      });
+    }
   } // namespace
 
 
@@ -52,11 +76,12 @@ namespace lamella
         const auto nodes_of      = [&](const ContactSides &sides) {
           return of_ends ? sides.end_points(second) : sides.points(second);
         };
-        const auto nodes = nodes_of(paired), are = nodes_of(now);
+        const auto nodes = nodes_of(paired), are = nodes_of(now),
+                   other_ends = paired.end_points(!second);
         for (unsigned int k = 0; k < nodes.size(); ++k)
           {
             const auto foot = nearest_foot(other, nodes[k], reach);
-            if (!foot)
+            if (!foot || (of_ends && is_at_end(other, *foot, other_ends)))
               continue;
             const Tensor<1, 3> approach =
               (moved.facets()[foot->facet].map(foot->st).position -
