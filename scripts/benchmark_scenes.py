@@ -52,7 +52,7 @@ HERTZ = Scene(
     ["Section half/Sectors=16", "Section half/Finest cell=8"] + axis(1),
     ["Contact nip/Discretisation=node to node", "Contact nip/Enforcement=penalty",
      "Contact nip/Search distance=auto"],
-    ["Section half/Sectors=8", "Section half/Finest cell=8"] + axis(1),
+    ["Section half/Sectors=8", "Section half/Finest cell=1"] + axis(1),
     296, 13176,
     [Quantity("force", "supports", "press", 2, -0.3241),
      Quantity("sigma_zz", "probes", "lower_centre", "szz", -1.728)])

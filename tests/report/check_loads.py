@@ -50,7 +50,7 @@ def main():
             "every load step.",
             "All bodies have weight: the acceleration of gravity is (0, 0, −10000) [mm/s²], in all "
             "(0, 0, −0.0004) N, a moment of (−0.002, 0.0004, 0) [N mm]",
-            "plain: density [t/mm³] = (2e-09)", "plain: thermal expansion",
+            "plain: density [t/mm³] = (2·10⁻⁹)", "plain: thermal expansion",
             "what multiplies all forces and all prescribed displacements. Temperatures act in "
             "full at every load step"):
         expect(sentence in words, sentence)
