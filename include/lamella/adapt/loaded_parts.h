@@ -15,9 +15,9 @@ namespace lamella
   {
     /// From the start of the axis [length].
     double y = 0.;
-    /// Of the elements beside it [length].
+    /// Length of the elements beside it.
     double size = 0.;
-    /// Whether a support or a contact may hold the axis there.
+    /// True if a support or a contact may hold the axis there.
     bool holds = false;
   };
 
