@@ -22,7 +22,7 @@ from measure_rubbing import cattaneo, coupon, crossed_cylinders, punch, rubbed, 
 from measure_turning import rubbing_turning, thin, turning
 from measure_rollers import rollers
 from measure_leaves import leaves
-from measure_tolerances import c3d20r, indentation, tolerances
+from measure_tolerances import c3d20r, indentation, templates, tolerances
 from measure_tools import POINT, ROOT, Run, axis, drawing, table
 
 
@@ -338,7 +338,7 @@ def main():
                                       parallel, million, fields, aims, hairs, walls,
                                       compact, flexure, three_plies, paper,
                                       growth_plies, growth_length, bars, bars_richer, corners,
-                                      rates, tolerances, indentation, leaves, c3d20r, beyond,
+                                      rates, tolerances, templates, indentation, leaves, c3d20r, beyond,
                                       foreseen, plans, friction, rubbing, punch,
                                       cattaneo, coupon, crossed_cylinders, rubbing_cost,
                                       rubbing_full, rubbed, rubbing_turning, rollers, thin,
@@ -349,7 +349,7 @@ def main():
     # A million DoFs take minutes and gigabytes: only when asked for.
     only_asked = ("parallel", "million", "fields", "aims", "hairs", "walls", "compact",
                   "flexure", "three_plies", "paper", "growth_plies", "growth_length", "bars",
-                  "bars_richer", "corners", "tolerances", "indentation", "c3d20r", "beyond",
+                  "bars_richer", "corners", "tolerances", "templates", "indentation", "c3d20r", "beyond",
                   "foreseen", "plans", "friction", "rubbing", "punch", "cattaneo",
                   "coupon", "crossed_cylinders", "rubbing_cost", "rubbing_full", "rubbed", "rubbing_turning",
                   "rollers", "thin", "turning")

@@ -24,16 +24,17 @@ SMALL, ABOVE_FLOOR = 1e-3, 3.
 
 
 class BarRun:
-    """A scene run with overrides: its summary and probes, by the names of quantities."""
+    """A scene run with overrides: its summary and probes, by the names of quantities. @p limits
+    is a command that runs the program within limits."""
 
-    def __init__(self, scene, overrides):
+    def __init__(self, scene, overrides, limits=()):
         self.failure = ""
         with tempfile.TemporaryDirectory() as folder:
             path = scene
             if isinstance(scene, dict):
                 path = Path(folder) / "scene.prm"
                 path.write_text(scene_text(scene))
-            words = [PROGRAM, path, "--output", Path(folder) / "out"]
+            words = [*limits, PROGRAM, path, "--output", Path(folder) / "out"]
             for override in ["Write VTU=false", *overrides]:
                 words += ["--set", override]
             begin = time.perf_counter()
@@ -41,12 +42,14 @@ class BarRun:
                                   text=True)
             self.wall = time.perf_counter() - begin
             if done.returncode:
-                self.failure = done.stderr.strip()
+                self.failure = done.stderr.strip() or f"status {done.returncode}"
                 return
             self.summary = json.loads((Path(folder) / "out/summary.json").read_text())
             self.tables = {path.name: read(path)
                            for path in (Path(folder) / "out").glob("*.csv")}
-            self.probes = self.tables["probes.csv"]
+            # Goals are of the last load step.
+            rows = self.tables["probes.csv"]
+            self.probes = [row for row in rows if row["step"] == rows[-1]["step"]]
 
     def value(self, quantity):
         name, column = quantity.split(": ")

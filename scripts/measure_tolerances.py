@@ -4,9 +4,11 @@
 import resource
 import subprocess
 import sys
+import tempfile
+from pathlib import Path
 
 from measure_bar_scenes import cantilever
-from measure_bars import BarRun
+from measure_bars import BarRun, poorer
 from measure_fields import laminate
 from measure_tools import ENVIRONMENT, PROGRAM, ROOT, table
 
@@ -155,6 +157,69 @@ def tolerances(pick=""):
            "over its last model", "goals met",
            "largest true error, %", "cheapest uniform LE: DoFs, seconds",
            "cheapest solid"], rows)
+
+
+# Templates of `lamella new`, with what makes a reference that is richer in degree, axis and cells
+# than what the runs end with.
+CELLS = ["Section laminate/Cells across=4", "Body coupon/Kinematics/Axis elements=auto 2"]
+TEMPLATES = {
+    "three-point": ["Theory=LE-4", *CELLS],
+    "four-point": ["Theory=LE-4", *graded(["coupon"], "2"), CELLS[0]],
+    "short-beam": ["Theory=LE-5", *CELLS],
+    "leaf-spring": ["Theory=LE-4", "Section leaf/Cells across=4", "Section leaf/Cells per ply=2",
+                    "Body leaf/Kinematics/Axis elements=32"],
+    "indentation": ["Theory=LE-5", "Section sandwich/Cells across=4",
+                    "Body beam/Kinematics/Axis elements=auto 4"]}
+# Seconds and bytes that a run may take: a `Budget seconds` is kept between passes only.
+MOST_OF_TEMPLATE = 240
+LIMITS = ["prlimit", f"--as={4 * 2**30}", "timeout", str(MOST_OF_TEMPLATE)]
+
+
+def rows_of_template(kind, theory, per_cent, run, true, nearly_true):
+    """A row per goal: value, bar, reference and whether the bar covers it."""
+    name = [kind, theory, f"{per_cent} %"]
+    seconds = f"{run.wall:.0f}"
+    if run.failure:
+        why = (f"not within {MOST_OF_TEMPLATE} s" if run.wall >= MOST_OF_TEMPLATE else
+               run.failure.splitlines()[0][:90])
+        return [[*name, why, "", "", "", "", "", seconds, "", 2]]
+    passes = max(int(row["pass"]) for row in run.tables["passes.csv"])
+    rows = []
+    for goal, found in run.summary["goals"].items():
+        # Of a place without a limit there is nothing to compare with.
+        bar = f"{100 * found['bar'] / found['scale']:.2g} %" if found["trusted"] else "none"
+        exact = true.value(goal)
+        error, floor = abs(exact - found["value"]), abs(exact - nearly_true.value(goal))
+        covers = ("" if not found["trusted"] else "yes" if error <= found["bar"] else
+                  f"no ({error / found['bar']:.2g})")
+        rows.append([*name, goal, f"{found['value']:.6g}", bar, f"{exact:.6g}",
+                     f"{100 * floor / found['scale']:.1g} %", covers, seconds, passes,
+                     "met" if found["met"] else "not met"])
+    return rows
+
+
+def templates(pick=""):
+    """doc/error-bars.md: runs to a tolerance of the scenes of `lamella new`, with the theory of
+    the template and with `auto`, against references. Seconds are by the clock."""
+    rows = []
+    with tempfile.TemporaryDirectory() as folder:
+        for kind, truth in TEMPLATES.items():
+            if pick not in kind:
+                continue
+            subprocess.run([PROGRAM, "new", kind, "--kind", kind], cwd=folder, check=True,
+                           capture_output=True)
+            scene = Path(folder) / f"{kind}.prm"
+            true, nearly_true = (BarRun(scene, [*overrides, "Goals/Error bars=false"])
+                                 for overrides in (truth, poorer(truth)))
+            for theory in ("", "auto"):
+                for per_cent in (10, 2):
+                    chosen = [f"Theory={theory}"] if theory else []
+                    run = BarRun(scene, [*chosen, f"Goals/Tolerance={per_cent}"], LIMITS)
+                    rows += rows_of_template(kind, theory or "its own", per_cent, run, true,
+                                             nearly_true)
+                    print(*rows[-3:], sep="\n", file=sys.stderr)
+    table(["template", "theory", "tolerance", "goal", "value", "bar", "reference",
+           "reference open", "bar covers", "seconds", "passes", "status"], rows)
 
 
 # Elements that meet the ends of the load, graded from there to the clamps.
