@@ -14,6 +14,8 @@ COUPON = ROOT / "prm/flexure_large.prm"
 SLIDE = ROOT / "tests/scenes/large_slide.prm"
 BELT = ROOT / "tests/scenes/turning_capstan.prm"
 CORNERS = ROOT / "tests/scenes/large_corners.prm"
+THROUGH = ROOT / "tests/scenes/large_through_strip.prm"
+CORNER_PULL = ROOT / "tests/scenes/large_corner_pull.prm"
 THIN = ROOT / "tests/scenes/large_thin_strip.prm"
 
 
@@ -262,6 +264,46 @@ def ends():
     table(["clamp down", "upper end, rods", "lower end, rods"]
           + [f"{theory}: {what}" for theory in theories
              for what in ("upper", "lower", "iterations")], rows)
+
+
+def pulled_over_corner():
+    """A strip pulled over the frictionless edge of a block by a dead force at its free end."""
+    section, length, corner = Section(3e3, 10., 1.), 90., np.array([60., 0.])
+    pull = np.array([5., 0.])   # of the rest of the rod on the piece before the corner
+
+    def pieces(q):
+        start_y, start_z, angle, at, normal = q
+        free = shoot(section, (start_y, start_z, angle, 0.), at, pull)
+        n = across(free[2])
+        return free, corner + section.half * n, normal * n
+
+    def residual(q):
+        free, touched, force = pieces(q)
+        clamp = shoot(section, free, length - q[3], pull - force)
+        return np.array([*(free[:2] - touched), clamp[0] - 120., clamp[1] + 29.5, clamp[2]])
+
+    force = pieces(solve(residual, (39., 8., -0.3, 22., 4.)))[2]
+    run = BarRun(CORNER_PULL, ["Contacts=face"])
+    mine = -np.array(run.summary["contacts"]["face"]["force"])[1:]
+    table(["corner, rod: y", "z", "Discretisation = auto, TBT: y", "z"],
+          [[f"{value:.5f}" for value in (*force, *mine)]])
+
+
+def pressed_by_end():
+    """A cantilever pressed by the edge of a rigid block, 39.5 from the clamp and 5 down."""
+    section, edge = Section(3e3, 6., 1.), np.array([39.5, -4.5])
+
+    def residual(q):
+        moment, at, normal, angle = q
+        touched = shoot(section, (0., 0., 0., moment), at, -normal * across(angle))
+        return np.array([*(touched[:2] - edge + section.half * across(angle)),
+                         touched[2] - angle, touched[3]])
+
+    _, _, normal, angle = solve(residual, (-14., 40., 0.36, -0.19))
+    run = BarRun(THROUGH, [])
+    table(["block, rod: y", "z", "Discretisation = auto, LE-1: y", "z"],
+          [[f"{value:.5f}" for value in (*(-normal * across(angle)),
+                                         *run.summary["contacts"]["face"]["force"][1:])]])
 
 
 def coupon():
@@ -543,11 +585,13 @@ def thin():
 
 def turning():
     """Rods beside tests/scenes/large_roller.prm, large_slide.prm, large_corners.prm,
-    turning_grip.prm, large_twist.prm, turning_spatial.prm and large_frame.prm; rings beside
-    large_tube.prm."""
+    large_corner_pull.prm, large_through_strip.prm, turning_grip.prm, large_twist.prm,
+    turning_spatial.prm and large_frame.prm; rings beside large_tube.prm."""
     rollers()
     slides()
     ends()
+    pulled_over_corner()
+    pressed_by_end()
     coupon()
     grips()
     in_space()

@@ -734,7 +734,7 @@ namespace lamella
   bool
   Contact::switch_to_points()
   {
-    if (!undeformed.contact().may_switch_to_points)
+    if (!is_automatic())
       return false;
     undeformed.decide(Discretisation::surface_to_surface, PointsOn::first);
     return true;

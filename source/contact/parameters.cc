@@ -64,7 +64,8 @@ namespace lamella
       selection<Discretisation>(),
       "auto: node to node where every node that faces the other surface faces "
       "one of its nodes, line to roller on rollers that are small beside the "
-      "elements (doc/contact.md), else surface to surface; "
+      "elements (doc/contact.md), else surface to surface, with edge to "
+      "surface beside it where an end of a body presses; "
       "node to node: rows between nodes that face each other; node to surface: "
       "between the nodes of one side and the places of the other that they "
       "face; surface to surface: gaps averaged around the nodes of one side, "
@@ -281,9 +282,10 @@ namespace lamella
     contact.name = name;
     parse_sides(in, bodies, obstacles, contact);
     contact.discretisation = in["Discretisation"].choice<Discretisation>();
-    contact.enforcement    = in["Enforcement"].choice<Enforcement>();
-    contact.points_on      = in["Points on"].choice<PointsOn>();
-    contact.overclosure    = in["Overclosure"].choice<Overclosure>();
+    contact.is_automatic = contact.discretisation == Discretisation::automatic;
+    contact.enforcement  = in["Enforcement"].choice<Enforcement>();
+    contact.points_on    = in["Points on"].choice<PointsOn>();
+    contact.overclosure  = in["Overclosure"].choice<Overclosure>();
     if (contact.obstacle != nullptr)
       check_obstacle(contact, in);
     else if (contact.discretisation == Discretisation::line_to_roller)

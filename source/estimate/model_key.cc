@@ -151,14 +151,16 @@ namespace lamella
                    tolerance,
                    search_distance,
                    friction,
-                   may_switch_to_points] = contact;
-      const auto &[kind, value]          = penalty;
-      std::string words                  = name;
+                   is_automatic,
+                   part_of]     = contact;
+      const auto &[kind, value] = penalty;
+      std::string words         = name;
       for (const auto choice : {static_cast<unsigned int>(discretisation),
                                 static_cast<unsigned int>(enforcement),
                                 static_cast<unsigned int>(overclosure),
                                 static_cast<unsigned int>(points_on),
-                                static_cast<unsigned int>(may_switch_to_points),
+                                static_cast<unsigned int>(is_automatic),
+                                part_of.value_or(0),
                                 static_cast<unsigned int>(kind)})
         words += " " + words_of(choice);
       return words + words_of(value) + words_of(tolerance) +

@@ -116,7 +116,7 @@ namespace lamella
       out << "\n    force on '" << contact.second_name << "' "
           << to_text(kkt.force) << force << ", moment " << to_text(kkt.moment)
           << work << " about the origin";
-      if (kkt.active > 0)
+      if (kkt.force.norm() > 0.)
         out << ", its line of action through "
             << to_text(kkt.centre_of_pressure);
       out << "\n    penetration " << to_text(kkt.max_penetration, 3) << length

@@ -235,13 +235,14 @@ namespace lamella
         ContactPair &contact = given.contacts[k];
         lives.push_back(
           std::make_unique<Contact>(contact, whole->bodies(), contacts[k]));
-        if (contacts[k].discretisation == Discretisation::node_to_node &&
-            contact.discretisation == Discretisation::automatic)
-          automatic_node_pairs.push_back(k);
         contact.discretisation = contacts[k].discretisation;
         drop_held_slips(contacts[k], *whole);
-        // Scenes that are read again choose again.
-        if (contact.may_switch_to_points)
+        // Choices that a run may revise are made again by who reads the scene.
+        if (contact.part_of ||
+            (contact.is_automatic &&
+             (contact.obstacle == nullptr ||
+              contact.discretisation == Discretisation::line_to_roller) &&
+             contact.discretisation != Discretisation::node_to_node))
           continue;
         given.resolved =
           SceneText::with_automatic(given.resolved,
@@ -262,8 +263,10 @@ namespace lamella
   BuiltScene::anew() const
   {
     Scene again = given;
-    for (const unsigned int k : automatic_node_pairs)
-      again.contacts[k].discretisation = Discretisation::automatic;
+    for (ContactPair &contact : again.contacts)
+      if (contact.is_automatic &&
+          contact.discretisation == Discretisation::node_to_node)
+        contact.discretisation = Discretisation::automatic;
     return again;
   }
 

@@ -91,6 +91,60 @@ namespace lamella
 
 
 
+  namespace
+  {
+    /// Adds a contact at @p end to @p scene, a part of the one that is there,
+    /// and a warning that tells it.
+    void
+    add_end(const EndInContact &end, Scene &scene)
+    {
+      ContactPair       part  = scene.contacts[end.contact];
+      const Region     &side  = end.of_second ? part.second : part.first;
+      const std::string whole = part.name, body = scene.bodies[side.body].name;
+      part.name += "_end_of_" + body;
+      part.discretisation = Discretisation::edge_to_surface;
+      part.points_on      = end.of_second ? PointsOn::second : PointsOn::first;
+      part.is_automatic   = false;
+      part.part_of        = end.contact;
+      scene.contacts.push_back(part);
+      scene.contact_references[part.name];
+      scene.warnings.push_back(
+        "contact " + whole + ": an end of body '" + body +
+        "' presses where constraints on faces do not hold it. Its nodes have "
+        "their own, contact " +
+        part.name + ", whose force is in that of " + whole + " as well");
+      // Load steps of other contacts cannot be resumed.
+      scene.resolved += "# " + scene.warnings.back() + "\n";
+    }
+  } // namespace
+
+
+
+  bool
+  Simulation::add_ends(const MissingEnds &missing)
+  {
+    if (last_is_bare)
+      return false;
+    Scene with_ends = built->anew();
+    for (const EndInContact &end : missing.ends)
+      {
+        add_end(end, with_ends);
+        out << "Once more: " << with_ends.warnings.back() << std::endl;
+      }
+    forget_solver();
+    try
+      {
+        build(with_ends, built->rules());
+      }
+    catch (const InputError &)
+      {
+        return false;
+      }
+    return true;
+  }
+
+
+
   void
   Simulation::forget_solver()
   {
@@ -123,6 +177,11 @@ namespace lamella
         {
           if (attempt == most || !shorten_elements(missed))
             throw;
+        }
+      catch (const MissingEnds &missing)
+        {
+          if (attempt == most || !add_ends(missing))
+            throw NumericsError(missing.what());
         }
   }
 

@@ -35,7 +35,7 @@ namespace lamella
     results.step        = step;
     results.load_factor = solved.load_factor;
     results.state       = solved.state;
-    results.checks      = solved.checks;
+    results.checks      = with_parts(solved.checks);
     results.substeps    = solved.substeps;
     results.change      = solved.change;
     results.halvings    = solved.cuts;
@@ -46,6 +46,17 @@ namespace lamella
     results.warnings = warnings(solved, results);
     take_contacts(solved, previous, results);
     return results;
+  }
+
+
+
+  Checks
+  StepRecorder::with_parts(Checks checks) const
+  {
+    for (unsigned int c = 0; c < checks.contacts.size(); ++c)
+      if (const auto whole = scene.contacts[c].part_of)
+        add_resultants(checks.contacts[*whole], checks.contacts[c]);
+    return checks;
   }
 
 
@@ -142,7 +153,7 @@ namespace lamella
   {
     FailureTrial trial;
     trial.load_factor = solved.load_factor.of_scene();
-    trial.checks      = solved.checks;
+    trial.checks      = with_parts(solved.checks);
     const FaceTractions tractions =
       built.tractions_at(solved.state, solved.load_factor);
     trial.probes = built.sampler().sample_probes(solved.state.u, tractions);

@@ -208,7 +208,7 @@ namespace lamella
             contact,
             arc.spacing,
             can_be_line(scene.contacts[c], scene.bodies[contact.first_body]) &&
-              !scene.contacts[c].may_switch_to_points));
+              !scene.contacts[c].is_automatic));
       }
     return warnings;
   }
@@ -314,43 +314,58 @@ namespace lamella
 
 
 
-  std::vector<std::string>
-  StepRecorder::warnings_of_ends(const SolvedStep &solved) const
+  std::optional<SunkEnd>
+  StepRecorder::sunk_end(const unsigned int c, const SolvedStep &solved) const
   {
     // Shares of the cell's depth and of the displacements: gaps of faces are
     // averages. Penetrations of the latter change a contact force by 0.1 %.
-    constexpr double         worth_saying = 1e-2, of_displacements = 1e-3;
-    std::vector<std::string> warnings;
+    constexpr double worth_saying = 1e-2, of_displacements = 1e-3;
+    const auto       end =
+      built.contact_lives()[c]->sunk_end(solved.state.u, solved.load_factor);
+    // The penetration of a penalty is no lack of constraints.
+    if (end && end->depth >
+                 std::min(worth_saying * end->cell,
+                          of_displacements * solved.checks.max_displacement) +
+                   solved.checks.contacts[c].max_penetration)
+      return end;
+    return {};
+  }
+
+
+
+  std::vector<std::string>
+  StepRecorder::warnings_of_ends(const SolvedStep &solved) const
+  {
+    std::vector<std::string>  warnings, of_missing;
+    std::vector<EndInContact> missing;
     auto have_rows = ends_with_rows(built.interfaces(), structure.bodies());
     for (unsigned int c = 0; c < built.interfaces().size(); ++c)
       {
-        const ContactInterface &contact = built.interfaces()[c];
-        const auto end = built.contact_lives()[c]->sunk_end(solved.state.u,
-                                                            solved.load_factor);
+        const auto end = sunk_end(c, solved);
         if (!end)
           continue;
-        const double worth =
-          std::min(worth_saying * end->cell,
-                   of_displacements * solved.checks.max_displacement);
-        // The penetration of a penalty is no lack of constraints.
-        if (end->depth < worth + solved.checks.contacts[c].max_penetration)
-          continue;
-        const std::string first =
-          structure.bodies()[contact.first_body]->name();
-        const auto &[one, other] =
-          end->second ? std::make_pair(contact.second_name, first) :
-                        std::make_pair(first, contact.second_name);
+        const ContactInterface &contact = built.interfaces()[c];
+        std::string one   = structure.bodies()[contact.first_body]->name(),
+                    other = contact.second_name;
+        if (end->second)
+          std::swap(one, other);
         // Of several contacts of the same surfaces one says it.
         if (!have_rows.emplace(one, other).second)
           continue;
-        warnings.push_back(
-          "contact " + contact.name + ": an end of body '" + one + "' is " +
-          to_text(end->depth, 2) + " behind the surface of body '" + other +
-          "', where no row holds it: beside this contact take one of the same "
-          "surfaces with Discretisation = edge to surface, whose Points on are "
-          "of body '" +
-          one + "'");
+        const bool is_automatic = built.contact_lives()[c]->is_automatic();
+        if (is_automatic)
+          missing.push_back({c, end->second});
+        (is_automatic ? of_missing : warnings)
+          .push_back(
+            "contact " + contact.name + ": an end of body '" + one + "' is " +
+            to_text(end->depth, 2) + " behind the surface of body '" + other +
+            "', where no row holds it: beside this contact take one of the same "
+            "surfaces with Discretisation = edge to surface, whose Points on are "
+            "of body '" +
+            one + "'");
       }
+    if (!missing.empty())
+      throw MissingEnds(of_missing.front(), missing);
     return warnings;
   }
 

@@ -132,8 +132,7 @@ namespace lamella
           !can_be_line(contact, body) ||
           !touches_on_a_line(body, *contact.obstacle))
         return;
-      contact.discretisation       = Discretisation::line_to_roller;
-      contact.may_switch_to_points = true;
+      contact.discretisation = Discretisation::line_to_roller;
     }
 
 

@@ -217,6 +217,28 @@ namespace lamella
 
 
 
+  void
+  add_resultants(KuhnTucker &whole, const KuhnTucker &part)
+  {
+    const double own = whole.force.norm(), other = part.force.norm();
+    if (other == 0.)
+      return;
+    const Point<3> mean =
+      whole.centre_of_pressure +
+      other / (own + other) *
+        (part.centre_of_pressure - whole.centre_of_pressure);
+    whole.force += part.force;
+    whole.moment += part.moment;
+    whole.shear += part.shear;
+    whole.sticking += part.sticking;
+    whole.slipping += part.slipping;
+    whole.dissipated += part.dissipated;
+    whole.centre_of_pressure =
+      line_of_action(Wrench{whole.force, whole.moment}, mean);
+  }
+
+
+
   RowForces::RowForces(const GapRows     &rows,
                        const unsigned int contact,
                        const State       &state)

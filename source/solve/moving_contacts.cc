@@ -227,12 +227,23 @@ namespace lamella
                  "side, and nothing took over.";
         }
       else
-        lose(
-          c,
-          ": what bears a force faces nothing, past an end of the other side "
-          "or through it. Where that end is to take over, give it a contact "
-          "of its own, edge to surface.");
+        lose_facing(c);
     state.active = facing;
+  }
+
+
+
+  void
+  MovingContacts::lose_facing(const unsigned int c)
+  {
+    const std::string how =
+      ": what bears a force faces nothing, past an end of the other side "
+      "or through it. Where that end is to take over, give it a contact "
+      "of its own, edge to surface.";
+    if (all[c].second_body && lives[c]->is_automatic())
+      throw MissingEnds("Contact " + all[c].name + " is lost" + how,
+                        {{c, !all[c].points_on_second}});
+    lose(c, how);
   }
 
 

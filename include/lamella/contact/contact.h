@@ -195,6 +195,13 @@ namespace lamella
       return lines != nullptr;
     }
 
+    /// Returns whether `auto` chose the discretization.
+    bool
+    is_automatic() const
+    {
+      return undeformed.contact().is_automatic;
+    }
+
     /// Switches from the line to a roller to contact points from the next
     /// pair() on. Returns false if the contact may not switch.
     bool

@@ -121,9 +121,13 @@ namespace lamella
     std::optional<double> search_distance;
     /// Coulomb's coefficient mu; 0 without friction.
     double friction = 0.;
-    /// Marks a `line to roller` that `auto` chose: `surface to surface`
-    /// replaces it when more than a line touches.
-    bool may_switch_to_points = false;
+    /// Marks a discretization that `auto` chose. `surface to surface` replaces
+    /// a `line to roller` when more than a line touches; an `edge to surface`
+    /// joins `surface to surface` where an end of a body presses.
+    bool is_automatic = false;
+    /// The number of the contact whose ends of a body this one is for, of which
+    /// its force is a part.
+    std::optional<unsigned int> part_of;
   };
 
   /// Whether the nodes of both sides are paired, or would be if they matched.

@@ -202,8 +202,6 @@ namespace lamella
     std::vector<ContactInterface> contacts;
     GapRows                       gap_rows;
     Contacts                      lives;
-    /// Contacts for which `auto` chose node to node.
-    std::vector<unsigned int> automatic_node_pairs;
     /// What the choice of fields has to say.
     std::vector<std::string> field_notes;
     /// Of each body, why its nodes carry the fields that they do.

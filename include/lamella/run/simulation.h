@@ -148,6 +148,13 @@ namespace lamella
     bool
     shorten_elements(const UndetectedPenetration &missed);
 
+    /// Rebuilds the scene with contact constraints at the nodes of the ends that
+    /// @p missing names: faces lose what slides over an end, and the mean gap
+    /// over an element lets an end sink in. Returns false, without any change,
+    /// for steps of an earlier run and if an end faces nothing.
+    bool
+    add_ends(const MissingEnds &missing);
+
     /// solve() of the fields that are built.
     const Results &
     solve_as_built(const Observer &observer);

@@ -120,9 +120,19 @@ namespace lamella
     /// two bodies, has an active constraint.
     bool
     touches(const unsigned int contact, const SolvedStep &solved) const;
-    /// Of bodies that turn, where an end of one lies in another.
+    /// Returns the deepest end of a body in contact number @p c, if it is deep
+    /// enough to change the contact force by 0.1 %.
+    std::optional<SunkEnd>
+    sunk_end(const unsigned int c, const SolvedStep &solved) const;
+    /// Returns warnings where an end of a body lies in another one and has no
+    /// contact constraints. Throws MissingEnds if a contact's discretization
+    /// is automatic.
     std::vector<std::string>
     warnings_of_ends(const SolvedStep &solved) const;
+    /// Returns @p checks with the resultants of contacts that are parts of
+    /// others (ContactPair::part_of) in those others.
+    Checks
+    with_parts(Checks checks) const;
     /// The largest couple of a load, or force of a load, a support or a contact
     /// over the size of the scene, where forces of nodes are not all there is.
     double

@@ -63,6 +63,11 @@ namespace lamella
     double violation = 0.;
   };
 
+  /// Adds the resultants of @p part, at ends of a body, to those of the contact
+  /// @p whole: forces, moments, areas and work.
+  void
+  add_resultants(KuhnTucker &whole, const KuhnTucker &part);
+
   /// The forces of the rows of one contact in a state: views of it.
   struct RowForces
   {

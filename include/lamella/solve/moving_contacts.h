@@ -52,6 +52,26 @@ namespace lamella
     std::map<Key, Pressed> places;
   };
 
+  /// An end of the first or the second body of contact number `contact`.
+  struct EndInContact
+  {
+    unsigned int contact;
+    bool         of_second;
+  };
+
+  /// Exception: ends of bodies press in contacts whose discretization is
+  /// automatic and has no constraints at the nodes there. More load steps do
+  /// not help, so that it is no NumericsError.
+  struct MissingEnds : public std::runtime_error
+  {
+    MissingEnds(const std::string &message, std::vector<EndInContact> ends)
+      : std::runtime_error(message)
+      , ends(std::move(ends))
+    {}
+
+    std::vector<EndInContact> ends;
+  };
+
   /**
    * The contacts of bodies that move far: their gap rows are moved with the
    * surfaces, and surfaces that come to face each other are paired anew. Where
@@ -95,8 +115,8 @@ namespace lamella
     /// Takes the rows to @p state at @p factor (Contact::move()). Where one
     /// that bears a force finds nothing to bear it on, past an end of the other
     /// body or through it, it lets go of that if the ends of the other body
-    /// have rows (`edge to surface`), which take over; else throws
-    /// NumericsError.
+    /// have rows (`edge to surface`), which take over; else throws MissingEnds
+    /// if the discretization is automatic, or NumericsError.
     void
     move(State &state, const LoadFactor &factor);
 
@@ -156,6 +176,10 @@ namespace lamella
     /// Throws NumericsError: @p how contact @p c is lost.
     [[noreturn]] void
     lose(const unsigned int c, const std::string &how);
+    /// Throws MissingEnds or NumericsError: a constraint of contact @p c has a
+    /// force and faces nothing.
+    [[noreturn]] void
+    lose_facing(const unsigned int c);
     /// Whether another contact has rows for the ends of the body that faces the
     /// points of contact @p c.
     bool
