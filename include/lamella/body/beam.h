@@ -15,60 +15,43 @@ namespace lamella
    *   u(x, y, z) = sum N_i(y) Phi_alpha(x, z) u_(i,alpha)     (Eqs. 1 and 7),
    * with the stiffness of Eq. 12 as a sum of Kronecker products,
    *   K = A_NN (x) S_00 + A_NdN (x) S_01 + A_dNN (x) S_10 + A_dNdN (x) S_11
-   * (and, where transverse shear strains are assumed, (A_shear - A_NN) (x)
-   * S_shear). EBBT is TBT with Kirchhoff's constraint on each element.
+   * (and, for assumed transverse shear strains, (A_shear - A_NN) (x) S_shear).
+   * EBBT is TBT with Kirchhoff's constraint on each element.
    *
-   * Here i numbers the nodes of the axis, N_i are their shape functions (class
-   * Axis), alpha numbers the fields Phi_alpha of the section, vector functions
-   * made of the paper's F_tau (class Section), and d stands for the derivative
-   * along y. The strain is
+   * N_i is the shape function of axis node i (class Axis), Phi_alpha a vector
+   * field of the section, made of the paper's F_tau (class Section), and d the
+   * derivative along y. With D = D_s + D_y d/dy of Eq. 5 the strain is
    *   epsilon = sum (N_i D_s Phi_alpha + N_i' D_y Phi_alpha) u_(i,alpha),
-   * D = D_s + D_y d/dy being the operator of Eq. 5. That is why its energy
-   * splits into four products of an integral over the axis, A_pq, and one over
-   * the section, S_pq, p and q telling which side is differentiated along y.
-   * The 3 x 3 blocks of K are the paper's fundamental nuclei k^(ij tau s), but
-   * for the linear fields, of which some combine two functions. No integral is
-   * ever taken over the volume to assemble K; a row of it is a row of A_pq
-   * times a row of S_pq.
+   * so that K needs only integrals A_pq over the axis and S_pq over the
+   * section. The 3 x 3 blocks of K are the paper's fundamental nuclei k^(ij tau
+   * s), but for linear fields, some of which combine two functions.
    *
-   * The beam shares its section and its axis with whoever else has them (beams
-   * of one mesh and theory have one section) and keeps both alive. Its own are
-   * the placement, the DoF map and the constraints.
-   *
-   * In several processes the rows of K go with the nodes of the axis
-   * (Axis::own_nodes), integrals over the volume with its elements
-   * (Axis::own_cells).
-   *
-   * An element of the beam, a "cell" in Location, is the product of an axis
-   * element and a section cell, numbered
-   * axis element * (number of section cells) + section cell; its unit
-   * coordinates are (xi, place along the axis element, eta).
+   * The beam shares ownership of its section and axis. Processes share the rows
+   * of K by axis nodes (Axis::own_nodes()), and volume integrals by axis
+   * elements (Axis::own_cells()). A "cell" in Location is axis element *
+   * (number of section cells) + section cell; its unit coordinates are (xi,
+   * place along the axis element, eta).
    */
   class Beam : public Body
   {
   public:
-    /// Every axis node carries all fields of the section. Throws InputError as
-    /// the other one.
+    /// Constructs a beam whose axis nodes all carry all fields of the section.
+    /// Throws InputError if there are more processes than axis nodes.
     Beam(const std::string             &name,
          std::shared_ptr<const Section> section,
          std::shared_ptr<const Axis>    axis,
          const Placement               &placement);
 
-    /**
-     * Node-dependent kinematics: @p fields_of_node as in BeamDofMap, one list
-     * for each node of the axis. A field that a node does not carry is zero
-     * there. For EBBT, which needs B4, every node has to carry all fields.
-     * Throws InputError if there are more processes than nodes on the axis,
-     * since each has to own one.
-     */
+    /// Constructs a beam of node-dependent kinematics, @p fields_of_node as in
+    /// BeamDofMap; a node's other fields are zero. EBBT needs B4 and all fields
+    /// at all nodes. Throws InputError for more processes than axis nodes.
     Beam(const std::string                            &name,
          std::shared_ptr<const Section>                section,
          std::shared_ptr<const Axis>                   axis,
          const Placement                              &placement,
          const std::vector<std::vector<unsigned int>> &fields_of_node);
 
-    /// The same with the fields of @p space, modes among them; @p theory is
-    /// what theory() calls it.
+    /// Constructs such a beam with modes; theory() begins with @p theory.
     Beam(const std::string                            &name,
          std::shared_ptr<const FieldSpace>             space,
          std::shared_ptr<const Axis>                   axis,
@@ -76,19 +59,17 @@ namespace lamella
          const std::vector<std::vector<unsigned int>> &fields_of_node,
          const std::string                            &theory);
 
-    /// Says as well how many polynomials of TE-N a section has left out because
-    /// they depend on the others there.
+    /// Returns the theory, with the number of dependent polynomials of TE-N.
     std::string
     theory() const override;
-    /// The sum over the nodes of the fields each carries: (nodes of the axis)
-    /// times (fields of the section) if they carry all.
+    /// Returns the sum over axis nodes of the numbers of their fields.
     DofIndex
     n_dofs() const override
     {
       return dof_map.n_dofs();
     }
 
-    /// Of the nodes of the element @p cell of its axis.
+    /// Returns the number of DoFs of the nodes of the axis element @p cell.
     unsigned int
     n_dofs_of_cell(const unsigned int cell) const
     {
@@ -97,62 +78,53 @@ namespace lamella
         sum += dof_map.fields(node).size();
       return sum;
     }
-    /// Exact where all nodes carry all fields: the non-zeros of A times those
-    /// of S. Communicates nothing.
+    /// Returns the non-zeros of A times those of S, exact if all nodes carry
+    /// all fields. Does not communicate.
     double
     stiffness_entries() const override;
-    /// The DoFs of Axis::own_nodes().
     dealii::IndexSet
     owned_dofs() const override;
-    /// That of the DoF's field (SectionField::level).
     unsigned int
     dof_level(const DofIndex dof) const override;
-    /// Those of the fields (FieldSpace::sizes()).
     std::vector<double>
     dof_sizes() const override;
-    /// On the axis through the section's centre of area, at the DoF's node.
+    /// Returns the place of the DoF's node on the centroid axis.
     dealii::Point<3>
     dof_position(const DofIndex dof) const override;
-    /// Kirchhoff's of EBBT; empty for all other theories.
     const Constraints &
     kinematic_constraints() const override
     {
       return kirchhoff;
     }
-    /**
-     * With the rigid motions of a section among its fields these are a few
-     * entries a node. With v the direction in the body's axes, h the section's
-     * reference length and y_m the middle of the axis a turn is
-     *   u_x = -v_z (y - y_m),  u_z = v_x (y - y_m)        (translations),
-     *   h v_z, -h v_x                                     (slopes of u_y),
-     *   h v_y                                             (turn about the axis)
-     * in the fields of RigidField, as the linear functions are x / h and z / h.
-     */
+    /// Returns the rigid motions, a few entries per node. With v the direction
+    /// in body axes, h the section's reference length and y_m the middle of the
+    /// axis, a rotation has in the fields of RigidField
+    ///   u_x = -v_z (y - y_m),  u_z = v_x (y - y_m)        (translations),
+    ///   h v_z, -h v_x                                     (slopes of u_y),
+    ///   h v_y                                             (rotation about y).
     std::vector<Vector>
     rigid_motions() const override;
-    /// The turn about the axis for EBBT and TBT, nothing else.
     std::vector<RigidMotion>
     missing_motions() const override;
     dealii::Point<3>
     centre() const override;
-    /// Half the length, or the section's reference length if that is more.
+    /// Returns half the length, at least the section's reference length.
     double
     size() const override;
     dealii::BoundingBox<3>
     bounding_box() const override;
 
-    /// What the section answers to @p u all along the axis (AxisLoop).
+    /// Adds the section forces of @p u, integrated over the axis (AxisLoop).
     void
     add_internal_forces(const Vector &u, Vector &f) const override;
-    /// `automatic` on one process is a factorisation by dense blocks, one for
-    /// each node of the axis, if all of them carry
-    /// dense lists (FieldSpace).
+    /// Returns dense blocks, one per axis node, factorized for `automatic` on
+    /// one process if all nodes carry dense lists (FieldSpace).
     std::unique_ptr<LinearSolver>
     solver_of(const StiffnessTerms &terms,
               const Constraints    &constraints,
               const SolverKind      asked,
               const SolverMonitor  &monitor) const override;
-    /// The energy likewise. Rotations are looked at in the section's points
+    /// Returns the energy, and the largest rotation at points of the section
     /// (SectionAnswer::largest_rotation()).
     Deformation
     deformation(const Vector &u) const override;
@@ -172,22 +144,19 @@ namespace lamella
       return beam_section->plies();
     }
 
-    /// What heat loads the section at @p y of the axis with, in the fields of
-    /// the section: integral D_s^T C epsilon_0 dA on their values and integral
-    /// D_y^T C epsilon_0 dA on their derivatives along the axis.
+    /// Thermal load on the section's fields: integral D_s^T C epsilon_0 dA on
+    /// values, integral D_y^T C epsilon_0 dA on derivatives along the axis.
     struct SectionHeat
     {
       Vector on_values, on_derivatives;
     };
     SectionHeat
     section_heat(const double y) const;
-    /// What weight does: integral of rho g . Phi dA.
+    /// Returns the load by weight on the fields, integral of rho g . Phi dA.
     Vector
     section_weight(const dealii::Tensor<1, 3> &acceleration) const;
 
-    /// Within 1e-6 of the section's smaller extent (nearness()), along the axis
-    /// and across. The axis is searched element by element, the section by a
-    /// tree of boxes.
+    /// Returns the locations within nearness(), along the axis and across.
     std::vector<std::vector<Location>>
     locate(const std::vector<dealii::Point<3>> &points) const override;
     std::vector<std::vector<Row>>
@@ -200,44 +169,37 @@ namespace lamella
     position(const Location::Place &place) const override;
     PlyAt
     ply_at(const Location::Place &place) const override;
-    /// Along the axis the degree of its elements, across it that of the
-    /// section's functions within a cell.
+    /// Returns cells with the degrees of axis elements and section functions.
     Cells
     cells() const override;
-    /// Along the axis the degree of its elements, one less for EBBT, whose
-    /// rotation is -w'; across it that of LE-N, or zero.
+    /// Returns the degree of the axis elements, one less for EBBT with its
+    /// rotation -w', and across it that of LE-N, else zero.
     std::array<unsigned int, 3>
     recovery_degrees() const override;
-    /// Across it the least degree of LE that a node of the axis element has.
+    /// Returns across the axis the least LE degree of the element's nodes.
     std::array<unsigned int, 3>
     recovery_degrees_of(const unsigned int cell) const override;
 
     std::vector<std::string>
     surfaces() const override;
-    /**
-     * On a lateral surface a point for each node of the axis and each edge
-     * point of the section (CrossSectionElement::edge_points), with the area
-     * int N_i dy times the edge point's length. On an end the section's grid.
-     * Nodes that carry LE-q in a space of a higher degree have the points of
-     * LE-q: rows there must not outnumber what the node can deform.
-     * `ends` and `all` are these one after the other: places that two of them
-     * share come twice, each with its own normal.
-     */
+    /// Returns on a lateral surface a point per axis node and edge point of the
+    /// section (CrossSectionElement::edge_points()), its area int N_i dy times
+    /// the edge point's length, and on an end the section's grid. LE-q nodes in
+    /// a space of higher degree have the points of LE-q, as rows must not
+    /// outnumber DoFs. `ends` and `all` repeat shared places, with each normal.
     std::vector<SurfacePoint>
     surface_points(const std::string &surface) const override;
-    /// Those of an end are as few as its expansion needs: three for EBBT and
-    /// TBT, however many cells the section has.
+    /// Returns on an end as few points as it needs: three for EBBT and TBT.
     std::vector<Location>
     fixing_points(const std::string &surface) const override;
     std::vector<Location>
     body_points() const override;
-    /// Ends first, a facet for each cell of the section, then the lateral ones,
-    /// a facet for each side of a cell on the boundary and each axis element.
+    /// Returns facets of ends, one per section cell, then lateral ones, one per
+    /// boundary side of a cell and axis element.
     std::vector<SurfaceFacet>
     surface_facets(const std::string &surface) const override;
-    /// Numbers a node (node of the section) times (nodes of the axis) plus
-    /// (node of the axis); cells that share a vertex or a line of the section
-    /// mesh share the nodes there.
+    /// Returns the topology with node numbers (section node) * (axis nodes) +
+    /// axis node; section cells share nodes at common vertices and lines.
     SurfaceTopology
     surface_topology(const std::string &surface) const override;
     SurfacePoint
@@ -250,29 +212,21 @@ namespace lamella
     line_degree(const dealii::Point<3> &a,
                 const dealii::Point<3> &b) const override;
 
-    /// An element of the section each, in the order of its cells.
     std::vector<OutputCell>
     cut(const double       position,
         const unsigned int n,
         const Vector      &u) const override;
-    /// Across the section at most 3 of a shape that is of a higher degree than
-    /// the expansion.
+    /// Returns across the section min(trace degree, max(degree, 3)).
     GridIntervals
     picture_degrees() const override;
-    /**
-     * A product, too: the fields' coefficients are formed once at each place
-     * along the axis, the functions of the section once at each of its points
-     * (of sections that turn, samples_at() what these are).
-     * Numbers are (own element of the axis) times (cells of the section) plus
-     * (cell of the section). Memory: the coefficients of all places of this
-     * process.
-     */
+    /// Calls @p use with cells numbered (own axis element) * (section cells) +
+    /// section cell. Forms coefficients once per place on the axis, keeping all
+    /// of this process, and functions once per section point.
     void
     for_each_output_cell(const GridIntervals   &n,
                          const Vector          &u,
                          const UseOfOutputCell &use) const override;
 
-    /// The factors, which live as long as the beam.
     const Section &
     section() const
     {
@@ -294,7 +248,6 @@ namespace lamella
       return dof_map;
     }
 
-    /// The section's fields and its modes, which dofs() numbers.
     const FieldSpace &
     fields() const
     {
@@ -302,62 +255,55 @@ namespace lamella
     }
 
   protected:
-    /// A block is one row of K, its columns ascending: no more of K than that
-    /// is in memory, besides the factors. Own nodes only.
+    /// Calls @p use with single rows of K of own nodes, columns ascending.
     void
     for_each_stiffness_block(
       const bool                                         with_values,
       const std::function<void(const StiffnessBlock &)> &use) const override;
 
-    /// What integrates over the axis. Refers to the beam.
     AxisLoop
     along_axis() const
     {
       return {*space, *beam_axis, dof_map};
     }
 
-    /// The internal forces and the energy at stations with the coefficients
-    /// @p q of the fields of @p answer: what it answers.
+    /// Returns forces and energy per length at stations with coefficients @p q.
     virtual SectionForces
     section_forces(const SectionAnswer &answer, const FieldParts &q) const;
 
-    /// The fields of @p u at @p point of the section, at @p on_axis.
+    /// Returns fields of @p u at section point @p point, axis point @p on_axis.
     virtual FieldSample
     sample_at(const SectionPoint &point,
               const AxisPoint    &on_axis,
               const Vector       &u) const;
 
-    /// sample_at() @p points of the section at @p places along one element of
-    /// the axis: all points of a place one after the other.
+    /// Returns sample_at() for all of @p points at each of @p places in turn,
+    /// which are on one element of the axis.
     virtual std::vector<FieldSample>
     samples_at(const std::vector<SectionPoint> &points,
                const std::vector<AxisPoint>    &places,
                const Vector                    &u) const;
 
-    /// The law of the section cell @p cell at the section's point @p at, with
-    /// the initial strain of heat at @p x, which is that point in the scene.
+    /// Returns the law of section cell @p cell at its point @p at, with the
+    /// initial strain of heat at @p x, the same point in the scene.
     ElasticLaw
     law_at(const unsigned int      cell,
            const dealii::Point<2> &at,
            const dealii::Point<3> &x) const;
 
-    /// What the stress C epsilon_0 of heat does in each of some groups of
-    /// stations of the axis, each given by y, on the fields of the section,
-    /// with its energy epsilon_0 . C epsilon_0 / 2. The section's points are
-    /// looked at once.
+    /// Returns the work of C epsilon_0 of heat on the section's fields, and its
+    /// energy epsilon_0 . C epsilon_0 / 2, for groups of stations y.
     std::vector<SectionForces>
     forces_of_heat(const std::vector<std::vector<double>> &stations) const;
 
-    /// Calls @p use with each point of the section and, of one kelvin there,
-    /// the strain that is resisted and its stress times what the point stands
-    /// for in integrals.
+    /// Calls @p use for each section point with the constrained strain of one
+    /// kelvin, and its stress times the integration weight.
     void
     for_each_point_of_heat(
       const std::function<void(const SectionPoint &point,
                                const Voigt        &strain,
                                const Voigt        &stress)> &use) const;
 
-    /// The change of temperature at @p point of the section at @p y.
     double
     temperature_at(const SectionPoint &point, const double y) const
     {
@@ -369,128 +315,110 @@ namespace lamella
     friend class BeamSecondOrder;
     friend class BeamGeometricStiffness;
 
-    /// 1e-6 of the section's smaller extent [length]: what is nearer than that
-    /// to a line of the mesh lies on it. Positions come out of decimal texts
-    /// and rotations, often with ten digits of a long body.
+    /// Returns 1e-6 of the section's smaller extent, at least 1e-10 of the
+    /// length: positions, rounded input, lie on lines of the mesh within it.
     double
     nearness() const;
 
-    /**
-     * Makes w' and the rotation cancel on every element. With B4 the cubic w of
-     * an element is then fixed by w and the rotation at its two ends (Hermite's
-     * polynomials), and so are both at the two nodes inside:
-     *   w = H_0 w_0 + H_2 w_1 - L/h (H_1 a_0 + H_3 a_1),   a = -h w',
-     * where u_y = a (z - z_c) / h, L is the element's length, h the section's
-     * reference length, and with t = (y - y_0) / L
-     *   H_0 = 1 - H_2,        H_2 = t^2 (3 - 2 t),
-     *   H_1 = t (1 - t)^2,    H_3 = -t^2 (1 - t).
-     * Ties four DoFs of an inner node, w and a of bending in both planes, to
-     * those of the ends: the constraint is exact, no penalty is involved, and
-     * deflections are smooth from element to element.
-     */
+    /// Constrains w' and the rotation to cancel on every B4 element. The cubic
+    /// w is then given by w and the rotation a at its ends (Hermite):
+    ///   w = H_0 w_0 + H_2 w_1 - L/h (H_1 a_0 + H_3 a_1),   a = -h w',
+    /// where u_y = a (z - z_c) / h, L is the element's length, h the section's
+    /// reference length, and with t = (y - y_0) / L
+    ///   H_0 = 1 - H_2,        H_2 = t^2 (3 - 2 t),
+    ///   H_1 = t (1 - t)^2,    H_3 = -t^2 (1 - t).
+    /// Ties w and a of bending in both planes at the two inner nodes exactly to
+    /// those of the ends; deflections are smooth across elements.
     void
     constrain_to_kirchhoff();
 
-    /// The generalised displacements u_tau(y) of Eq. 1, a number of each
-    /// FieldPart for all fields of the section, modes added to these, at
-    /// several places of one axis element: entry alpha * y.size() + j is that
-    /// of the field alpha at place j.
+    /// Displacements u_tau(y) of Eq. 1 by FieldPart, for all section fields,
+    /// modes included, at places of one axis element: entry alpha * y.size() +
+    /// j is field alpha at place j.
     struct AxisStates
     {
       std::vector<double> y, value, shear_value, derivative;
     };
 
-    /// In the fields of the section, modes added to these, the coefficients of
-    /// @p u at the first node of the axis element @p cell, and of each further
-    /// node the differences to them.
+    /// Returns coefficients of @p u in section fields, modes included, at the
+    /// first node of axis element @p cell, and differences of the others.
     std::vector<std::vector<double>>
     coefficients_of_element(const unsigned int cell, const Vector &u) const;
 
-    /// for_each_output_cell() of what turns: the points of the section are
-    /// evaluated once, and sampled element by element of the axis.
+    /// Calls @p use for finite rotations, evaluating section points once.
     void
     for_each_turned_cell(const GridIntervals   &n,
                          const Vector          &u,
                          const UseOfOutputCell &use) const;
 
-    /// Those at the places @p etas in [0, 1] of the axis element @p cell.
+    /// Returns the states at @p etas in [0, 1] of axis element @p cell.
     AxisStates
     axis_states(const unsigned int         cell,
                 const std::vector<double> &etas,
                 const Vector              &u) const;
 
-    /// Kinematics at a point, in the body's axes: the displacement and the
-    /// strain (as the theory completes it, order of Eq. 4).
+    /// Displacement and completed strain (Eq. 4) at a point, in body axes.
     struct PointState
     {
       dealii::Tensor<1, 3> displacement;
       Voigt                strain;
     };
 
-    /// The sums over the fields that do not vanish at @p point of the section,
-    /// at @p on_axis, of the displacement @p u.
+    /// Returns the state at section point @p point, axis point @p on_axis.
     PointState
     point_state(const SectionPoint &point,
                 const AxisPoint    &on_axis,
                 const Vector       &u) const;
 
-    /// alpha of the ply of @p point there.
+    /// Returns the thermal expansion alpha of the ply at @p point.
     Voigt
     expansion_at(const SectionPoint &point) const;
 
-    /// The body frame's fields in scene and ply axes, with the stress that the
-    /// law at the section's point @p point makes of the strain at @p x (scene
-    /// axes).
+    /// Returns @p state in scene and ply axes, with the stress of the law.
     FieldSample
     field_sample(PointState              state,
                  const SectionPoint     &point,
                  const dealii::Point<3> &x) const;
 
-    /// forces_of_heat() at the integration points of each of
-    /// Axis::own_cells().
+    /// Returns forces_of_heat() at integration points of Axis::own_cells().
     std::vector<SectionForces>
     forces_of_heat() const;
 
-    /// A point of the section with what samples need of it, for all places
-    /// along the axis.
+    /// A section point with the data of samples for all places on the axis.
     struct GridPoint;
 
-    /// The points of a regular grid on @p section_cell, @p n_xi by @p n_eta
-    /// intervals, xi fastest.
+    /// Returns a grid of points on @p section_cell, xi fastest.
     std::vector<GridPoint>
     grid_points(const unsigned int section_cell,
                 const unsigned int n_xi,
                 const unsigned int n_eta) const;
 
-    /// As field_sample(), at @p x (scene axes).
+    /// Returns field_sample() for @p point of a grid.
     FieldSample
     grid_sample(const GridPoint            &point,
                 const dealii::Tensor<1, 3> &displacement,
                 Voigt                       strain,
                 const dealii::Point<3>     &x) const;
 
-    /// Fills in the samples of @p cell, n_xi + 1 of @p points in a line, at all
-    /// places of @p states.
+    /// Sets samples of @p cell at @p states; n_xi + 1 of @p points are a line.
     void
     sample_grid(const std::vector<GridPoint> &points,
                 const unsigned int            n_xi,
                 const AxisStates             &states,
                 OutputCell                   &cell) const;
 
-    /// An element over @p section_cell without its samples.
     OutputCell
     empty_output_cell(const unsigned int section_cell) const;
 
-    /// The elements of one axis element, a section cell each, with grids of
-    /// (n + 1) x (n + 1) samples at the place @p eta in [0, 1] along it.
+    /// Returns one output cell per section cell, with (n + 1) x (n + 1) samples
+    /// at the place @p eta in [0, 1] of @p axis_cell.
     std::vector<OutputCell>
     cut_axis_cell(const unsigned int axis_cell,
                   const double       eta,
                   const unsigned int n,
                   const Vector      &u) const;
 
-    /// Adds to the rows @p rows of a quantity, one a component, the @p share
-    /// of what is at @p place.
+    /// Adds @p share of the rows at @p place to @p rows, one per component.
     void
     add_to_rows(const Location::Place &place,
                 const Quantity         quantity,
@@ -498,8 +426,8 @@ namespace lamella
                 const double           share,
                 std::vector<Row>      &rows) const;
 
-    /// The location with the one place @p eta of @p axis_cell, @p unit of
-    /// @p section_cell; @p position (scene axes) is that of it.
+    /// Returns the location at @p eta of @p axis_cell, @p unit of
+    /// @p section_cell, with its scene position @p position.
     Location
     location(const dealii::Point<3> &position,
              const unsigned int      axis_cell,
@@ -507,35 +435,30 @@ namespace lamella
              const unsigned int      section_cell,
              const dealii::Point<2> &unit) const;
 
-    /// The surface point over @p edge of the section at the place @p eta of
-    /// @p axis_cell, its area the weight of the edge (a length) times @p weight
-    /// (a length along the axis).
+    /// Returns the surface point over @p edge at @p eta of @p axis_cell, with
+    /// area edge weight (a length) times @p weight (a length along the axis).
     SurfacePoint
     lateral_point(const EdgePoint   &edge,
                   const double       weight,
                   const unsigned int axis_cell,
                   const double       eta) const;
 
-    /// The surface point at @p point of the section on one of the ends, its
-    /// area the point's weight, its depth the length of the axis element there.
+    /// Returns the surface point of an end at @p point of the section: area is
+    /// its weight, depth the length of the axis element.
     SurfacePoint
     end_point(const EdgePoint &point, const bool at_start) const;
 
-    /// The degree of LE that @p node of the axis carries
-    /// (Section::field_degree()); that of the section for nodes with modes.
+    /// Returns the LE degree of @p node, the section's for nodes with modes.
     unsigned int
     degree_at(const unsigned int node) const;
 
-    /// Of the points @p points of the section, which fix all its fields, as few
-    /// as a node with the fields @p list takes: for each component of the
-    /// displacement those whose values span the others'.
+    /// Returns few of @p points that determine the fields @p list: for each
+    /// displacement component those whose values span the others'.
     std::vector<EdgePoint>
     fixing(std::vector<EdgePoint>           points,
            const std::vector<unsigned int> &list) const;
 
-    /// Fills in the corners and degrees of @p facet, whose cell and square are
-    /// set. Along the axis the degrees are those of its elements, in the
-    /// section those of the expansion and of its trace.
+    /// Sets corners and degrees of @p facet from its cell and square.
     void
     complete(SurfaceFacet &facet) const;
 
@@ -543,15 +466,13 @@ namespace lamella
     std::shared_ptr<const Section>    beam_section;
     std::shared_ptr<const Axis>       beam_axis;
     BeamDofMap                        dof_map;
-    /// theory(); empty: that of the section.
+    /// Result of theory(); that of the section if empty.
     std::string label;
-    /// Closed; without lines but for EBBT.
+    /// Kirchhoff's constraints, closed; empty except for EBBT.
     Constraints kirchhoff;
   };
 
-  /// The beams among @p bodies, by the numbers of these; null for all others.
-  /// Whoever needs beams, as they choose fields or axes, is given these; nobody
-  /// else asks what a body is.
+  /// Returns the beams among @p bodies by number, null for other bodies.
   std::vector<const Beam *>
   beams_of(const Bodies &bodies);
 } // namespace lamella

@@ -9,84 +9,75 @@
 
 namespace lamella
 {
-  /**
-   * The global DoFs of a beam: (axis node i, section field alpha). Each axis
-   * node carries its own list of fields (node-dependent kinematics), all of
-   * them in the simplest case, and owns its DoFs: they are contiguous.
-   *
-   *   DoF of (i, alpha) = first(i) + place(i, alpha),
-   *   first(i) = sum over j < i of the number of fields(j).
-   *
-   * So node after node along the axis, which keeps the stiffness banded in the
-   * axis and gives each process, which has some nodes in a row, DoFs in a row.
-   * In the paper's words the DoF u_(tau i), a vector of three components; here
-   * components and expansion functions are together the one index alpha.
-   *
-   * Nodes with the same list share one copy of it, so that the map takes a few
-   * bytes a node however many fields there are. It knows the numbers of the
-   * fields and not what they are.
-   */
+  /// The global DoFs of a beam, pairs of axis node i and section field alpha.
+  /// Each axis node has its own list of fields (node-dependent kinematics), and
+  /// contiguous DoFs:
+  ///   DoF of (i, alpha) = first(i) + place(i, alpha),
+  ///   first(i) = sum over j < i of the number of fields(j).
+  /// Numbering by nodes keeps the stiffness banded along the axis and gives
+  /// contiguous DoFs to processes, which own contiguous nodes. alpha combines
+  /// the component and the expansion function tau of the paper's DoF u_(tau i).
+  /// Nodes with the same list share one copy of it: a few bytes per node.
   class BeamDofMap
   {
   public:
-    /// @p fields_of_node: for each axis node the fields it carries, ascending
-    /// and below @p n_fields, as many as the section has. A field that a node
-    /// does not carry is zero there.
+    /// Constructs the map from the fields of each axis node, ascending and
+    /// below @p n_fields, the number of the section's fields. Fields that a
+    /// node does not carry are zero there.
     BeamDofMap(const std::vector<std::vector<unsigned int>> &fields_of_node,
                const unsigned int                            n_fields);
 
-    /// The sum of the lengths of all lists.
+    /// Returns the sum of the lengths of all lists.
     DofIndex
     n_dofs() const
     {
       return offsets.back();
     }
 
-    /// Of the axis.
+    /// Returns the number of axis nodes.
     unsigned int
     n_nodes() const
     {
       return kinds.size();
     }
 
-    /// The fields that @p node carries, ascending.
+    /// Returns the fields of @p node, ascending.
     const std::vector<unsigned int> &
     fields(const unsigned int node) const
     {
       return lists[kinds[node]];
     }
 
-    /// The DoF of the first field of @p node; the others follow in the order of
-    /// fields(node).
+    /// Returns the first DoF of @p node; those of its other fields follow in
+    /// the order of fields().
     DofIndex
     first(const unsigned int node) const
     {
       return offsets[node];
     }
 
-    /// Place of the field @p alpha in fields(node), or -1 if not carried. A
-    /// look-up, no search.
+    /// Returns the place of the field @p alpha in fields(node), or -1 if not
+    /// carried, from a table.
     int
     place(const unsigned int node, const unsigned int alpha) const
     {
       return places[kinds[node]][alpha];
     }
 
-    /// The node of @p dof, by bisection.
+    /// Returns the node of @p dof, by bisection.
     unsigned int
     node_of(const DofIndex dof) const;
 
-    /// The field alpha of @p dof, by bisection over the nodes.
+    /// Returns the field alpha of @p dof, by bisection over the nodes.
     unsigned int
     field_of(const DofIndex dof) const;
 
   private:
-    /// The different lists of fields, and for each of them the place of every
-    /// field in it, -1 for those that it has not.
+    /// Distinct lists of fields, and for each the place of every field in it,
+    /// or -1.
     std::vector<std::vector<unsigned int>> lists;
     std::vector<std::vector<int>>          places;
-    /// Of each node the number of its list; first(node), and n_dofs() behind
-    /// the last.
+    /// Number of each node's list; first(node), followed by n_dofs().
     std::vector<unsigned int> kinds;
     std::vector<DofIndex>     offsets;
   };

@@ -1,16 +1,14 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-// The room `body`: what all bodies have in common, and the two that there are.
-// It owns Body, the only face that other rooms see, the beam (an axis times a
-// section), the solid (hexahedra on the same section mesh), where they stand in
-// the scene, and the fields at their points. A body never knows what holds or
-// touches it: no supports, no contact.
+// The room `body`: the interface Body of all bodies, its two kinds, beam (an
+// axis times a section) and solid (hexahedra on the same section mesh), their
+// placement in the scene, and the fields at their points. A body never knows
+// its supports or its contacts.
 //
-// Where to start reading: Body is the interface, Location and Row (base/row.h)
-// are the two words that everything said to a body is made of. "Put a force at
-// this point", "hold this edge", "how far are these surfaces apart" all become
-// Body::locate(), which finds the elements that hold a point, and Body::rows(),
-// which gives the displacement there as a linear functional of the body's DoFs.
+// Start with Body, Location and Row (base/row.h). Body::locate() finds the
+// elements that contain a point, and Body::rows() returns the displacement
+// there as a linear functional of the DoFs of the body. Point forces, supports
+// and gaps are made of these two.
 
 #ifndef lamella_body_body_h
 #define lamella_body_body_h
@@ -35,9 +33,9 @@ namespace lamella
   class NotPositiveDefinite;
   class SecondOrder;
 
-  /// What rows and samples can speak of: the three fields of linear elasticity,
-  /// u, epsilon = D u (Eq. 5) and sigma = C (epsilon - epsilon_0) (Eq. 6 with
-  /// the law's initial strain epsilon_0).
+  /// The fields that rows and samples evaluate: the displacement u, the strain
+  /// epsilon = D u (Eq. 5) and the stress sigma = C (epsilon - epsilon_0) (Eq.
+  /// 6 with the initial strain epsilon_0 of the law).
   enum class Quantity
   {
     displacement, ///< three components, scene axes
@@ -45,260 +43,206 @@ namespace lamella
     stress        ///< six, order of Eq. 4
   };
 
-  /// The axes that a strain or a stress is given in. Displacements are always
-  /// in those of the scene.
+  /// Axes of a strain or a stress. Displacements always are in scene axes.
   enum class Frame
   {
     scene, ///< x, y, z of the scene, whatever the body's placement
-    ply ///< 1 along the fibre, 2 across, 3 normal to the ply: 11,22,33,12,13,23
+    ply ///< 1 along the fiber, 2 across, 3 normal to the ply: 11,22,33,12,13,23
   };
 
-  /**
-   * A point of a body on one side of its ply interfaces: the answer to "which
-   * element holds x, and where in it". Where elements of the same ply meet it
-   * has a place in each of them, and stands for their mean: displacements agree
-   * there, strains and stresses of a finite-element space do not.
-   *
-   * Elements of different plies are never averaged. In an interface sigma_xx,
-   * sigma_yy and sigma_xy of a laminate jump, and rightly so; a point of it has
-   * one location a ply (Body::locate).
-   *
-   * Plain numbers: a location stays good as long as the body's mesh, which
-   * never changes.
-   */
+  /// A point of a body in one of its plies, with the elements that contain it.
+  /// If several elements of the ply share the point, a field there is their
+  /// mean (strains and stresses of finite elements differ). Elements of
+  /// different plies are never averaged, since sigma_xx, sigma_yy and sigma_xy
+  /// of a laminate jump at interfaces: a point there has one location per ply
+  /// (Body::locate()). A location refers to no body and stays valid, since
+  /// meshes do not change.
   struct Location
   {
     struct Place
     {
-      /// The element, as the body numbers them: of a beam axis element times
-      /// section cell (class Beam), of a solid the hexahedron.
+      /// Element number: of a beam (axis element, section cell) as in class
+      /// Beam, of a solid the hexahedron.
       unsigned int cell;
-      /// Where on its unit cube, (xi, place along the axis, eta) in [0, 1]^3:
-      /// the first and the last are those of the section's cell, for beams and
-      /// solids alike.
+      /// Position on the unit cube, (xi, place along the axis, eta) in [0,
+      /// 1]^3, with xi and eta of the section's cell, for beams and solids.
       dealii::Point<3> unit;
     };
-    /// The point that was asked for, scene axes. Where it lies beyond a curved
-    /// edge its places may be a little beside it.
+    /// The requested point, scene axes; places may differ beyond a curved edge.
     dealii::Point<3> position;
-    /// The ply that all places belong to, a number in the section mesh's plies.
+    /// The ply of all places, a number in the plies of the section mesh.
     unsigned int ply = 0;
-    /// At least one.
+    /// The elements that contain the point, at least one.
     std::vector<Place> places;
   };
 
-  /**
-   * All fields at a location, as probes, lines, cuts and pictures show them:
-   * the means over its places. They come of the displacements by the law of the
-   * ply there, sigma = C (epsilon - epsilon_0); nothing is smoothed or
-   * recovered here (recover/recovery.h does that).
-   */
+  /// Fields at a location, the means over its places, from displacements by the
+  /// law of the ply, sigma = C (epsilon - epsilon_0), without smoothing (that
+  /// is recover/recovery.h).
   struct FieldSample
   {
-    /// In the scene's axes; a length.
+    /// Displacement in scene axes [length].
     dealii::Tensor<1, 3> displacement;
-    /// In the scene's axes, order of Eq. 4, {xx, yy, zz, xy, xz, yz}; the last
-    /// three of the strain are engineering shear strains, gamma = 2 epsilon.
+    /// Strain and stress in scene axes, order of Eq. 4, {xx, yy, zz, xy, xz,
+    /// yz}, with engineering shear strains gamma = 2 epsilon.
     Voigt strain, stress;
-    /// The stress in the ply's own axes, {11, 22, 33, 12, 13, 23}: what
-    /// strengths are compared with.
+    /// Stress in ply axes, {11, 22, 33, 12, 13, 23}, for strength criteria.
     Voigt ply_stress;
-    /// R, which turns with the material: of a body that turns `stress` is
-    /// R^T sigma R of Cauchy's sigma, in the scene's axes.
+    /// Rotation R of the material. For finite rotations `stress` is R^T sigma R
+    /// of Cauchy's sigma, in scene axes.
     Triad turn = dealii::unit_symmetric_tensor<3>();
-    /// The largest difference of stress between the places of the location over
-    /// the largest stress there, Euclidean norms: what the mesh leaves open.
+    /// Largest difference of stress between two places over the largest stress,
+    /// Euclidean norms: a measure of the discretization error.
     double jump = 0.;
   };
 
-  /**
-   * A point of a body's surface, with what collocation asks for there: the
-   * normal n_1 of the gap function (Eqs. 14 to 17), the area that a nodal force
-   * is spread over, and how stiff the body is below. Where the point comes from
-   * surface_points() it is a node, where it comes from surface_point() any
-   * place of a facet.
-   */
+  /// A point of a body's surface with the data of collocation: the normal n_1
+  /// of the gap function (Eqs. 14 to 17), the area that a nodal force is spread
+  /// over, and the stiffness below. It is a node in surface_points(), and any
+  /// place of a facet in surface_point().
   struct SurfacePoint
   {
-    /// In the undeformed scene.
+    /// Position in the undeformed scene.
     dealii::Point<3> position;
-    /// Unit length, outward, scene axes; at a node where several sides meet the
-    /// mean of theirs, weighted by area. (A beam keeps the points of different
-    /// named surfaces apart, even where they are at one place.)
+    /// Outward unit normal, scene axes; at a node of several sides their mean,
+    /// weighted by area. (A beam has a point for each named surface there.)
     dealii::Tensor<1, 3> normal;
-    /// The tributary area of a node (length^2), or at a place of a facet the
-    /// area per unit of its square, |dX/ds x dX/dt|, still to be multiplied
-    /// with a quadrature weight.
+    /// Tributary area of a node (length^2), or at a place of a facet the area
+    /// per unit of its square, |dX/ds x dX/dt|, without quadrature weight.
     double area = 0.;
-    /// Whether sides of different normals, by some 20 degrees and more, meet
-    /// there: a normal displacement or a gap has no direction at such a node.
+    /// Flag of a node where sides meet whose normals differ by some 20 degrees
+    /// or more: a normal displacement or a gap has no direction there.
     bool corner = false;
-    /// The same point for rows() and sample(): one place, in the cell below.
+    /// The point for rows() and sample(): one place, in the cell below.
     Location location;
-    /**
-     * What the automatic penalty is made of, a column of material below the
-     * point with the stiffness E_n A / d (contact/enforcement.h):
-     * E_n = (n n) : C : (n n), the modulus of confined compression along n in
-     * the ply there (force / length^2), and the depth d of the cell below,
-     * normal to the surface (length).
-     */
+    /// Data of the automatic penalty E_n A / d (contact/enforcement.h): the
+    /// modulus of confined compression along n in the ply, E_n = (n n) : C : (n
+    /// n) (force / length^2), and the depth d of the cell along n (length).
     double normal_modulus = 0., depth = 0.;
   };
 
-  /**
-   * One side of one cell of a body: a piece of its surface that is the image of
-   * the unit square under one polynomial map. The point (s, t) of the square is
-   * the point origin + s along_s + t along_t of the cell's unit cube.
-   *
-   * On a lateral surface s goes along the edge of the section and t along the
-   * axis; on the ends s and t are the two coordinates of the section. Whether
-   * (along_s) x (along_t) points out of the body or into it depends on the
-   * side: take the normal from Body::surface_point() or FacetMap::outward().
-   *
-   * Plain numbers, as a location: surface integrals of loads and of mortar
-   * contact are sums over facets, each by its own quadrature.
-   */
+  /// A side of one cell of a body: the image of the unit square under a
+  /// polynomial map. The point (s, t) is origin + s along_s + t along_t in the
+  /// cell's unit cube. On a lateral surface s runs along the edge of the
+  /// section and t along the axis; on the ends both are coordinates of the
+  /// section. (along_s) x (along_t) may point outward or inward: take the
+  /// normal from Body::surface_point() or FacetMap::outward(). Surface
+  /// integrals are sums over facets. A facet refers to no body.
   struct SurfaceFacet
   {
-    /// As Location::Place::cell.
+    /// Element number as in Location::Place::cell.
     unsigned int cell = 0;
-    /// Of the unit cube: its corner that is (0, 0), and two of its axes.
+    /// Corner of the unit cube that is (0, 0), and the axes of s and t there.
     dealii::Point<3>     origin;
     dealii::Tensor<1, 3> along_s, along_t;
-    /// Where (0, 0), (1, 0), (0, 1) and (1, 1) are, scene axes.
+    /// Positions of (0, 0), (1, 0), (0, 1) and (1, 1), scene axes.
     std::array<dealii::Point<3>, 4> corners;
-    /// The degree of the expansion in s and in t: what a grid of nodes has.
+    /// Degrees of the expansion in s and in t: those of a grid of nodes.
     unsigned int degree_s = 0, degree_t = 0;
-    /// Positions and displacements are polynomials of these degrees in s and in
-    /// t: more than the above where a Taylor expansion meets a curved side.
+    /// Polynomial degrees of positions and displacements in s and in t, higher
+    /// for a Taylor expansion on a curved side.
     unsigned int trace_degree_s = 0, trace_degree_t = 0;
   };
 
   struct Ply;
   struct SurfaceTopology;
 
-  /// A number at each point of the scene.
+  /// A scalar function of the position in the scene.
   using ScalarField = std::function<double(const dealii::Point<3> &)>;
 
-  /// How many intervals a grid on an element's unit cube has along each of its
-  /// coordinates: xi of the section, that of the axis, the other one of the
-  /// section (Location::Place::unit).
+  /// Numbers of intervals of a grid along the axes of Location::Place::unit.
   using GridIntervals = std::array<unsigned int, 3>;
 
-  /**
-   * The elements of a body by number, as all see them that look at elements and
-   * not at points: pictures, cuts, lines, the recovery of strains. What there
-   * is at a place of an element Body::position(), Body::ply_at() and
-   * Body::sample() say.
-   */
+  /// The elements of a body by number. Body::position(), Body::ply_at() and
+  /// Body::sample() evaluate them.
   struct Cells
   {
-    /// How many the body has on all processes together.
+    /// Number of elements on all processes together.
     unsigned int n = 0;
-    /// Those of this process, the first and one past the last.
+    /// Elements of this process, the first and one past the last.
     std::pair<unsigned int, unsigned int> own;
-    /// The degrees of the displacements within an element along its unit
-    /// coordinates, each at least 1. Where elements differ, the largest.
+    /// Degrees of the displacements within an element along its unit
+    /// coordinates, each at least 1; the largest if elements differ.
     GridIntervals degrees{{1, 1, 1}};
   };
 
-  /// The ply that a place lies in, a number in Body::plies(), and its axes
-  /// there in those of the body, a row each (Ply::axes()).
+  /// The ply at a place, a number in Body::plies(), and its axes there in body
+  /// axes, one per row (Ply::axes()).
   struct PlyAt
   {
     unsigned int ply = 0;
     Triad        axes;
   };
 
-  /**
-   * An element of a body for pictures: fields on a regular grid of its unit
-   * cube, or on the layer of it that a cut goes through. The coordinate xi of
-   * the section runs fastest, then that of the axis, then the other one of the
-   * section.
-   *
-   * Elements do not share points: stresses differ from side to side, and a
-   * picture should show that.
-   */
+  /// An element for output: fields on a regular grid of its unit cube, or of a
+  /// cut through it. The coordinate xi of the section runs fastest, then that
+  /// of the axis, then eta of the section. Elements do not share points, so
+  /// that jumps of stress stay visible.
   struct OutputCell
   {
-    /// The element's ply, and the directions of its fibres and of its normal,
-    /// those of its own plane (unit length, scene axes); of a ply in a curved
-    /// wall those in the element's middle.
+    /// Ply, directions of its fibers and of its normal (unit length, scene
+    /// axes), in a curved wall those in the middle of the element.
     unsigned int         ply = 0;
     dealii::Tensor<1, 3> fibre, ply_normal;
-    /// Undeformed, scene axes; as many samples as positions.
+    /// Undeformed positions, scene axes, one per sample.
     std::vector<dealii::Point<3>> positions;
     std::vector<FieldSample>      samples;
   };
 
-  /// What a displacement field does to a body as a whole: one number for the
-  /// energy balance, one for the limits of geometrical linearity.
+  /// Integral quantities of a displacement field: the energy, and measures of
+  /// the validity of geometrical linearity.
   struct Deformation
   {
-    /// integral epsilon . C epsilon / 2 dV (force times length): the strain
-    /// energy where no heat strains the body, and half the work of all forces
-    /// on it, those of heat (Body::add_heat()) among them (Clapeyron). Of a
-    /// body that turns less integral epsilon . C epsilon_0 dV.
+    /// Energy integral epsilon . C epsilon / 2 dV (force times length): the
+    /// strain energy of an unheated body, and half the work of all forces on it
+    /// including those of heat (Body::add_heat(), Clapeyron). For finite
+    /// rotations, integral epsilon . C epsilon_0 dV is subtracted.
     double energy = 0.;
-    /// The largest |curl u| / 2 at the integration points, in rad. The theory
-    /// is that of small rotations; solve/checks.h warns or fails beyond them.
-    /// Of a body that turns (Body::turns()) the largest angle.
+    /// Largest |curl u| / 2 at the integration points [rad], for finite
+    /// rotations (Body::turns()) the largest angle. solve/checks.h limits it.
     double max_rotation = 0.;
-    /// Of a body that turns the largest principal value of Green's strain, the
-    /// largest root mean square over a section of that along the axis, and,
-    /// where fields follow the turn, the largest one from one end of an element
-    /// to the other [rad].
+    /// For finite rotations: the largest principal value of Green's strain, the
+    /// largest root mean square of the axial strain over a section, and, of
+    /// total Lagrangian bodies, the largest rotation over one element [rad].
     double max_strain = 0., max_mean_strain = 0., max_element_turn = 0.;
-    /// Of sections that turn as a whole by what share, largest along the axis,
-    /// their moments and torques leave out what bending and twisting do to
-    /// their shape (stiffening_by_shape(), less what the law has of it).
+    /// Largest share, along the axis, of the moments and torques of rigidly
+    /// rotating sections that the change of their shape by bending and twisting
+    /// would add (stiffening_by_shape(), less what the law contains).
     double shape_change = 0.;
   };
 
-  /// A rigid motion as amplitudes: three translations along the scene's axes
-  /// (length) and three rotations about them (rad) through Body::centre().
+  /// Amplitudes of a rigid motion: translations along the scene's axes (length)
+  /// and rotations about them (rad) through Body::centre().
   using RigidMotion = std::array<double, 6>;
 
   /**
-   * A linear elastic body as a discretised boundary-value problem without its
-   * boundary conditions: DoFs, a stiffness, rows at its points, points on its
-   * surfaces. Supports, loads, contact and reports see nothing else of it, so
-   * they do not know whether it is a beam or a solid. All positions are those
-   * of the scene. A body takes displacements as an argument and stores none.
+   * A linear elastic body as a discretized boundary-value problem without its
+   * boundary conditions: DoFs, a stiffness, rows at points, points on surfaces.
+   * Supports, loads, contact and reports use this interface only. Positions are
+   * in scene axes. A body takes displacements as arguments and stores none.
    *
-   * What follows from the principle of virtual displacements (Eqs. 8 to 12) is
-   * split accordingly. The body owns the left-hand side,
+   * In the principle of virtual displacements (Eqs. 8 to 12) the body owns the
+   * left-hand side,
    *   delta L_int = delta u . K u,   K = int B^T C B dV,
-   * where epsilon = B u at a point is what rows(.., Quantity::strain) gives.
-   * The right-hand side is made by others of rows: a force P at X is
+   * where epsilon = B u at a point is rows(.., Quantity::strain). Others form
+   * the right-hand side from rows: a force P at X is
    *   f_k += sum_c P_c r_c,k   with   u_c(X) = sum_k r_c,k u_k
-   * (Row::add_to), a prescribed displacement is r_c(u) = value, a gap of two
+   * (Row::add_to()), a prescribed displacement is r_c(u) = value, a gap of two
    * bodies the difference of their rows along a normal (Eq. 16).
    *
-   * The functions come in groups by those who call them, in this order: DoFs
-   * and rigid motions (supports, and whoever solves); mechanics (`solve`);
-   * points, rows and samples (conditions, contact, recovery); surfaces (the
-   * same three); elements (recovery and reports); solvers (`solve`).
+   * A new kind of body implements the pure functions; the others have default
+   * implementations based on these, and may be overridden by faster ones.
    *
-   * A new kind of body has to write those that are pure, as few as say what it
-   * is: its DoFs, how it answers a displacement, the map of an element and the
-   * rows there, how its surface hangs together. All others follow from these,
-   * by code that is written once, here, and are written again only where a body
-   * knows a shorter way.
-   *
-   * Where several processes run, each holds the same body and whole vectors.
-   * Those functions that share work are collective, which is said at each:
-   * all processes call them with the same arguments. The others communicate
-   * nothing and say the same everywhere.
-   *
-   * Vectors u and f have n_dofs() entries. The product u . f is a work, force
-   * times length, whatever the single DoFs mean.
+   * Several processes hold the same body and whole vectors. All processes call
+   * collective functions with the same arguments; the others do not communicate
+   * and return the same everywhere. Vectors u and f have n_dofs() entries. The
+   * product u . f is a work, force times length, whatever the units of single
+   * DoFs.
    */
   class Body
   {
   public:
-    /// @p name is the scene's, for messages; @p placement says where the body
-    /// stands.
+    /// Constructs the base of the body @p name (in messages) at @p placement.
     explicit Body(std::string name, const Placement &placement = {});
     virtual ~Body();
 
@@ -310,202 +254,171 @@ namespace lamella
       return body_name;
     }
 
-    /// Where the body stands in the scene: y of its axes is the position along
-    /// it (cut()).
+    /// Returns the placement; y of its axes is the position along it (cut()).
     const Placement &
     place() const
     {
       return placement;
     }
 
-    /// The structural theory, as the user writes it, and what the mesh has of
-    /// it: `LE-2, 20 B4`, `solid-2, 720 hexahedra`. For messages and tables;
-    /// nothing is decided by it.
+    /// Returns the structural theory with its mesh, `LE-2, 20 B4` or `solid-2,
+    /// 720 hexahedra`, for messages and tables only.
     virtual std::string
     theory() const = 0;
 
-    /// Of the unconstrained body, on all processes together.
+    /// Returns the number of DoFs of the unconstrained body on all processes.
     virtual DofIndex
     n_dofs() const = 0;
 
-    /// An estimate of the non-zeros of the stiffness from above, known before
-    /// it is assembled. Here the sum over all blocks; bodies know better. A
-    /// double, since products of sizes overflow integers before memory is
-    /// asked for. Collective.
+    /// Returns an upper estimate of the non-zeros of the stiffness before
+    /// assembly, here the sum over all blocks. The type is double since
+    /// products of sizes may overflow integers. Collective.
     virtual double
     stiffness_entries() const;
 
-    /// Whether DoF 3 i + c is the displacement component c at node i. Only then
-    /// does algebraic multigrid understand the matrix, and `cg` is offered. Not
-    /// so of a beam, whose DoFs are amplitudes of fields of its section.
+    /// Returns true if DoF 3 i + c is component c of the displacement of node
+    /// i, as multigrid (`cg`) requires. DoFs of beams are amplitudes of fields.
     virtual bool
     is_nodal() const
     {
       return false;
     }
 
-    /// The DoFs whose rows of the stiffness this process keeps: contiguous, and
-    /// all of them where there is one process. The processes' sets follow upon
-    /// each other and do not overlap.
+    /// Returns the DoFs whose stiffness rows this process owns: a contiguous
+    /// range, all DoFs on one process. Ranges follow each other by process.
     virtual dealii::IndexSet
     owned_dofs() const
     {
       return dealii::complete_index_set(n_dofs());
     }
 
-    /**
-     * The place of @p dof in the hierarchy of the basis (doc/stable-basis.md):
-     * 0 for DoFs that hold the rigid motions, higher for finer ones. Supports
-     * eliminate coarse DoFs first and so leave the hierarchy intact, which is
-     * what keeps the digits of slender beams. 0 for all DoFs of a nodal basis.
-     */
+    /// Returns the level of @p dof in the hierarchical basis
+    /// (doc/stable-basis.md): 0 for rigid motions and nodal bases, higher for
+    /// finer DoFs. Supports eliminate coarse DoFs first, which keeps the digits
+    /// of slender beams.
     virtual unsigned int
     dof_level(const DofIndex) const
     {
       return 0;
     }
 
-    /// For each DoF the largest displacement of the body that a unit of it
-    /// makes, but for a factor of order one: what makes weights of rows that
-    /// belong to DoFs of different kinds comparable. 1 for all DoFs of a nodal
-    /// basis.
+    /// Returns for each DoF the largest displacement that a unit of it causes,
+    /// up to a factor of order one; 1 for nodal bases. It makes weights of rows
+    /// comparable between DoFs of different kinds.
     virtual std::vector<double>
     dof_sizes() const
     {
       return std::vector<double>(n_dofs(), 1.);
     }
 
-    /// Where @p dof is at home, for messages: of a beam the place of its node
-    /// on the axis.
+    /// Returns the position of @p dof for messages; of a beam, its axis node.
     virtual dealii::Point<3>
     dof_position(const DofIndex dof) const = 0;
 
-    /**
-     * What the theory itself ties together, whatever the supports:
-     * displacements of the body satisfy these homogeneous constraints. They are
-     * closed; the stiffness blocks and the rows below are those of the
-     * unconstrained DoFs, and whoever solves applies the constraints first
-     * (Row::reduced). Kirchhoff's of EBBT, the hanging nodes of a refined
-     * solid, none otherwise.
-     */
+    /// Returns the homogeneous constraints of the theory itself, closed:
+    /// Kirchhoff's of EBBT, the hanging nodes of a solid, else none. Stiffness
+    /// and rows do not contain them; solvers apply them first (Row::reduced()).
     virtual const Constraints &
     kinematic_constraints() const;
 
-    /**
-     * The six rigid motions as displacement vectors, three unit translations
-     * along the scene's axes and three unit rotations about them through the
-     * centre,
-     *   u(X) = e_m,   u(X) = e_m x (X - centre()),   m = x, y, z.
-     * They span the null space of the stiffness: what supports have to hold,
-     * and what multigrid has to keep. Of one that the theory does not contain
-     * (missing_motions()) the vector holds the part that it does.
-     */
+    /// Returns the six rigid motions, which span the null space of the
+    /// stiffness, as displacement vectors: unit translations along the scene's
+    /// axes and unit rotations about them through the center,
+    ///   u(X) = e_m,   u(X) = e_m x (X - centre()),   m = x, y, z.
+    /// Of missing_motions() the vector holds the part that the theory contains.
     virtual std::vector<Vector>
     rigid_motions() const = 0;
 
-    /// The same of the body where @p u has moved it, for forces whose moments
-    /// are those about places where they act now,
-    ///   e_m   and   e_m x (X + u - centre()).
-    /// Here, where displacements are small, rigid_motions().
+    /// Returns the rigid motions of the body displaced by @p u, e_m and e_m x
+    /// (X + u - centre()), for moments of forces at their current positions.
+    /// Here, for small displacements, rigid_motions().
     virtual std::vector<Vector>
     rigid_motions_at(const Vector &) const
     {
       return rigid_motions();
     }
 
-    /// Whether the body turns by any angle: its internal forces are not linear
-    /// in displacements and act where these have moved it, and strains and
-    /// stresses of samples are in axes that turn with the material. Rows of
-    /// strains and stresses it has none.
+    /// Returns true if the body admits finite rotations: internal forces are
+    /// nonlinear and act at displaced positions, strains and stresses of
+    /// samples are in axes of the rotated material, and have no rows.
     virtual bool
     turns() const
     {
       return false;
     }
 
-    /// Whether rows of displacements depend on the state (rows_at()), which is
-    /// then no sum of changes (updated()): of bodies with rotations as DoFs.
+    /// Returns true for rotational DoFs: rows of displacements depend on the
+    /// state (rows_at()), and states are not additive (updated()).
     virtual bool
     rows_turn() const
     {
       return false;
     }
 
-    /// The state that @p change makes of the state @p u. Here the sum.
+    /// Returns the state that @p change makes of the state @p u, here the sum.
     virtual Vector
     updated(const Vector &u, const Vector &change) const;
 
-    /// The largest rotation among those DoFs of @p change that are rotations
-    /// [rad]; here there are none.
+    /// Returns the largest rotation in the DoFs of @p change [rad], here 0.
     virtual double
     largest_spin(const Vector &) const
     {
       return 0.;
     }
 
-    /// Those rigid motions that the theory's displacements do not contain (EBBT
-    /// and TBT cannot turn about their axis): nothing needs to hold them, and
-    /// no couple about them does work.
+    /// Returns the rigid motions that the theory does not contain (rotation
+    /// about the axis of EBBT and TBT): they need no support, their couples do
+    /// no work.
     virtual std::vector<RigidMotion>
     missing_motions() const
     {
       return {};
     }
 
-    /// The point that rigid rotations turn about and moments are taken about,
-    /// scene axes: of a beam the section's centre of area half way along the
-    /// axis, of a solid the middle of the box around its nodes. Here that of
-    /// bounding_box().
+    /// Returns the center of rigid rotations and moments, scene axes: of a beam
+    /// the section's centroid at mid-length; here the center of bounding_box().
     virtual dealii::Point<3>
     centre() const;
 
-    /// Half the largest extension, here of bounding_box(): the length that
-    /// makes a rotation comparable with a translation. A scale for tolerances,
-    /// no measure.
+    /// Returns half the largest extension, here of bounding_box(): a length
+    /// scale for tolerances and for comparing rotations with translations.
     virtual double
     size() const;
 
-    /// Of the undeformed body, its sides along the scene's axes. It goes by
-    /// vertices or nodes, so curved edges may leave it a little.
+    /// Returns the box of the undeformed body along the scene's axes, of its
+    /// vertices or nodes; curved edges may leave it a little.
     virtual dealii::BoundingBox<3>
     bounding_box() const = 0;
 
     // ---- mechanics
 
-    /**
-     * f += integral B^T sigma(B u) dV, strain first: the rounding is that of
-     * the strains and not that of the entries of an assembled matrix, which
-     * loses the bending energy of slender bodies (doc/stable-basis.md).
-     * Residuals, reactions and the iterative refinement of solutions all go
-     * this way; in exact arithmetic it is f + K u.
-     *
-     * No constraints are applied: the entries of @p f at constrained DoFs are
-     * those of the forces that act there. @p u and @p f are whole, on every
-     * process the same. Collective.
-     */
+    /// Adds the internal forces, f += integral B^T sigma(B u) dV, equal to f +
+    /// K u in exact arithmetic. Strains come first: rounding of an assembled
+    /// matrix loses the bending energy of slender bodies (doc/stable-basis.md).
+    /// No constraints are applied: entries of @p f at constrained DoFs are the
+    /// forces there. @p u and @p f are whole, equal on all processes.
+    /// Collective.
     virtual void
     add_internal_forces(const Vector &u, Vector &f) const = 0;
 
-    /// The strain energy of @p u and the largest rotation in it. Here the work
-    /// of the internal forces, and curl u of the displacements at a grid of
-    /// picture_degrees() in each element, which is theirs if they are
-    /// isoparametric. Collective; all processes get the same.
+    /// Returns the strain energy of @p u and the largest rotation; here the
+    /// work of the internal forces, and curl u of an interpolation on a grid of
+    /// picture_degrees() in each element. Collective, the same on all
+    /// processes.
     virtual Deformation
     deformation(const Vector &u) const;
 
-    /// What the linear strain leaves out at the displacement @p u, which is not
-    /// kept. Refers to the body. Collective.
+    /// Returns the terms of second order in the strain at the displacement
+    /// @p u, which is not stored. Refers to the body. Collective.
     virtual std::unique_ptr<SecondOrder>
     second_order(const Vector &u) const = 0;
 
-    /**
-     * From now on the body is warmer than without stress by @p change [K], a
-     * function of the scene, in the place of what it was before: each ply has
-     * the initial strain epsilon_0 = alpha T, alpha its Ply::expansion(), which
-     * samples and rows know. It is part of the body, as its materials are, and
-     * does not grow with the load factor. Throws InputError for a ply whose
-     * material has no expansion and for a theory that cannot be heated.
-     */
+    /// Sets the change of temperature @p change [K] from the stress-free state,
+    /// a function of the scene position that replaces any earlier one. Plies
+    /// have the initial strain epsilon_0 = alpha T (Ply::expansion()) in
+    /// samples and rows, independent of the load factor. Throws InputError for
+    /// a ply whose material has no expansion and for a theory that cannot be
+    /// heated.
     virtual void
     heat(const ScalarField &change);
 
@@ -515,20 +428,18 @@ namespace lamella
       return bool(temperature_change);
     }
 
-    /// f += integral B^T C epsilon_0 dV: what heat does, as the load that makes
-    /// the same displacements; no resultant. By the points that integrate the
-    /// stiffness. Returns integral epsilon_0 . C epsilon_0 / 2 dV, the energy
-    /// of the body when it is heated and held. Zero if nobody heats it. Here by
-    /// rows at Gauss points, one more than picture_degrees() along each
-    /// coordinate. Collective.
+    /// Adds the thermal load, f += integral B^T C epsilon_0 dV, which has no
+    /// resultant. Returns the energy integral epsilon_0 . C epsilon_0 / 2 dV of
+    /// the fully constrained body, zero if unheated. Bodies use the points of
+    /// the stiffness; here rows at Gauss points, one more than
+    /// picture_degrees() along each coordinate. Collective.
     virtual double
     add_heat(Vector &f) const;
 
-    /// Of a body that turns by any angle, what heat does in the state @p u,
-    /// f += integral (dE/du)^T C epsilon_0 dV, that of add_heat() at rest; and
-    /// blocks that sum to its derivative, symmetric (along geodesics, of
-    /// rotations). Here the derivative is constant, as that of Green's strain
-    /// is, and none.
+    /// Add, for finite rotations, the thermal load in the state @p u, f +=
+    /// integral (dE/du)^T C epsilon_0 dV (that of add_heat() at u = 0), and its
+    /// derivative as blocks, symmetric (along geodesics of rotations). Here the
+    /// derivative is constant, as that of Green's strain, and has no blocks.
     virtual void
     add_heat_at(const Vector &u, Vector &f) const;
     virtual void
@@ -536,15 +447,14 @@ namespace lamella
       const Vector                                      &u,
       const std::function<void(const StiffnessBlock &)> &use) const;
 
-    /// f += integral of rho g . u dV, g = @p acceleration in scene axes
-    /// [length/s^2]. Throws InputError for a ply whose material has no density.
-    /// Here by rows, as add_heat(). Collective.
+    /// Adds the weight, f += integral of rho g . u dV, g = @p acceleration in
+    /// scene axes [length/s^2]; here by rows, as add_heat(). Throws InputError
+    /// for a material without density. Collective.
     virtual void
     add_weight(const dealii::Tensor<1, 3> &acceleration, Vector &f) const;
 
-    /// The same weight as forces at points, an element at a time: @p use is
-    /// called with places and forces (scene axes), which live no longer. This
-    /// process's share of the elements. Throws InputError likewise.
+    /// Calls @p use for each element of this process with the weight as forces
+    /// at points (scene axes), valid during the call. Throws as add_weight().
     using UseOfForces =
       std::function<void(const std::vector<Location> &,
                          const std::vector<dealii::Tensor<1, 3>> &)>;
@@ -552,61 +462,48 @@ namespace lamella
     for_each_cell_by_weight(const dealii::Tensor<1, 3> &acceleration,
                             const UseOfForces          &use) const;
 
-    /// The homogeneous parts of the body's section.
+    /// Returns the homogeneous parts of the body's section.
     virtual const std::vector<Ply> &
     plies() const = 0;
 
     // ---- points, rows and samples
 
-    /**
-     * The places of each point, by point and by ply: one location a ply, plies
-     * ascending, and none for a point outside of the body. @p points are of the
-     * undeformed scene.
-     *
-     * Tolerances (of beams 1e-6 of the section's smaller extent) are far above
-     * the rounding of positions, and far below any element. Beyond a curved
-     * edge, which the mesh interpolates, a point counts as on the body within
-     * 2 % of the size of the cell.
-     */
+    /// Returns for each of @p points (undeformed scene) one location per ply,
+    /// plies ascending; none outside of the body. The tolerance (of beams 1e-6
+    /// of the section's smaller extent) is far above rounding and far below any
+    /// element. Beyond a curved edge, which the mesh interpolates, it is 2 % of
+    /// the size of the cell.
     virtual std::vector<std::vector<Location>>
     locate(const std::vector<dealii::Point<3>> &points) const = 0;
 
-    /**
-     * For each location the rows of @p quantity, functionals of this body's
-     * DoFs (base/row.h): three for displacements, scene axes, and six for
-     * strains and stresses, order of Eq. 4, in the axes of @p frame, which
-     * displacements ignore. Of a location with several places they are the
-     * means of those of the places. The rows of a stress have the constant
-     * -C epsilon_0 of the ply's law where heat strains it (and those of a
-     * strain what the theory completes there); all others have none.
-     *
-     * Entries are sorted by DoF. Shape functions that vanish but for rounding,
-     * as those of all other nodes do at a node, have none, so that rows there
-     * are short.
-     */
+    /// Returns for each location the rows of @p quantity, functionals of the
+    /// DoFs (base/row.h): three for displacements, scene axes; six for strains
+    /// and stresses, order of Eq. 4, in the axes @p frame; the means if there
+    /// are several places. The rows of a stress have the constant -C epsilon_0
+    /// of a heated ply (those of a strain the part that the theory completes),
+    /// others have none. Entries are sorted by DoF. Weights that vanish up to
+    /// rounding, as those of other nodes at a node, are dropped.
     virtual std::vector<std::vector<Row>>
     rows(const std::vector<Location> &locations,
          const Quantity               quantity,
          const Frame                  frame = Frame::scene) const = 0;
 
-    /// R of the section at @p location in the state @p u, in scene axes: what
-    /// rows turn by. Here 1, as none do.
+    /// Returns the rotation R of the section at @p location in the state @p u,
+    /// scene axes, by which rows rotate. Here 1.
     virtual dealii::Tensor<2, 3>
     turn_at(const Location &location, const Vector &u) const;
 
-    /// The displacements at @p locations in the state @p u [length], scene
-    /// axes, and of a change of the state the rows that give theirs. Here
-    /// those of rows(), whatever the state.
+    /// Return the displacements at @p locations in the state @p u [length],
+    /// scene axes, and the rows of their change; here rows() for any state.
     virtual std::vector<dealii::Tensor<1, 3>>
     displacements(const std::vector<Location> &locations,
                   const Vector                &u) const;
     virtual std::vector<std::vector<Row>>
     rows_at(const std::vector<Location> &locations, const Vector &u) const;
 
-    /// Calls @p use with blocks that sum to the derivative of what @p forces
-    /// do at @p locations (scene axes) in the state @p u, sum over k of
-    /// rows_at()^T F_k: symmetric, that along geodesics of rotations. Here
-    /// none, as the rows do not change.
+    /// Calls @p use with blocks that sum to the derivative of @p forces at
+    /// @p locations (scene axes) in the state @p u, sum over k of rows_at()^T
+    /// F_k: symmetric, along geodesics of rotations. Here none.
     virtual void
     for_each_block_of_forces(
       const std::vector<Location>                       &locations,
@@ -614,224 +511,191 @@ namespace lamella
       const Vector                                      &u,
       const std::function<void(const StiffnessBlock &)> &use) const;
 
-    /// All fields of the displacement @p u at @p location, the means over its
-    /// places and how much these differ. The numbers are those of rows(), which
-    /// are asked here; bodies have them at less cost, six stresses at once.
+    /// Returns all fields of @p u at @p location, the means over its places and
+    /// their jump. Here by rows(); bodies compute the same faster.
     virtual FieldSample
     sample(const Location &location, const Vector &u) const;
 
-    /// Where @p place is, scene axes: the map of an element's unit cube. With
-    /// locate() it gives an element's neighbours: those that have a place at
-    /// one of its corners.
+    /// Returns the position of @p place, scene axes. With locate() it finds the
+    /// neighbors of an element: those with a place at one of its corners.
     virtual dealii::Point<3>
     position(const Location::Place &place) const = 0;
 
-    /// The ply of the element there.
+    /// Returns the ply of the element at @p place.
     virtual PlyAt
     ply_at(const Location::Place &place) const = 0;
 
     // ---- surfaces
 
-    /// Names that the functions below take: the named boundaries of the
-    /// section, swept along the axis, then the two sections `start` and `end`,
-    /// both of them as `ends`, and `all`, the whole surface. Who takes a name
-    /// from a user compares it with these: of an unknown one there are simply
-    /// no points.
+    /// Returns the names of surfaces: the named boundaries of the section,
+    /// swept along the axis, then the two sections `start` and `end`, both as
+    /// `ends`, and `all`, the whole surface. An unknown name has no points:
+    /// callers check user input against these.
     virtual std::vector<std::string>
     surfaces() const = 0;
 
-    /// The facets that @p surface is made of, without gaps and overlaps, and
-    /// the nodes that they share, by the body's own numbers
-    /// (body/surface_topology.h): what makes nodal functions on the surface
-    /// continuous.
+    /// Returns the facets of @p surface, without gaps and overlaps, and their
+    /// shared nodes by the body's own numbers (body/surface_topology.h), as
+    /// continuous functions on the surface require.
     virtual SurfaceTopology
     surface_topology(const std::string &surface) const = 0;
 
-    /**
-     * The point of @p facet, one of this body's, at (s, t) = @p st in [0, 1]^2;
-     * its area is the area per unit of the square, |dX/ds x dX/dt|, so that
-     *   int f dA = int_0^1 int_0^1 f area ds dt.
-     * Callers with many points take a FacetMap instead.
-     */
+    /// Returns the point of @p facet, one of this body's, at (s, t) = @p st in
+    /// [0, 1]^2 with the area per unit of the square, so that
+    ///   int f dA = int_0^1 int_0^1 f area ds dt.
+    /// FacetMap is faster for many points.
     virtual SurfacePoint
     surface_point(const SurfaceFacet     &facet,
                   const dealii::Point<2> &st) const = 0;
 
-    /// The facets of surface_topology() alone: the cells of surface integrals.
+    /// Returns the facets of surface_topology().
     virtual std::vector<SurfaceFacet>
     surface_facets(const std::string &surface) const;
 
-    /**
-     * Points that fix the trace on @p surface, with outward normals and
-     * tributary areas: int N_i F_tau dA of the nodal functions there, which sum
-     * to the area (on the ends of a beam with curved edges only nearly). Where
-     * node-to-node contact (the paper's Sec. 3.3) is collocated, and supports
-     * of the normal displacement. Here the nodes of the facets' grids; one that
-     * hangs between two others gives them its area, half each.
-     */
+    /// Returns points that determine the trace on @p surface, with outward
+    /// normals and tributary areas int N_i F_tau dA of the nodal functions,
+    /// which sum to the area (on the ends of a beam with curved edges
+    /// approximately). Used by node-to-node contact (Sec. 3.3 of the paper) and
+    /// by supports of the normal displacement. Here the nodes of the facets'
+    /// grids; a hanging node passes half its area to each of its two neighbors.
     virtual std::vector<SurfacePoint>
     surface_points(const std::string &surface) const;
 
-    /// Locations that fix the displacement on @p surface, as few as that takes:
-    /// with u given at all of them it is given on the whole surface. What a
-    /// support that prescribes u there is made of. Here the nodes of the
-    /// facets' traces that hang nowhere.
+    /// Returns few locations that determine the displacement on @p surface, for
+    /// supports that prescribe u. Here nodes of facets' traces, none hanging.
     virtual std::vector<Location>
     fixing_points(const std::string &surface) const;
 
-    /// Locations that fix the displacement of the whole body. Here the
-    /// Gauss-Lobatto grid of each element, of the degrees of cells(): points
-    /// that elements share come from each of them.
+    /// Returns locations that determine the displacement of the whole body.
+    /// Here the Gauss-Lobatto grid of each element, of the degrees of cells(),
+    /// with shared points once per element.
     virtual std::vector<Location>
     body_points() const;
 
     // ---- elements
 
-    /// The elements by number.
+    /// Returns the elements by number.
     virtual Cells
     cells() const = 0;
 
-    /**
-     * How the recovery of strains sees an element (recover/recovery.h): for
-     * each unit coordinate the degree p of the displacements, whose derivatives
-     * are best at the p Gauss points (superconvergence). Zero along a
-     * coordinate in which one expansion spans all elements, so that strains are
-     * smooth there and leave nothing to recover: across the section of Taylor
-     * theories. The order is that of Location::Place::unit. Here those of
-     * cells().
-     */
+    /// Returns for each unit coordinate of an element the degree p of the
+    /// displacements for the recovery of strains (recover/recovery.h):
+    /// derivatives are superconvergent at p Gauss points. Zero along
+    /// coordinates with one expansion over all elements (the section of Taylor
+    /// theories), as strains are smooth there. Here those of cells().
     virtual std::array<unsigned int, 3>
     recovery_degrees() const
     {
       return cells().degrees;
     }
 
-    /// The same of the element @p cell where elements differ: at most the above
-    /// and zero along the same coordinates.
+    /// Returns the recovery degrees of the element @p cell, at most
+    /// recovery_degrees() and zero along the same coordinates.
     virtual std::array<unsigned int, 3>
     recovery_degrees_of(const unsigned int) const
     {
       return recovery_degrees();
     }
 
-    /**
-     * The parameters in [0, 1], ascending, where the segment from @p a to @p b
-     * crosses from element to element, its ends among them: between two of them
-     * the displacement along it is one polynomial. Scene axes. Curved edges of
-     * the section count as straight here, from vertex to vertex. Here where it
-     * meets the sides of elements, each the bilinear surface through its
-     * corners. Bodies follow curved edges.
-     */
+    /// Returns the parameters in [0, 1], ascending, where the segment from @p a
+    /// to @p b (scene axes) enters and leaves elements, its ends included: in
+    /// between, the displacement is one polynomial. Here sides of elements are
+    /// bilinear, curved edges straight; bodies may follow curved edges.
     virtual std::vector<double>
     line_breaks(const dealii::Point<3> &a, const dealii::Point<3> &b) const;
 
-    /// The polynomial degree of displacements along the segment from @p a to
-    /// @p b within an element: on a skew line the sum of those it runs along,
-    /// since the functions are products. Zero only where a equals b. Here those
-    /// of cells(), whose unit coordinates follow the axes of the body.
+    /// Returns the polynomial degree of displacements along the segment from
+    /// @p a to @p b within an element, on a skew line the sum over the
+    /// coordinates, zero only if a equals b. Here from cells(), whose unit
+    /// coordinates follow the body axes.
     virtual unsigned int
     line_degree(const dealii::Point<3> &a, const dealii::Point<3> &b) const;
 
-    /// Points of the segment from @p a to @p b that fix the displacement there:
-    /// line_degree() + 1 Gauss-Lobatto points between each two of its
-    /// line_breaks(), those at breaks once. In the order of the segment. It
-    /// must have a length.
+    /// Returns ordered points of the segment from @p a to @p b (of nonzero
+    /// length) that determine the displacement there: line_degree() + 1
+    /// Gauss-Lobatto points between consecutive line_breaks(), each break once.
     std::vector<dealii::Point<3>>
     line_points(const dealii::Point<3> &a, const dealii::Point<3> &b) const;
 
-    /**
-     * The section at @p position (a length from the start of the axis), element
-     * by element, with the fields of @p u on (n + 1) x (n + 1) points each, for
-     * contours. Where it lies between two elements along the axis the fields
-     * are the means of both, with their jump. Empty if @p position is outside
-     * of the body. The whole section on every process. Here the second unit
-     * coordinate of an element runs along the axis, its two sides across.
-     */
+    /// Returns the section at @p position (a length from the start of the
+    /// axis), element by element, with the fields of @p u on (n + 1) x (n + 1)
+    /// points: the whole section on every process, empty outside of the body.
+    /// Between two elements fields are the means of both, with their jump. Here
+    /// the second unit coordinate of an element runs along the axis.
     virtual std::vector<OutputCell>
     cut(const double position, const unsigned int n, const Vector &u) const;
 
-    /// The degrees of the displacements within an element along each of its
-    /// unit coordinates, and of its shape where that is more: as many intervals
-    /// as a picture of it needs. At least 1. Here those of cells().
+    /// Returns the number of intervals, at least 1, that output of an element
+    /// needs along each unit coordinate: the degree of the displacements, or of
+    /// the shape if higher. Here that of cells().
     virtual GridIntervals
     picture_degrees() const
     {
       return cells().degrees;
     }
 
-    /// What is done with an element: its number among those of this process,
-    /// and what is on it, which is good until the next one.
+    /// A callback with the number of an element among those of this process,
+    /// and its fields, valid during the call.
     using UseOfOutputCell =
       std::function<void(const unsigned int, const OutputCell &)>;
 
-    /// Calls @p use with each element of this process once, in any order, with
-    /// the fields of @p u on a grid of @p n, each at least 1. The elements of
-    /// all processes are those of the body. Nothing is averaged, and no jump is
-    /// known. One element is in memory at a time.
+    /// Calls @p use once for each element of this process, in any order, with
+    /// the fields of @p u on a grid of @p n, each at least 1. One element is in
+    /// memory at a time; nothing is averaged, and jumps are not computed.
     virtual void
     for_each_output_cell(const GridIntervals   &n,
                          const Vector          &u,
                          const UseOfOutputCell &use) const;
 
-    /// The same elements by their numbers, with (n + 1)^3 points each.
+    /// Returns the elements of for_each_output_cell() by number, with (n + 1)^3
+    /// points each.
     std::vector<OutputCell>
     output_cells(const unsigned int n, const Vector &u) const;
 
     // ---- solvers
 
-    /**
-     * What @p asked means for this body and this number of processes, never
-     * `automatic`: that one is `cg` for nodal bodies of more than 300000 DoFs,
-     * whose factor would take tens of gigabytes, else CHOLMOD on one process
-     * and MUMPS on several. (A beam of dense lists has a way of its own on one
-     * process: Beam::solver_of().) Throws InputError where it is not offered:
-     * `cholmod` on several processes, `cg` for a body that is not nodal.
-     */
+    /// Returns the solver that @p asked selects for this body and number of
+    /// processes. `automatic` is `cg` for nodal bodies of more than 300000 DoFs
+    /// (whose factor would take tens of gigabytes), else CHOLMOD on one process
+    /// and MUMPS on several. (Beam::solver_of() may use dense blocks.) Throws
+    /// InputError for `cholmod` on several processes and for `cg` if not nodal.
     SolverKind
     solver_kind(const SolverKind asked) const;
 
-    /// What the stiffness is assembled from: blocks without constraints, and
-    /// the terms k r^T r of @p springs, whose rows are of this body. Refers to
-    /// the body, which must outlive it.
+    /// Returns the terms of the stiffness: blocks without constraints, and k
+    /// r^T r of @p springs, whose rows are of this body. Refers to the body.
     StiffnessTerms
     stiffness_terms(const std::vector<SpringTerm> &springs = {}) const;
 
-    /**
-     * The stiffness with @p springs, condensed by the homogeneous part of
-     * @p constraints (constrained DoFs keep a positive diagonal and nothing
-     * else), for a solver as @p asked. With u = T v + u_0, where v are the free
-     * DoFs and u_0 is a particular solution, it is
-     *   T^T (K + sum k r^T r) T.
-     * @p constraints are those of the supports with the kinematic ones, closed.
-     * Throws InputError as solver_kind() does. Collective.
-     */
+    /// Returns the stiffness with @p springs, for the solver @p asked,
+    /// condensed by the homogeneous part of @p constraints, those of the
+    /// supports and the kinematic ones, closed. Constrained DoFs keep a
+    /// positive diagonal only. With u = T v + u_0, v the free DoFs and u_0 a
+    /// particular solution, it is
+    ///   T^T (K + sum k r^T r) T.
+    /// Throws InputError as solver_kind() does. Collective.
     std::unique_ptr<StiffnessMatrix>
     assembled_stiffness(const Constraints             &constraints,
                         const std::vector<SpringTerm> &springs = {},
                         const SolverKind asked = SolverKind::automatic) const;
 
-    /**
-     * What solves with that matrix, solver_of(). Here it is assembled,
-     * factorised (or prepared for iterations), and dropped where its solver
-     * does without; a body that knows the structure of its matrix may never
-     * assemble it.
-     * @p monitor is told when it is there and how large a factor becomes; what
-     * it throws passes through. Throws NumericsError if the matrix is not
-     * positive definite, with the place in the scene where that shows first,
-     * and InputError as solver_kind() does. Collective.
-     */
+    /// Returns a solver with the matrix of assembled_stiffness(), by
+    /// solver_of(): assembled, factorized or prepared for iterations, and
+    /// released if not needed. @p monitor is called after assembly and with the
+    /// size of a factor; its exceptions pass. Throws NumericsError with a place
+    /// in the scene if the matrix is not positive definite, InputError as
+    /// solver_kind() does. Collective.
     std::unique_ptr<LinearSolver>
     make_solver(const Constraints             &constraints,
                 const std::vector<SpringTerm> &springs = {},
                 const SolverKind               asked   = SolverKind::automatic,
                 const SolverMonitor           &monitor = {}) const;
 
-    /// The tangent of the internal forces at the displacement @p u, in the
-    /// three ways that are asked for: as terms of a matrix with the springs
-    /// @p springs, as f += K(u) w, and as what solves with it. Where bodies are
-    /// linear it is the stiffness at all u, else what for_each_tangent_block()
-    /// says. A @p correction is the last one on the way to u, none where it is
-    /// empty: the stress that turns is the one that it predicted (GreenAnswer).
+    /// Return the tangent of the internal forces at @p u: terms with
+    /// @p springs, f += K(u) w, and a solver. It is the stiffness of linear
+    /// bodies, else for_each_tangent_block(). @p correction is the last one on
+    /// the way to u, or empty: the geometric part has the stress that it
+    /// predicted (GreenAnswer).
     StiffnessTerms
     tangent_terms(const Vector                  &u,
                   const Vector                  &correction,
@@ -846,8 +710,8 @@ namespace lamella
                         const SolverKind     asked   = SolverKind::automatic,
                         const SolverMonitor &monitor = {}) const;
 
-    /// What solves with the matrix of @p terms, condensed by @p constraints:
-    /// assembled, factorised and dropped as make_solver() says.
+    /// Returns a solver with the matrix of @p terms, condensed by
+    /// @p constraints and handled as in make_solver().
     virtual std::unique_ptr<LinearSolver>
     solver_of(const StiffnessTerms &terms,
               const Constraints    &constraints,
@@ -855,20 +719,17 @@ namespace lamella
               const SolverMonitor  &monitor) const;
 
   protected:
-    /**
-     * Calls @p use with block after block of the unconstrained stiffness, this
-     * process's share of them, with values if @p with_values (else for the
-     * pattern alone, which needs no integrals). The sum of all blocks of all
-     * processes is K. A beam's blocks are single rows, a solid's the matrices
-     * of its elements; the block is good until @p use returns.
-     */
+    /// Calls @p use with this process's blocks of the unconstrained stiffness
+    /// (rows for a beam, element matrices for a solid), with values if
+    /// @p with_values, else the pattern alone, without integrals. The blocks of
+    /// all processes sum to K. A block is valid during the call.
     virtual void
     for_each_stiffness_block(
       const bool                                         with_values,
       const std::function<void(const StiffnessBlock &)> &use) const = 0;
 
-    /// The same of the tangent at @p u, after the @p correction, which has its
-    /// size. Only of bodies that turn (an assertion fails otherwise).
+    /// Calls @p use with the blocks of the tangent at @p u after @p correction
+    /// (of the size of u). Asserts finite rotations.
     virtual void
     for_each_tangent_block(
       const Vector                                      &u,
@@ -876,52 +737,51 @@ namespace lamella
       const bool                                         with_values,
       const std::function<void(const StiffnessBlock &)> &use) const;
 
-    /// T at @p x (scene axes) [K]; zero where nobody heats the body.
+    /// Returns T at @p x (scene axes) [K]; zero if the body is not heated.
     double
     temperature(const dealii::Point<3> &x) const
     {
       return temperature_change ? temperature_change(x) : 0.;
     }
 
-    /// Of each ply the density. Throws InputError for one without.
+    /// Returns the density of each ply. Throws InputError if one has none.
     std::vector<double>
     densities() const;
 
-    /// Throws @p error again, as a NumericsError that says as well where in the
-    /// scene its DoF is.
+    /// Rethrows @p error as a NumericsError with the place of its DoF.
     [[noreturn]] void
     throw_with_place(const NotPositiveDefinite &error) const;
 
     const Placement placement;
 
   private:
-    /// The matrix of @p terms, condensed, for a solver as @p asked.
+    /// Returns the matrix of @p terms, condensed, for the solver @p asked.
     std::unique_ptr<StiffnessMatrix>
     assembled(const StiffnessTerms &terms,
               const Constraints    &constraints,
               const SolverKind      asked) const;
 
-    /// Of each own element the Gauss points of add_heat(), with their weights.
+    /// A callback with Gauss points of an element, weights times |det J|.
     using UseOfPoints = std::function<void(const std::vector<Location> &,
                                            const std::vector<double> &)>;
     void
     for_each_cell_by_points(const UseOfPoints &use) const;
 
-    /// Whether the middle of the side of @p before that ends it along the axis
-    /// lies on the one that begins @p cell, or the other way round.
+    /// Returns true if the middle of the end side of @p before lies on the
+    /// begin side of @p cell along the axis, or the other way round.
     bool
     meets(const unsigned int before, const unsigned int cell) const;
 
-    /// Fields at the grid points of @p cell, @p etas along the axis; the
-    /// intervals of @p n count in the section.
+    /// Returns fields at the grid points of @p cell, at @p etas along the axis,
+    /// with @p n intervals in the section.
     OutputCell
     sample_grid(const unsigned int         cell,
                 const GridIntervals       &n,
                 const std::vector<double> &etas,
                 const Vector              &u) const;
 
-    /// Replaces the samples of @p cell's first layer of points by the means
-    /// with those of the cells before it along the axis.
+    /// Replaces samples on the begin side of @p cell by the means with the
+    /// cells before it along the axis.
     void
     average_with_layer_before(const unsigned int cell,
                               const Vector      &u,
@@ -931,8 +791,8 @@ namespace lamella
     ScalarField temperature_change;
   };
 
-  /// The bodies of a scene, in the order of its list: a body's number
-  /// (BodyRow::body, blocks of vectors) is its place here.
+  /// The bodies of a scene in the order of its list. The index is the number of
+  /// a body in BodyRow::body and in block vectors.
   using Bodies = std::vector<std::unique_ptr<Body>>;
 } // namespace lamella
 

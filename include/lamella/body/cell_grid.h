@@ -11,30 +11,27 @@
 
 namespace lamella
 {
-  /**
-   * A Gauss-Lobatto grid on an element's unit cube and the polynomials through
-   * its nodes, products of GaussLobattoBasis:
-   *   f(u) = sum_k N_k(u) f_k.
-   * What is known of any body at its places becomes a field on an element this
-   * way, with derivatives: its map, and what displaces it. The coordinate xi of
-   * the section runs fastest, as in an OutputCell.
-   *
-   * Refers to nothing but tables of the program.
-   */
+  /// A Gauss-Lobatto grid on an element's unit cube and the polynomials through
+  /// its nodes, products of GaussLobattoBasis:
+  ///   f(u) = sum_k N_k(u) f_k.
+  /// It interpolates fields on elements, with derivatives: the map and
+  /// displacements. The coordinate xi of the section runs fastest, as in an
+  /// OutputCell. Refers only to static tables.
   class CellGrid
   {
   public:
-    /// @p degrees along the unit coordinates, each at least 1.
+    /// Constructs a grid of @p degrees along the unit coordinates, each at
+    /// least 1.
     explicit CellGrid(const GridIntervals &degrees);
 
-    /// Of the unit cube.
+    /// Returns the nodes on the unit cube.
     const std::vector<dealii::Point<3>> &
     nodes() const
     {
       return grid;
     }
 
-    /// N_k and its derivatives by the unit coordinates, for all nodes.
+    /// Values N_k and derivatives by the unit coordinates, for all nodes.
     struct Functions
     {
       std::vector<double>               N;
@@ -43,7 +40,7 @@ namespace lamella
     Functions
     evaluate(const dealii::Point<3> &unit) const;
 
-    /// The nodes of the element @p cell of @p body, scene axes.
+    /// Returns the nodes of the element @p cell of @p body, scene axes.
     std::vector<dealii::Point<3>>
     positions(const Body &body, const unsigned int cell) const;
 
@@ -52,8 +49,8 @@ namespace lamella
     std::vector<dealii::Point<3>> grid;
   };
 
-  /// sum_k f_k (x) dN_k: d f_c / d u_d of the field with the values @p f at the
-  /// nodes. Of positions the Jacobian.
+  /// Returns d f_c / d u_d = sum_k f_k (x) dN_k of the field with values @p f
+  /// at the nodes; for positions the Jacobian.
   template <typename Values>
   dealii::Tensor<2, 3>
   unit_gradient(const Values &f, const CellGrid::Functions &functions)

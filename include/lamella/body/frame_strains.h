@@ -9,39 +9,37 @@
 
 namespace lamella
 {
-  // The kinematics of a section that turns by any angle and keeps its shape but
-  // for warping (Reissner, Simo): what R, the rotation of the section, and the
-  // place r of its centre say of strains and places, in the axes of the body.
-  // R is that of a quaternion Q = (Q_0, Q_x, Q_y, Q_z) of any length,
-  //   R v = Q (0, v) Q* / |Q|^2,
-  // as it is where unit quaternions of nodes are interpolated: what follows
-  // does not depend on |Q|, to the last derivative, and is the same in a scene
-  // that turns as a whole.
+  // Kinematics of a section with finite rotation that keeps its shape except
+  // for warping (Reissner, Simo), by its rotation R and the place r of its
+  // center, in body axes. The quaternion Q = (Q_0, Q_x, Q_y, Q_z) of R has any
+  // length, as interpolated unit quaternions of nodes have:
+  //   R v = Q (0, v) Q* / |Q|^2.
+  // The results and their derivatives do not depend on |Q|, and are objective.
 
   using Quaternion = dealii::Tensor<1, 4>;
 
-  /// exp(theta / 2): the rotation by |theta| about @p theta [rad].
+  /// Returns exp(theta / 2): the rotation by |theta| about @p theta [rad].
   Quaternion
   quaternion_of(const dealii::Tensor<1, 3> &theta);
 
-  /// The rotation vector of @p q, its angle 0 to pi [rad].
+  /// Returns the rotation vector of @p q, of angle 0 to pi [rad].
   dealii::Tensor<1, 3>
   rotation_vector_of(const Quaternion &q);
 
-  /// The rotation @p b and then @p a.
+  /// Returns the rotation @p b followed by @p a.
   Quaternion
   turned_by(const Quaternion &a, const Quaternion &b);
 
-  /// dq / d theta of a spin theta after the rotation @p q, dq = (0, theta) q /
-  /// 2, a row a component of q.
+  /// Returns dq / d theta for a spin theta after the rotation @p q, dq = (0,
+  /// theta) q / 2, one row per component of q.
   std::array<dealii::Tensor<1, 3>, 4>
   spin_derivative(const Quaternion &q);
 
-  /// R(Q).
+  /// Returns R(Q).
   dealii::Tensor<2, 3>
   rotation_of(const Quaternion &Q);
 
-  /// Some functions f_k of n numbers with their first and second derivatives.
+  /// Functions f_k of n numbers with their first and second derivatives.
   template <unsigned int n_functions, int n>
   struct Derivatives
   {
@@ -51,23 +49,23 @@ namespace lamella
   };
 
   /**
-   * The strains of a section about its axis y at the rotation @p Q, with the
-   * derivatives @p dQ and @p dr along y of that and of the displacement of its
-   * centre:
+   * Strains of a section about its axis y as functions of (Q, Q', r'), in this
+   * order:
    *   Gamma = R^T (e_y + r') - e_y,
    *   kappa = vec(R^T R') = 2 vec(Q* Q') / |Q|^2,
-   * Gamma_x, Gamma_z the shears [no unit], kappa_x and kappa_z the curvatures
-   * and kappa_y the twist [1 / length]; and as their seventh kappa_y^2 / 2. In
-   * the place of Gamma_y, kappa_x and kappa_z are
+   * with shears Gamma_x, Gamma_z [no unit], curvatures kappa_x, kappa_z and
+   * twist kappa_y [1 / length]; and kappa_y^2 / 2 as the seventh. Gamma_y,
+   * kappa_x and kappa_z are replaced by
    *   Gamma_y + (Gamma_x^2 + Gamma_z^2) / 2,
-   *   kappa_x - kappa_y Gamma_x,   kappa_z - kappa_y Gamma_z:
-   * with r^2 times the seventh that is how fibres along the axis are stretched
-   * that shear and twist tilt against the section's normal,
+   *   kappa_x - kappa_y Gamma_x,   kappa_z - kappa_y Gamma_z.
+   * With r^2 times the seventh these add the stretch of axial fibers tilted
+   * against the section's normal by shear and twist,
    *   [(Gamma_x + kappa_y z)^2 + (Gamma_z - kappa_y x)^2] / 2,
-   * little where the section has one stiffness and is not thin, but it is what
-   * stretches the faces of a sandwich whose core shears, bends it where it
-   * twists, and stiffens a twisted strip. As functions of (Q, Q', r'), in this
-   * order. Nothing cancels where the section does not turn much.
+   * small for thick sections of one stiffness, but it stretches the faces of a
+   * sandwich whose core shears, bends it under twist, and stiffens twisted
+   * strips. No digits are lost for small rotations. frame_strains() takes the
+   * rotation @p Q, and the derivatives @p dQ and @p dr along y of Q and of the
+   * center's displacement.
    */
   using FrameStrains = Derivatives<7, 11>;
   FrameStrains
@@ -75,7 +73,7 @@ namespace lamella
                 const Quaternion           &dQ,
                 const dealii::Tensor<1, 3> &dr);
 
-  /// R(@p Q) @p v as a function of (Q, v).
+  /// Returns R(@p Q) @p v as a function of (Q, v).
   using TurnedVector = Derivatives<3, 7>;
   TurnedVector
   turned_vector(const Quaternion &Q, const dealii::Tensor<1, 3> &v);

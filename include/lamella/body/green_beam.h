@@ -9,30 +9,29 @@
 namespace lamella
 {
   /**
-   * A beam that turns by any angle: Total Lagrange on the fields and the axis
-   * of a Beam. Its internal forces follow from Green's strain and the second
-   * Piola-Kirchhoff stress (GreenAnswer), integrated over the undeformed body,
+   * A beam with finite rotations in the total Lagrangian formulation, on the
+   * fields and the axis of a Beam. Its internal forces follow from Green's
+   * strain and the second Piola-Kirchhoff stress (GreenAnswer),
    *   f_(i,alpha) = int N_i W_0,alpha + N_i' W_1,alpha dy,
-   * and its tangent is their derivative. At u = 0 that is the stiffness of the
-   * Beam. Displacements add up as ever: rows of displacements, supports and
-   * dead loads are those of the Beam.
+   * over the undeformed body, and the tangent is their derivative, at u = 0 the
+   * stiffness of the Beam. Displacements are additive: rows of displacements,
+   * supports and dead loads are those of the Beam.
    *
    * Samples have Green's strain E, and as stress R^T sigma R, Cauchy's in axes
-   * that turn with the material (PolarDecomposition): where nothing turns these
-   * are the body's axes, and ply axes turn along, so that both mean what they
-   * do of a Beam. second_order() is that of small rotations. E_yy and the
-   * transverse shears of samples are least-squares polynomials of degree 2
-   * through their values at the stations. Their other parts oscillate between
-   * stations without physical meaning (GreenAnswer).
+   * that rotate with the material (PolarDecomposition), as ply axes do.
+   * second_order() is that of small rotations. E_yy and the transverse shears
+   * of samples are least-squares polynomials of degree 2 through their values
+   * at the stations. Their other parts oscillate between stations without
+   * physical meaning (GreenAnswer).
    *
-   * With B4 alone and for theories whose strains are those of their
-   * displacements (LE, TE-2 and up).
+   * Limited to B4 and theories whose strains are those of their displacements
+   * (LE, TE-2 and up).
    */
   class GreenBeam : public Beam
   {
   public:
-    /// As the constructor of Beam. Throws InputError for the theories and axes
-    /// that it is not for.
+    /// Constructs a beam as Beam does. Throws InputError for unsupported
+    /// theories and axes.
     GreenBeam(const std::string             &name,
               std::shared_ptr<const Section> section,
               std::shared_ptr<const Axis>    axis,
@@ -53,7 +52,7 @@ namespace lamella
       const std::function<void(const StiffnessBlock &)> &use) const override;
 
   protected:
-    /// Those of Green's strain.
+    /// Returns the forces of Green's strain.
     SectionForces
     section_forces(const SectionAnswer &answer,
                    const FieldParts    &q) const override;
@@ -62,7 +61,7 @@ namespace lamella
               const AxisPoint    &on_axis,
               const Vector       &u) const override;
 
-    /// A block for each own element of the axis and cell of the section.
+    /// Calls @p use with a block per own axis element and section cell.
     void
     for_each_tangent_block(
       const Vector                                      &u,
@@ -71,8 +70,8 @@ namespace lamella
       const std::function<void(const StiffnessBlock &)> &use) const override;
 
   private:
-    /// The coefficients of @p u of the fields at @p point of the section, at
-    /// the one station @p on_axis.
+    /// Returns the coefficients of @p u of the fields at @p point of the
+    /// section, at the one station @p on_axis.
     FieldParts
     parts_at(const SectionPoint &point,
              const AxisPoint    &on_axis,
@@ -86,20 +85,20 @@ namespace lamella
               const Gradient     &H,
               const Vector       &u) const;
 
-    /// How far the middle of the section turns from one end of the axis element
-    /// @p cell to the other [rad].
+    /// Returns the rotation of the middle of the section between the ends of
+    /// axis element @p cell [rad].
     double
     turn_along(const unsigned int cell, const Vector &u) const;
 
-    /// Its blocks of the axis element @p cell, one for each cell of the
-    /// section, without values; with zeros.
+    /// Return the blocks of axis element @p cell, one per section cell: without
+    /// values, or with zeros.
     std::vector<StiffnessBlock>
     empty_blocks(const unsigned int cell) const;
     std::vector<StiffnessBlock>
     zero_blocks(const unsigned int cell) const;
 
-    /// The block of the axis element @p cell and the section's cell whose
-    /// fields are @p on_section, without values.
+    /// Returns the block of axis element @p cell and the section cell with the
+    /// fields @p on_section, without values.
     StiffnessBlock
     empty_block(const unsigned int               cell,
                 const std::vector<unsigned int> &on_section) const;
@@ -111,8 +110,8 @@ namespace lamella
                const Vector                &correction,
                std::vector<StiffnessBlock> &blocks) const;
 
-    /// Adds to @p block, of the axis element @p cell, what the section's
-    /// @p tangent at its station @p k does.
+    /// Adds the section's @p tangent at station @p k of axis element @p cell to
+    /// @p block.
     void
     add_station(const unsigned int              cell,
                 const unsigned int              k,

@@ -8,22 +8,17 @@
 
 namespace lamella
 {
-  /**
-   * A solid that turns by any angle: Total Lagrange on the hexahedra of a
-   * Solid, as GreenBeam on the fields of a Beam. With the gradients H of the
-   * shape functions' sum, Green's strain E and S = C E, over the undeformed
-   * body
-   *   f_i = int grad N_i . (S (1 + H)) dV,
-   * and its tangent is their derivative. Samples have E, and as stress
-   * R^T sigma R.
-   *
-   * Of degree 2 alone: the incompatible modes of degree 1 are those of small
-   * strains.
-   */
+  /// A solid with finite rotations in the total Lagrangian formulation. With H
+  /// the displacement gradient, Green's strain E and S = C E, over the
+  /// undeformed body
+  ///   f_i = int grad N_i . (S (1 + H)) dV,
+  /// and the tangent is the derivative. Samples have E, and R^T sigma R as
+  /// stress. Only degree 2: the incompatible modes of degree 1 are those of
+  /// small strains.
   class GreenSolid : public Solid
   {
   public:
-    /// As the constructor of Solid. Throws InputError for degree 1.
+    /// Constructs a solid as Solid does. Throws InputError for degree 1.
     GreenSolid(const std::string                 &name,
                std::shared_ptr<const SectionMesh> section,
                const AxisMesh                    &axis,
@@ -40,8 +35,8 @@ namespace lamella
     rigid_motions_at(const Vector &u) const override;
     void
     add_internal_forces(const Vector &u, Vector &f) const override;
-    /// The mean strain along the axis is the root mean square over each
-    /// hexahedron, its turn that between its ends along the axis.
+    /// Returns Deformation, with root mean squares of the axial strain and
+    /// rotations between the axial ends of single hexahedra.
     Deformation
     deformation(const Vector &u) const override;
     void
@@ -52,7 +47,7 @@ namespace lamella
   protected:
     FieldSample
     sample_place(const Location::Place &place, const Vector &u) const override;
-    /// A block for each own hexahedron.
+    /// Calls @p use with a block for each own hexahedron.
     void
     for_each_tangent_block(
       const Vector                                      &u,
@@ -61,19 +56,18 @@ namespace lamella
       const std::function<void(const StiffnessBlock &)> &use) const override;
 
   private:
-    /// H of @p u at @p point of @p cell.
+    /// Returns H of @p u at @p point of @p cell.
     Gradient
     gradient_at(const unsigned int     cell,
                 const HexahedronPoint &point,
                 const Vector          &u) const;
 
-    /// By how much @p cell turns from one of its ends along the axis to the
-    /// other [rad].
+    /// Returns the rotation of @p cell between its ends along the axis [rad].
     double
     turn_along(const unsigned int cell, const Vector &u) const;
 
-    /// int grad N_i . D . grad N_k dV over @p cell, row by row, where @p D
-    /// gives the derivative of the first stress at its integration points.
+    /// Returns int grad N_i . D . grad N_k dV over @p cell, row by row, with
+    /// @p D the derivative of the first stress at integration points.
     std::vector<double>
     tangent_of(
       const unsigned int                                                  cell,

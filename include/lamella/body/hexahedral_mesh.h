@@ -21,13 +21,13 @@
 
 namespace lamella
 {
-  /// How often the cells of a solid, a section cell times an axis element
-  /// each, are divided in eight.
+  /// Refinement of a solid: numbers of divisions in eight of its cells, a
+  /// section cell times an axis element each.
   struct SolidRefinement
   {
-    /// All cells.
+    /// Divisions of all cells.
     unsigned int everywhere = 0;
-    /// Then those that reach into a ball.
+    /// Further divisions of cells that reach into a ball.
     struct Ball
     {
       dealii::Point<3> centre;
@@ -35,33 +35,28 @@ namespace lamella
       unsigned int     times  = 0;
     };
     std::vector<Ball> balls;
-    /// What a run may take, in bytes; 0: what the machine has.
+    /// Memory limit in bytes; 0: that of the machine.
     double memory_limit = 0.;
   };
 
-  /**
-   * The hexahedra of a solid body in its own axes: a section mesh extruded
-   * along the axis, on deal.II's parallel::distributed::Triangulation (p4est),
-   * with the nodes of FE_Q<3>(degree).
-   *
-   * p4est decides which process has which cell, and the nodes are numbered
-   * process by process. Each process also keeps a directory of all cells,
-   * with their nodes and sides, so that points, rows and surfaces read alike
-   * everywhere: some 250 bytes a cell of degree 2, 24 bytes a node.
-   *
-   * The geometry is isoparametric: nodes lie on the section's curved edges,
-   * hanging ones where their constraints put them.
-   */
+  /// The hexahedra of a solid in body axes: a section mesh extruded along the
+  /// axis, on deal.II's parallel::distributed::Triangulation (p4est), with the
+  /// nodes of FE_Q<3>(degree). p4est distributes the cells, and nodes are
+  /// numbered process by process. Each process keeps all cells with their nodes
+  /// and sides, so that points, rows and surfaces agree everywhere: some 250
+  /// bytes per cell of degree 2, 24 bytes per node. The geometry is
+  /// isoparametric: nodes lie on the section's curved edges, hanging ones where
+  /// their constraints put them.
   class HexahedralMesh
   {
   public:
-    /// Sides of hexahedra that are none of the body's surface.
+    /// Number of faces that are not on the surface of the body.
     static constexpr int inside = -1;
 
     struct Cell
     {
       unsigned int ply = 0;
-      /// In the order of FE_Q's shape functions.
+      /// Nodes in the order of FE_Q's shape functions.
       std::vector<unsigned int> nodes;
       /// Number in sides() of each face, deal.II's order, or inside.
       std::array<int, 6> sides;
@@ -74,18 +69,17 @@ namespace lamella
       }
     };
 
-    /// A node that hangs: its value is the sum of weights times others.
+    /// A hanging node: its value is the weighted sum of those of others.
     struct HangingNode
     {
       unsigned int                                 node = 0;
       std::vector<std::pair<unsigned int, double>> masters;
     };
 
-    /// Balls are in the body's axes. Throws InputError, beginning with @p what,
-    /// if the section mesh has hanging nodes itself (those do not extrude into
-    /// the conforming coarse mesh that p4est refines), if a ball meets no
-    /// hexahedron, or, before they are made, if so many hexahedra do not fit in
-    /// memory.
+    /// Constructs the mesh; balls are in body axes. Throws InputError,
+    /// beginning with @p what, if the section mesh has hanging nodes (p4est
+    /// needs a conforming coarse mesh), if a ball meets no hexahedron, or,
+    /// before they are made, if the hexahedra do not fit in memory.
     HexahedralMesh(std::shared_ptr<const SectionMesh> section,
                    const AxisMesh                    &axis,
                    const unsigned int                 degree,
@@ -104,7 +98,7 @@ namespace lamella
       return all_cells;
     }
 
-    /// The cells of this process: numbers from the first up to the second.
+    /// Returns the cells of this process, first and one past the last.
     std::pair<unsigned int, unsigned int>
     owned_cells() const
     {
@@ -117,7 +111,7 @@ namespace lamella
       return positions;
     }
 
-    /// The nodes of this process, likewise.
+    /// Returns the nodes of this process, first and one past the last.
     std::pair<unsigned int, unsigned int>
     owned_nodes() const
     {
@@ -130,7 +124,7 @@ namespace lamella
       return hanging;
     }
 
-    /// Names of the sides: the section's boundaries, start and end.
+    /// Returns the names of the sides: the section's boundaries, start and end.
     const std::vector<std::string> &
     sides() const
     {

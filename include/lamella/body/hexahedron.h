@@ -21,49 +21,48 @@
 
 namespace lamella
 {
-  /// C at a point of a hexahedron, both in the axes that its nodes are given
-  /// in: plies that follow a curved wall have another one at each point.
+  /// The stiffness C at a point of a hexahedron, in the axes of its nodes. It
+  /// varies for plies in curved walls.
   using StiffnessAt = std::function<ElasticTensor(const dealii::Point<3> &)>;
 
-  /// A hexahedron's shape functions at one of its points.
+  /// Shape functions of a hexahedron at one of its points.
   struct HexahedronPoint
   {
     dealii::Point<3> unit, position;
-    /// d(x, y, z) / d(unit coordinates).
+    /// Derivative d(x, y, z) / d(unit coordinates).
     dealii::Tensor<2, 3> jacobian;
-    /// Of a quadrature point: its weight times det(jacobian).
+    /// Weight of a quadrature point times det(jacobian).
     double                            JxW = 0.;
     std::vector<double>               N;
     std::vector<dealii::Tensor<1, 3>> gradients;
   };
 
-  /// What the modes of a hexahedron of degree 1 are made from.
+  /// Data of the incompatible modes of a hexahedron of degree 1.
   struct IncompatibleModes
   {
-    /// A of a = A u, 9 x 24; empty where there are no modes.
+    /// Matrix A of a = A u, 9 x 24; empty without modes.
     dealii::FullMatrix<double> A;
-    /// det J_0 J_0^-T.
+    /// Product det J_0 J_0^-T.
     dealii::Tensor<2, 3> middle;
   };
 
   /**
-   * The isoparametric hexahedron of degree 1 or 2 with full integration.
+   * The isoparametric hexahedron of degree 1 or 2 with full integration. DoF 3
+   * i + c is the component c at its node i.
    *
-   * That of degree 1 has the incompatible modes of Wilson in the form of
-   * Taylor, Beresford and Wilson (1976), which passes the patch test:
-   *   u = sum N_i u_i + sum_k (1 - xi_k^2) a_k,
-   * the gradients of the modes taken with the Jacobian J_0 of the middle,
-   * (det J_0 / det J) J_0^-T grad (1 - xi_k^2), so that their mean vanishes.
-   * Bending then does not lock. The nine a are condensed out on each element,
-   * a = A u with A = -K_aa^-1 K_au, and complete its strains.
+   * Degree 1 has the incompatible modes of Wilson as modified by Taylor,
+   * Beresford and Wilson (1976), which pass the patch test and prevent locking
+   * in bending:
+   *   u = sum N_i u_i + sum_k (1 - xi_k^2) a_k.
+   * Gradients of the modes use the Jacobian J_0 of the middle, (det J_0 / det
+   * J) J_0^-T grad (1 - xi_k^2), so that their mean vanishes. The nine a are
+   * condensed out on each element, a = A u with A = -K_aa^-1 K_au, and complete
+   * its strains.
    *
-   * DoF 3 i + c of a hexahedron is the component c at its node i.
-   *
-   * Geometry and shape functions are deal.II's, which wants a cell of a
-   * triangulation. A process has those of its own cells only, and matrices,
-   * points and surfaces are asked for on all of them: so one cell stands for
-   * any, its mapping made from the nodes in question, with the same numbers on
-   * every process. Each call changes it: no two threads may share a Hexahedron.
+   * Geometry and shape functions are deal.II's on one cell, whose mapping is
+   * set to the nodes in question: all processes can thus evaluate any cell,
+   * with the same numbers. Each call changes the cell, so threads may not share
+   * a Hexahedron.
    */
   class Hexahedron
   {
@@ -84,15 +83,16 @@ namespace lamella
       return fe.n_dofs_per_cell();
     }
 
-    /// The place of node @p i in the unit cube.
+    /// Returns the place of node @p i in the unit cube.
     const dealii::Point<3> &
     unit_node(const unsigned int i) const
     {
       return fe.get_unit_support_points()[i];
     }
 
-    /// The cell, on which mapping() is now that of @p nodes, from the unit cube
-    /// to x - x_0, x_0 the first node: no digits are lost far from the origin.
+    /// Returns the cell and sets mapping() to that of @p nodes, from the unit
+    /// cube to x - x_0, x_0 the first node, without loss of digits far from the
+    /// origin.
     dealii::Triangulation<3>::active_cell_iterator
     cell(const Nodes &nodes) const;
 
@@ -105,19 +105,19 @@ namespace lamella
     HexahedronPoint
     evaluate(const Nodes &nodes, const dealii::Point<3> &unit) const;
 
-    /// Those of full integration.
+    /// Returns the points of full integration.
     std::vector<HexahedronPoint>
     quadrature_points(const Nodes &nodes) const;
 
     IncompatibleModes
     incompatible_modes(const Nodes &nodes, const StiffnessAt &C) const;
 
-    /// The strains that each DoF alone makes at @p point, @p modes included:
-    /// epsilon = sum strains[d] u_d.
+    /// Returns the strains of unit DoFs at @p point, with @p modes: epsilon =
+    /// sum strains[d] u_d.
     std::vector<Voigt>
     strains(const HexahedronPoint &point, const IncompatibleModes &modes) const;
 
-    /// int B^T C B dV.
+    /// Returns int B^T C B dV.
     dealii::FullMatrix<double>
     stiffness(const Nodes             &nodes,
               const StiffnessAt       &C,

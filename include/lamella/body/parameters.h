@@ -17,68 +17,61 @@
 
 namespace lamella
 {
-  /**
-   * A body as a scene describes it: plain data, names checked. Where it stands,
-   * what section it has, and its discretisation: the theory (the paper's
-   * Sec. 2) and the mesh along the axis. No mesh, matrix or material is made
-   * yet: make_bodies() does that.
-   */
+  /// Input of a body as plain data with checked names: placement, section, and
+  /// discretization, that is the theory (the paper's Sec. 2) and the mesh along
+  /// the axis. make_bodies() creates the body.
   struct BodyDescription
   {
-    /// Its name, and that of its section.
+    /// Names of the body and of its section.
     std::string name, section;
-    /// The body's own, or else the scene's; a solid, too, is a theory here. Of
-    /// `Theories` the leading one.
+    /// Theory of the body or else of the scene, beam or solid; the leading one
+    /// of `Theories`.
     Theory theory;
-    /// Where the nodes of the axis differ by hand; else empty.
+    /// Theories of pieces of the axis, if given; else empty.
     TheoryPieces pieces;
-    /// Its place and directions in the scene.
+    /// Position and axes in the scene.
     Placement placement;
-    /// The length, and elements along it; of a solid those it is extruded in.
+    /// Length, and elements along it, of beams and extruded solids.
     AxisMesh axis;
-    /// Share of E A / L that the springs have which hold its free rigid
-    /// motions; 0: none, at most 0.01. What they are is a condition's business.
+    /// Stiffness of springs on free rigid motions, a share of E A / L from 0
+    /// (none) to 0.01.
     double stabilisation = 0.;
-    /// Whether rigid motions that nothing acts against are taken out, and those
-    /// that contact may hold get springs (conditions/hold.h).
+    /// Flag: unloaded rigid motions are removed, and those that contact may
+    /// constrain get springs (conditions/hold.h).
     bool is_held = false;
-    /// Whether it may turn by any angle (GreenBeam).
+    /// Flag: finite rotations (GreenBeam).
     bool turns = false;
-    /// Of a solid: how often its hexahedra are divided. Beams ignore it. The
-    /// memory limit in it is set by make_bodies().
+    /// Refinement of a solid's hexahedra, ignored by beams. make_bodies() sets
+    /// its memory limit.
     SolidRefinement refinement;
   };
 
   /**
-   * The entries of a `subsection Body NAME`, its `Kinematics` among them. Those
-   * of the subsection itself are
+   * The entries of a `subsection Body NAME`, with its `Kinematics`. Those of
+   * the subsection itself are
    *   Section          a name of the scene's sections
    *   Origin           of the section at the start of the axis   (0, 0, 0)
    *   Axis, Up         directions of y, and that z leans towards (y, z)
    *   Length           of the axis
    *   Stabilisation    share of E A / L, 0 to 0.01               (0)
    *   Hold             statically determinate, or empty          (empty)
-   * in the scene's axes and unit of length. `Kinematics` has the entries of
-   * TheoryParameters, AxisParameters and SolidParameters, whichever of them the
-   * theory needs: a scene may change its theory and keep all others.
+   * in the scene's axes and unit of length. `Kinematics` has all entries of
+   * TheoryParameters, AxisParameters and SolidParameters; those that the theory
+   * does not need may stay when it changes.
    */
   struct BodyParameters
   {
-    /// Declares them in the subsection that @p prm stands in.
+    /// Declares the entries in the current subsection of @p prm.
     static void
     declare(dealii::ParameterHandler &prm);
 
-    /**
-     * Reads the body @p name from @p prm, which stands in its subsection and
-     * comes back to it. @p scene_theory is the scene's entry `Theory`, which
-     * counts where the body has none; @p sections are the names that `Section`
-     * may say.
-     *
-     * Throws InputError, naming the entry, if the section is unknown, the
-     * length missing or not positive, Axis and Up parallel or zero,
-     * Stabilisation out of its range, or an entry of Kinematics wrong; EBBT
-     * needs B4, as Kirchhoff's constraint takes cubic deflections.
-     */
+    /// Returns the body @p name from @p prm, whose current subsection, restored
+    /// at the end, is that of the body. The entry @p scene_theory, `Theory` of
+    /// the scene, is the default; @p sections are the valid names for
+    /// `Section`. Throws InputError, naming the entry, if the section is
+    /// unknown, the length missing or not positive, Axis and Up parallel or
+    /// zero, Stabilisation out of its range, or an entry of Kinematics wrong.
+    /// EBBT needs B4, as Kirchhoff's constraint takes cubic deflections.
     static BodyDescription
     parse(dealii::ParameterHandler       &prm,
           const std::string              &name,
@@ -87,20 +80,17 @@ namespace lamella
   };
 
   /**
-   * The bodies of @p descriptions on their section meshes: beams, or solids
-   * which may take @p memory_limit bytes (0: what the machine has). Beams with
-   * the same mesh and theory share their section, whose matrices S_pq are
-   * integrated once for all of them; each has an axis of its own. Collective.
+   * Returns the bodies of @p descriptions on their section meshes, beams or
+   * solids. Solids may take @p memory_limit bytes (0: that of the machine).
+   * Beams with the same mesh and theory share their section with its matrices
+   * S_pq; each has an axis of its own. Nodes of SV-N, and of bodies with
+   * `Theories`, carry all fields of their section: choose_fields() selects them
+   * and adds others later. Collective.
    *
-   * The nodes of SV-N, and those of bodies with `Theories`, carry all fields of
-   * their section here: which of them the scene wants, and which further ones,
-   * is chosen when it is known what touches the bodies (choose_fields()).
-   *
-   * @p meshes has all sections that the descriptions name. Throws InputError
-   * for a body so long that its rigid motions cannot be told apart in doubles,
-   * 1e7 times the extent of its section (doc/stable-basis.md), for a beam with
-   * fewer nodes along its axis than there are processes, and what
-   * HexahedralMesh throws.
+   * @p meshes has all sections of the descriptions. Throws InputError for a
+   * body longer than 1e7 times the extent of its section, whose rigid motions
+   * cannot be distinguished in doubles (doc/stable-basis.md), for a beam with
+   * fewer axis nodes than processes, and as HexahedralMesh does.
    */
   Bodies
   make_bodies(const std::vector<BodyDescription> &descriptions,

@@ -9,75 +9,70 @@
 
 namespace lamella
 {
-  /**
-   * Where a body stands in the scene: the scene's position of the lower left
-   * corner of the section at the start of the axis, and the body's axes
-   * x (across), y (along), z (up) as rows of unit vectors in the scene.
-   *
-   * A rigid change of axes, with R = axes (orthogonal, det R = 1) and o the
-   * origin:
-   *   x_body = R (X - o),   X = o + R^T x_body,   v_body = R v.
-   * Beams and solids compute in their own axes, where the paper's Fig. 1 has
-   * y along the beam; everything that leaves them is in the scene's. Lengths
-   * are those of the scene either way.
-   */
+  /// Placement of a body in the scene: the origin of the section at the start
+  /// of the axis, and the body axes x (across), y (along), z (up) as rows of
+  /// unit vectors in the scene. With R = axes (orthogonal, det R = 1) and o the
+  /// origin,
+  ///   x_body = R (X - o),   X = o + R^T x_body,   v_body = R v.
+  /// Beams and solids compute in their own axes, with y along the beam as in
+  /// the paper's Fig. 1; their interfaces use scene axes. The unit of length is
+  /// that of the scene.
   struct Placement
   {
-    /// Of a section that comes from a mesh file: where that file's own origin
-    /// is at the start of the axis.
+    /// Scene position of the lower left corner of the section at the start of
+    /// the axis, or of the origin of its mesh file.
     dealii::Point<3> origin;
-    /// By default those of the scene.
+    /// Body axes, by default those of the scene.
     Triad axes = unit_triad();
 
-    /**
-     * y along @p axis, z as near to @p up as it goes, x = y x z:
-     *   x = axis x up / |axis x up|,   y = axis / |axis|,   z = x x y.
-     * The lengths of the two directions do not matter. Throws InputError if
-     * they are parallel (the sine between them below 1e-6) or one is zero.
-     */
+    /// Returns the placement with y along @p axis and z as near to @p up as
+    /// possible:
+    ///   x = axis x up / |axis x up|,   y = axis / |axis|,   z = x x y.
+    /// The vectors have any length. Throws InputError if they are parallel (the
+    /// sine between them below 1e-6) or one is zero.
     static Placement
     from_directions(const dealii::Point<3>     &origin,
                     const dealii::Tensor<1, 3> &axis,
                     const dealii::Tensor<1, 3> &up);
 
-    /// The point @p x of the scene in the body's axes.
+    /// Returns the scene point @p x in body axes.
     dealii::Point<3>
     to_body(const dealii::Point<3> &x) const
     {
       return dealii::Point<3>(axes * (x - origin));
     }
 
-    /// The point @p x of the body's axes in the scene.
+    /// Returns the point @p x of body axes in the scene.
     dealii::Point<3>
     to_scene(const dealii::Point<3> &x) const
     {
       return origin + vector_to_scene(x);
     }
 
-    /// The same of a direction, displacement or force, which turns but does not
-    /// move.
+    /// Returns a direction, displacement or force of body axes in scene axes.
     dealii::Tensor<1, 3>
     vector_to_scene(const dealii::Tensor<1, 3> &v) const
     {
       return transpose(axes) * v;
     }
 
-    /// And back.
+    /// Returns a direction, displacement or force of scene axes in body axes.
     dealii::Tensor<1, 3>
     vector_to_body(const dealii::Tensor<1, 3> &v) const
     {
       return axes * v;
     }
 
-    /// The rotation @p R, of the body's axes, in those of the scene.
+    /// Returns the rotation @p R of body axes in scene axes.
     Triad
     turn_in_scene(const Triad &R) const
     {
       return transpose(axes) * R * axes;
     }
 
-    /// T with strain(scene axes) = T strain(body axes), order of Eq. 4 with
-    /// engineering shear strains. Stresses take T^-T, as T is not orthogonal.
+    /// Returns T with strain(scene axes) = T strain(body axes), order of Eq. 4
+    /// with engineering shear strains. Stresses use T^-T, as T is not
+    /// orthogonal.
     ElasticTensor
     strain_to_scene() const
     {

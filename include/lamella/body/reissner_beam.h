@@ -14,43 +14,41 @@
 namespace lamella
 {
   /**
-   * A beam whose sections turn by any angle and warp a little: its centre goes
-   * by r(y), the section turns by R(y), and what else it does, the amplitudes a
-   * of its fields that are no rigid motions, turns with it,
+   * A beam with finite rotations of its sections and small warping. With r(y)
+   * the displacement of the section's center, R(y) its rotation and a the
+   * amplitudes of the fields that are no rigid motions,
    *   x = X_c + r + R (X - X_c + Phi a).
-   * Strains are small in the axes of the section, and linear in
+   * Strains are small in section axes and linear in
    *   e = (Gamma, kappa, kappa_y^2 / 2, a, a')                 (FrameStrains),
-   * so that what the section answers is what it answers to the same numbers in
-   * a Beam (SectionAnswer), and a constant matrix: s = D e. Of Saint-Venant's
-   * fields that is Simo's beam with the section's own stiffness; warping in
-   * shear and torsion, Poisson's effect and all couplings of a layup are in it;
-   * what kappa_y^2 / 2 is of the section is TwistStretch, Wagner's stiffening
-   * of a twisted strip. What it leaves out are other strains that are quadratic
-   * in the section itself: the flattening of bent tubes and of wide strips;
-   * Deformation::shape_change says how much that is.
+   * so the stresses s = D e have a constant matrix D, that of a Beam
+   * (SectionAnswer). With Saint-Venant's fields this is Simo's beam with the
+   * section's stiffness, including warping in shear and torsion, Poisson's
+   * effect and couplings of a layup. TwistStretch gives the terms of kappa_y^2
+   * / 2, Wagner's stiffening of a twisted strip. Other quadratic strains of the
+   * section are neglected (flattening of bent tubes and wide strips;
+   * Deformation::shape_change measures them).
    *
-   * DoFs are those of the Beam. In a state u the six rigid fields of a node
-   * have another meaning: its r, and its rotation vector, of 0 to pi, as small
-   * rotations have it (RigidField). In changes du, and in forces, they are
-   * spins on top of the state, about the axes of the body, and updated() puts
-   * both together. Rows of displacements, their change with du, depend on the
-   * state (rows_at()). At u = 0 both are those of the Beam.
+   * DoFs are those of the Beam. In a state u the rigid fields of a node are its
+   * r and its rotation vector, of angle 0 to pi, scaled as for small rotations
+   * (RigidField). In changes du and in forces they are spins on top of the
+   * state, about body axes; updated() combines both. Rows of displacements
+   * depend on the state (rows_at()). At u = 0 both are those of the Beam.
    *
-   * Quaternions of the nodes are interpolated along an element, and integrals
-   * are those of one Gauss point fewer than nodes, which locks at no
-   * slenderness. (With one more for what has a and a' alone 16 elements were as
-   * far off as 8 without, where warping is held.)
+   * Quaternions of nodes are interpolated along an element. Integrals use one
+   * Gauss point fewer than nodes, which does not lock at any slenderness. (One
+   * more point for the terms of a and a' alone doubles the number of elements
+   * needed if warping is constrained.)
    *
    * Sections that stay normal to the axis (EBBT) are those of TBT with 10^4
-   * times the axial stiffness against shear: a share (h / L)^2 of 1e-5 of the
-   * deflection is left of it. A section that cannot twist turns in one plane.
+   * times the axial stiffness against shear, which leaves a share (h / L)^2 of
+   * 1e-5 of the deflection. A section that cannot twist rotates in one plane.
    */
   class ReissnerBeam : public Beam
   {
   public:
-    /// Every node carries all fields of the section, which is that of
-    /// Theory::of_turning(); whether it @p stays_normal. What theory() says is
-    /// @p theory, or that of the section.
+    /// Constructs a beam whose nodes all carry all fields of @p section, that
+    /// of Theory::of_turning(), which may stay normal to the axis if
+    /// @p stays_normal. theory() returns @p theory, or the section's if empty.
     ReissnerBeam(const std::string             &name,
                  std::shared_ptr<const Section> section,
                  std::shared_ptr<const Axis>    axis,
@@ -58,8 +56,8 @@ namespace lamella
                  const std::string             &theory       = "",
                  const bool                     stays_normal = false);
 
-    /// As the constructor of Beam; lists of fields are dense (FieldSpace).
-    /// Throws InputError for lists that are not.
+    /// Constructs a beam as Beam does. Throws InputError for lists of fields
+    /// that are not dense (FieldSpace).
     ReissnerBeam(const std::string                            &name,
                  std::shared_ptr<const FieldSpace>             space,
                  std::shared_ptr<const Axis>                   axis,
@@ -78,7 +76,8 @@ namespace lamella
     {
       return true;
     }
-    /// Throws NumericsError where a section that cannot twist would have to.
+    /// Returns the state. Throws NumericsError if a section that cannot twist
+    /// would have to.
     Vector
     updated(const Vector &u, const Vector &change) const override;
     double
@@ -119,7 +118,7 @@ namespace lamella
     samples_at(const std::vector<SectionPoint> &points,
                const std::vector<AxisPoint>    &places,
                const Vector                    &u) const override;
-    /// A block for each own element of the axis.
+    /// Calls @p use with a block for each own element of the axis.
     void
     for_each_tangent_block(
       const Vector                                      &u,
@@ -128,26 +127,26 @@ namespace lamella
       const std::function<void(const StiffnessBlock &)> &use) const override;
 
   private:
-    /// What the sections of an element of the axis answer, D e, and to which
-    /// fields, of which m are no rigid motions.
+    /// Section law D of an element of the axis: its fields and, among them, the
+    /// m warpings, those that are no rigid motions.
     struct Law
     {
       std::vector<unsigned int> fields, warpings;
-      /// 7 + 2 m numbers squared, in the order of e.
+      /// Square matrix of 7 + 2 m rows in the order of e.
       dealii::LAPACKFullMatrix<double> D;
     };
 
-    /// The state of an element of the axis, node by node.
+    /// State of an element of the axis, node by node.
     struct Element
     {
-      /// All alike in sign.
+      /// Quaternions, signs by a nonnegative product with the first.
       std::vector<Quaternion>           q;
       std::vector<dealii::Tensor<1, 3>> r;
-      /// The amplitudes of Law::warpings.
+      /// Amplitudes of Law::warpings.
       std::vector<std::vector<double>> a;
     };
 
-    /// The state at a point of the axis.
+    /// State at a point of the axis.
     struct Frame
     {
       Quaternion           Q, dQ;
@@ -155,16 +154,15 @@ namespace lamella
       std::vector<double>  a, da;
     };
 
-    /// A point that an element is integrated by.
+    /// Integration point of an element.
     struct Station
     {
       AxisPoint point;
       double    weight = 0.;
     };
 
-    /// One of the numbers of an element that its forces and its tangent are
-    /// made for, node after node its r, its spin and its warpings: the DoF is
-    /// `factor` of it, if there is one.
+    /// A local unknown of an element, node after node its r, its spin and its
+    /// warpings. The DoF, if any, is `factor` times it.
     struct LocalDof
     {
       DofIndex dof    = dealii::numbers::invalid_dof_index;
@@ -177,20 +175,20 @@ namespace lamella
       }
     };
 
-    /// Those of FrameStrains; r and the spin of a node.
+    /// Numbers of FrameStrains, and of r and the spin of a node.
     static constexpr unsigned int n_strains = 7, n_of_node = RigidField::n_all;
     using OfFrame = std::array<double, n_strains>;
 
-    /// d(Q, Q', r') by r and the spin of a node.
+    /// Derivative of (Q, Q', r') by r and the spin of a node.
     using ByNode = std::array<dealii::Tensor<1, 6>, 11>;
 
-    /// A point of the section and what is there of the fields of an element.
+    /// A point of the section with the fields of an element there.
     struct PointFields
     {
       AxisPoint on_axis;
-      /// From the centre of the section.
+      /// Position from the center of the section.
       dealii::Tensor<1, 3> X;
-      /// Of Law::warpings.
+      /// Values of Law::warpings.
       std::vector<dealii::Tensor<1, 3>> Phi;
     };
 
@@ -200,36 +198,38 @@ namespace lamella
     make_laws(const bool stays_normal);
     std::shared_ptr<Law>
     make_law(const SectionAnswer &answer) const;
-    /// The row and the column of kappa_y^2 / 2.
+    /// Sets the row and the column of kappa_y^2 / 2.
     void
     add_twist_stretch(Law &law) const;
 
-    /// How many of the section's fields, the first ones, are no warpings.
+    /// Returns the number of the section's fields, the first ones, that are no
+    /// warpings.
     unsigned int
     n_rigid() const
     {
       return std::min<unsigned int>(n_of_node, section().n_fields());
     }
 
-    /// The stresses on e that the @p work on the fields @p list is, at station
-    /// @p k, with none on kappa_y^2 / 2.
+    /// Returns the stresses on e of the @p work on the fields @p list at
+    /// station @p k, without that on kappa_y^2 / 2.
     std::vector<double>
     on_strains(const std::vector<unsigned int> &list,
                const FieldParts                &work,
                const unsigned int               k) const;
 
-    /// Of each station of the element @p cell the stresses on e of C epsilon_0.
+    /// Returns the stresses on e of C epsilon_0 at the stations of @p cell.
     std::vector<Vector>
     heat_stresses(const unsigned int cell) const;
-    /// Those on kappa_y^2 / 2 at each of @p places along the axis.
+    /// Returns the heat stresses on kappa_y^2 / 2 at @p places on the axis.
     std::vector<double>
     heat_on_twist(const std::vector<double> &places) const;
 
-    /// The strain of kappa_y^2 / 2 = 1 at @p point of the section.
+    /// Returns the strain of kappa_y^2 / 2 = 1 at @p point of the section.
     Voigt
     twist_strain(const SectionPoint &point) const;
 
-    /// The rotation vector of @p node in a state, or its spin in a change.
+    /// Returns the rotation vector of @p node in a state, or its spin in a
+    /// change.
     dealii::Tensor<1, 3>
     rotation(const unsigned int node, const Vector &u) const;
 
@@ -237,12 +237,12 @@ namespace lamella
     element(const unsigned int cell, const Vector &u) const;
     static Frame
     frame_at(const AxisPoint &point, const Element &element);
-    /// e there.
+    /// Return e at a point.
     static std::vector<double>
     strains(const Frame &frame, const FrameStrains &of);
     static std::vector<double>
     strains(const Frame &frame);
-    /// D e.
+    /// Returns D e.
     static Vector
     stresses(const Law &law, const std::vector<double> &e);
 
@@ -253,7 +253,7 @@ namespace lamella
     add_local(const std::vector<LocalDof> &dofs,
               const std::vector<double>   &local,
               Vector                      &f);
-    /// The matrix @p local; without values where it is empty.
+    /// Returns the block of @p local; without values if it is empty.
     static StiffnessBlock
     block_of(const std::vector<LocalDof>            &dofs,
              const dealii::LAPACKFullMatrix<double> &local);
@@ -262,27 +262,27 @@ namespace lamella
             const AxisPoint   &point,
             const unsigned int i);
 
-    /// Adds what the stresses @p s on e do at @p station to the local forces
-    /// @p f.
+    /// Adds the forces of the stresses @p s on e at @p station to the local
+    /// forces @p f.
     static void
     add_forces(const Station       &station,
                const Element       &element,
                const Vector        &s,
                std::vector<double> &f);
 
-    /// The stresses of the frame's strains that a @p change of the local
-    /// numbers predicts where it starts from @p before: the linear part of what
-    /// it makes (Magisano, Leonetti and Garcea, see green_tangent()).
+    /// Returns the stresses of the frame's strains that the linearization at
+    /// @p before predicts for @p change of the local unknowns (Magisano,
+    /// Leonetti and Garcea, see green_tangent()).
     static OfFrame
     predicted(const Station             &station,
               const Law                 &law,
               const Element             &before,
               const std::vector<double> &change);
-    /// Add to the local matrix @p K: all of a station with the stresses @p s of
-    /// the frame's strains; what these do as r and spins turn e, on top of the
-    /// second derivative @p by_measures of the energy by (Q, Q', r'); the
-    /// products of r and spins with those of node @p j; those with a warping. A
-    /// node has @p n numbers.
+    /// Add to the local matrix @p K, with @p n numbers per node: the tangent of
+    /// a station with the stresses @p s of the frame's strains; their geometric
+    /// part and the second derivative @p by_measures of the energy by (Q, Q',
+    /// r'); the products of r and spins with those of node @p j; those with a
+    /// warping.
     static void
     add_frame_tangent(const Station                    &station,
                       const Law                        &law,
@@ -297,18 +297,18 @@ namespace lamella
                        const OfFrame                    &s,
                        dealii::Tensor<2, 11>             by_measures,
                        dealii::LAPACKFullMatrix<double> &K);
-    /// by_node() of all nodes at @p station.
+    /// Returns by_node() of all nodes at @p station.
     static std::vector<ByNode>
     by_nodes(const Station &station, const Element &element);
-    /// What the second derivative of a unit quaternion @p q as spins go on adds
-    /// to a spin, where the energy has the derivative @p by_q.
+    /// Returns the contribution to a spin's diagonal of the second derivative
+    /// of a unit quaternion @p q, with the energy's derivative @p by_q.
     static double
     along_geodesic(const Quaternion &by_q, const Quaternion &q)
     {
       return -(by_q * q) / 4.;
     }
-    /// That of the energy of the frame's strains by (Q, Q', r') without
-    /// stresses.
+    /// Returns the second derivative of the energy of the frame's strains by
+    /// (Q, Q', r') without stresses.
     static dealii::Tensor<2, 11>
     square_of_strains(const Law &law, const FrameStrains &of);
     static void
@@ -328,47 +328,47 @@ namespace lamella
     add_warping_tangent(const unsigned int                cell,
                         dealii::LAPACKFullMatrix<double> &K) const;
 
-    /// A section in a state.
+    /// State of a section.
     struct SectionState
     {
       Frame frame;
-      /// e, and what the warpings and the frame's strains are of each field of
-      /// the section: of its value and of its derivative along the axis.
+      /// Strains e, and for each field of the section the values and the axial
+      /// derivatives that warpings and frame strains give it.
       std::vector<double> e, value, derivative;
-      /// Coefficients of the displacements.
+      /// Coefficients of the warping displacements.
       std::vector<double> warping;
     };
-    /// That of a section of the element @p cell.
+    /// Return the state of a section of the element @p cell.
     SectionState
     section_state(const unsigned int cell, const Frame &frame) const;
     SectionState
     section_state(const AxisPoint &on_axis, const Vector &u) const;
-    /// Returns the section state for samples: its strains are interpolated
-    /// along the element from those at its stations.
+    /// Returns the section state for samples, with strains interpolated from
+    /// the stations of the element.
     SectionState
     shown_state(const AxisPoint &on_axis, const Vector &u) const;
 
     PointFields
     fields_at(const Location::Place &place) const;
-    /// X of PointFields.
+    /// Returns X of PointFields.
     dealii::Tensor<1, 3>
     from_centre(const SectionPoint &point) const;
-    /// Phi a of the point @p at, in axes of the body.
+    /// Returns Phi a of the point @p at, in body axes.
     static dealii::Tensor<1, 3>
     warping(const PointFields &at, const Frame &frame);
-    /// The displacement of @p point, in axes of the body.
+    /// Returns the displacement of @p point, in body axes.
     dealii::Tensor<1, 3>
     displacement(const SectionPoint &point, const SectionState &state) const;
-    /// What is shown of @p point of a section at @p y that is in @p state.
+    /// Returns the sample of @p point of a section at @p y in @p state.
     FieldSample
     sample_of_section(const SectionPoint &point,
                       const double        y,
                       const SectionState &state) const;
-    /// R (X + Phi a) there.
+    /// Returns R (X + Phi a) at @p at.
     static TurnedVector
     turned_point(const PointFields &at, const Frame &frame);
-    /// The displacement there of a unit of each local number, in axes of the
-    /// body.
+    /// Returns the displacement at @p at, in body axes, per unit of each local
+    /// unknown.
     static std::vector<dealii::Tensor<1, 3>>
     by_local(const PointFields &at, const Element &element);
     /// Adds @p share of the rows of the displacement at @p place to @p rows.
@@ -377,16 +377,16 @@ namespace lamella
              const double           share,
              const Vector          &u,
              std::vector<Row>      &rows) const;
-    /// Adds to @p K the derivative of the work of @p force, in axes of the
-    /// body, on these numbers at @p at.
+    /// Adds to @p K the derivative of the work of @p force, in body axes, at
+    /// @p at on the local unknowns.
     static void
     add_force(const PointFields                &at,
               const dealii::Tensor<1, 3>       &force,
               const Element                    &element,
               dealii::LAPACKFullMatrix<double> &K);
 
-    /// The part of add_force() of the spin whose number is @p spin, @p row its
-    /// derivatives by Q and what R turns.
+    /// Adds the part of add_force() of the spin number @p spin, with @p row its
+    /// derivatives by Q and by the rotated vector.
     static void
     add_force_row(const PointFields                &at,
                   const Element                    &element,
@@ -394,20 +394,20 @@ namespace lamella
                   const unsigned int                spin,
                   dealii::LAPACKFullMatrix<double> &K);
 
-    /// Takes what a section in @p state has into @p deformation.
+    /// Adds the strains of a section in @p state to @p deformation.
     void
     add_strains(const SectionState &state, Deformation &deformation) const;
 
-    /// The strain at @p point of a section in @p state.
+    /// Returns the strain at @p point of a section in @p state.
     Voigt
     strain_at(const SectionPoint &point, const SectionState &state) const;
 
-    /// The reference length of the section.
+    /// Reference length of the section.
     double h;
-    /// The section, or where it is rigid one that is not.
+    /// The section, or an LE-2 section of its mesh if it is rigid.
     std::shared_ptr<const Section>      deforming;
     std::unique_ptr<const TwistStretch> twist_stretch;
-    /// stiffening_by_shape() less what the law has.
+    /// Result of stiffening_by_shape() less the part in the law.
     std::array<double, 3>                   stiffening;
     std::vector<std::vector<Station>>       stations;
     std::vector<std::shared_ptr<const Law>> laws;

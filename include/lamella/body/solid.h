@@ -21,24 +21,19 @@ namespace lamella
   struct FromStrain;
   class SurfaceNode;
 
-  /**
-   * A body of hexahedra, the three-dimensional finite-element model that beam
-   * theories are judged by: the same section mesh and axis as a beam's
-   * extruded, Q1 with incompatible modes or Q2, full integration, hanging nodes
-   * where it is locally refined. On one mesh the space of Q2 is that of
-   * LE-2 with B3.
-   *
-   * DoF 3 i + c is the component c, in the body's axes, at node i. A "cell" of
-   * Location is a hexahedron; its unit coordinates are a beam's: (xi, place
-   * along the axis, eta).
-   *
-   * Hexahedra of the same ply and, but for a translation, the same nodes are of
-   * one kind: their matrices are computed once.
-   */
+  /// A body of hexahedra, the three-dimensional reference of beam theories: a
+  /// beam's section mesh and axis extruded, Q1 with incompatible modes or Q2,
+  /// full integration, hanging nodes where it is locally refined. On one mesh
+  /// the space of Q2 is that of LE-2 with B3. DoF 3 i + c is component c, in
+  /// body axes, at node i. A "cell" of Location is a hexahedron; its unit
+  /// coordinates are a beam's, (xi, place along the axis, eta). Hexahedra of
+  /// one ply with the same nodes up to a translation are of one kind, with
+  /// matrices computed once.
   class Solid : public Body
   {
   public:
-    /// @p degree is 1 or 2. Balls of @p refinement are in the body's axes.
+    /// Constructs a solid of @p degree 1 or 2. Balls of @p refinement are in
+    /// body axes.
     Solid(const std::string                 &name,
           std::shared_ptr<const SectionMesh> section,
           const AxisMesh                    &axis,
@@ -137,7 +132,7 @@ namespace lamella
     std::vector<double>
     line_breaks(const dealii::Point<3> &a,
                 const dealii::Point<3> &b) const override;
-    /// Of the hexahedra.
+    /// Returns the degree of the hexahedra.
     unsigned int
     degree() const
     {
@@ -156,11 +151,11 @@ namespace lamella
       const bool                                         with_values,
       const std::function<void(const StiffnessBlock &)> &use) const override;
 
-    /// The fields at one place, in scene and ply axes.
+    /// Returns the fields at one place, in scene and ply axes.
     virtual FieldSample
     sample_place(const Location::Place &place, const Vector &u) const;
 
-    /// What is known of any of the hexahedra.
+    /// Returns the element shared by all hexahedra.
     const Hexahedron &
     hexahedron() const
     {
@@ -168,11 +163,11 @@ namespace lamella
     }
     Hexahedron::Nodes
     nodes_of(const unsigned int cell) const;
-    /// The DoFs of @p cell in the order of Hexahedron.
+    /// Returns the DoFs of @p cell in the order of Hexahedron.
     std::vector<DofIndex>
     dofs_of(const unsigned int cell) const;
-    /// The law of @p cell at the point @p x of it, and the axes of its ply
-    /// there, both in the body's axes.
+    /// Return the law of @p cell and the axes of its ply at its point @p x,
+    /// both in body axes.
     ElasticLaw
     law(const unsigned int cell, const dealii::Point<3> &x) const
     {
@@ -184,14 +179,14 @@ namespace lamella
       return mesh.section().plies[mesh.cells()[cell].ply].axes({x[0], x[2]});
     }
 
-    /// The displacements of @p cell less those of its first node, so that a
-    /// rigid translation has no strain, to the last bit.
+    /// Returns the displacements of @p cell less those of its first node, so
+    /// that rigid translations have exactly no strain.
     std::vector<double>
     relative_displacements(const unsigned int cell, const Vector &u) const;
 
-    /// law() with the initial strain of heat at @p unit, which is the point
-    /// @p x. Of degree 1 the temperature is that of the middle of the cell: one
-    /// that varies in it would strain its incompatible modes, too.
+    /// Returns law() with the initial strain of heat at @p unit, the point
+    /// @p x. Degree 1 uses the temperature at the middle of the cell, since a
+    /// varying one would strain its incompatible modes.
     ElasticLaw
     law_at(const unsigned int      cell,
            const dealii::Point<3> &unit,
@@ -200,7 +195,7 @@ namespace lamella
   private:
     friend class SolidSecondOrder;
 
-    /// Hexahedra with the same matrices, one of them, and those of this
+    /// Hexahedra with the same matrices: a representative, and those of this
     /// process.
     struct Kind
     {
@@ -216,11 +211,11 @@ namespace lamella
     void
     make_boxes();
 
-    /// law() as a function of the point, for @p cell's matrices.
+    /// Returns law() as a function of the point, for the matrices of @p cell.
     StiffnessAt
     stiffness_of(const unsigned int cell) const;
 
-    /// Adds @p share of what @p place has of the rows of a point.
+    /// Adds @p share of the rows at @p place.
     void
     add_to_rows(const Location::Place &place,
                 const Quantity         quantity,
@@ -228,40 +223,41 @@ namespace lamella
                 const double           share,
                 std::vector<Row>      &rows) const;
 
-    /// The cells whose boxes come within @p tolerance of @p around (body axes).
+    /// Returns the cells whose boxes are within @p tolerance of @p around (body
+    /// axes).
     std::vector<std::pair<dealii::BoundingBox<3>, unsigned int>>
     cells_near(dealii::BoundingBox<3> around, const double tolerance) const;
 
-    /// One point of the scene, a location in each ply that it is of.
+    /// Returns a location of the scene's @p point in each of its plies.
     std::vector<Location>
     locate(const dealii::Point<3> &point, const double tolerance) const;
 
-    /// The place of the point of @p cell nearest to @p x (body axes) and its
+    /// Returns the place in @p cell nearest to @p x (body axes), and its
     /// distance.
     std::pair<dealii::Point<3>, double>
     nearest_in_cell(const unsigned int cell, const dealii::Point<3> &x) const;
 
-    /// The point of @p cell at @p unit, on its face @p face; the area is that
-    /// per unit of the face's square.
+    /// Returns the point of @p cell at @p unit, on its face @p face; the area
+    /// is per unit of the face's square.
     SurfacePoint
     face_point(const unsigned int      cell,
                const unsigned int      face,
                const dealii::Point<3> &unit) const;
 
-    /// By their numbers.
+    /// Hanging nodes by number.
     using HangingNodes =
       std::map<unsigned int, const HexahedralMesh::HangingNode *>;
 
-    /// Adds what face @p face of @p cell has of the nodes of a surface. Nodes
-    /// that hang give their areas to those that they hang on.
+    /// Adds the contributions of face @p face of @p cell to surface nodes.
+    /// Hanging nodes pass their areas on.
     void
     add_face(const unsigned int                   cell,
              const unsigned int                   face,
              const HangingNodes                  &hangs,
              std::map<unsigned int, SurfaceNode> &nodes) const;
 
-    /// Adds where the line a + t d of the section's plane passes the edge of
-    /// @p cell from its corner @p v to its corner @p w, which may be curved.
+    /// Adds the crossings of the line a + t d of the section's plane with the
+    /// edge of @p cell from corner @p v to @p w, which may be curved.
     void
     add_side_crossings(const unsigned int          cell,
                        const unsigned int          v,
@@ -271,11 +267,11 @@ namespace lamella
                        const double                tolerance,
                        std::vector<double>        &crossings) const;
 
-    /// Cells and faces that make up @p surface.
+    /// Returns the cells and faces of @p surface.
     std::vector<std::pair<unsigned int, unsigned int>>
     faces_of(const std::string &surface) const;
 
-    /// A place of each node that hangs nowhere, or of those of @p surface.
+    /// Returns a place of each node of @p faces that is not hanging.
     std::vector<Location>
     node_locations(
       const std::vector<std::pair<unsigned int, unsigned int>> &faces) const;

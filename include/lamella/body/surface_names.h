@@ -7,27 +7,24 @@
 
 namespace lamella
 {
-  /**
-   * The names of surfaces that every body has, whatever its section calls its
-   * sides: `start` and `end`, where y is 0 and L; `ends`, both of them; `all`,
-   * the ends and all sides. Here alone they are compared.
-   */
+  /// Names of surfaces that every body has: `start` and `end`, where y is 0 and
+  /// L; `ends`, both of them; `all`, the ends and all sides. All comparisons of
+  /// these names are here.
   namespace surface_names
   {
-    /// "start", or "end".
+    /// Returns "start" or "end".
     std::string
     of_end(const bool at_start);
 
-    /// Whether @p surface is `all`.
+    /// Returns true if @p surface is `all`.
     bool
     is_all(const std::string &surface);
 
-    /// Whether @p surface is one of those that are made of others: `ends`,
-    /// `all`.
+    /// Returns true if @p surface consists of others: `ends`, `all`.
     bool
     is_several(const std::string &surface);
 
-    /// Whether @p part is @p surface or a part of it.
+    /// Returns true if @p part is @p surface or a part of it.
     bool
     covers(const std::string &surface, const std::string &part);
   } // namespace surface_names

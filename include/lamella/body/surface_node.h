@@ -7,16 +7,14 @@
 
 namespace lamella
 {
-  /**
-   * A node of a surface while its facets are gone through: what they add up to,
-   *   A = int N dA,   n ~ int N n dA,
-   * and whether they meet at an angle there. How Body::surface_points() comes
-   * about, of any body.
-   */
+  /// A node of a surface during the loop over facets in Body::surface_points():
+  /// the sums over facets
+  ///   A = int N dA,   n ~ int N n dA,
+  /// and the flag of a corner.
   class SurfaceNode
   {
   public:
-    /// Takes the place from one of the facets, whose own @p at is.
+    /// Sets the place from @p at, the point of one of the facets.
     void
     meet(const SurfacePoint &at);
 
@@ -28,19 +26,19 @@ namespace lamella
       weighted += share * normal;
     }
 
-    /// Gives half of what it has to each of @p ends and is no node any more:
-    /// one that hangs in their middle.
+    /// Adds half of its sums to each of its two ends and removes the node,
+    /// which hangs in their middle.
     void
     share_out(SurfaceNode &one_end, SurfaceNode &other_end);
 
-    /// Whether a facet has been met.
+    /// Returns true if a facet has been met.
     bool
     is_there() const
     {
       return met;
     }
 
-    /// The point with its area and mean normal. is_there().
+    /// Returns the point with its area and mean normal. Requires is_there().
     SurfacePoint
     finished() const;
 

@@ -9,7 +9,7 @@
 
 namespace lamella
 {
-  /// The places of @p section (x, z) at which stresses have no limit
+  /// Returns the places of @p section (x, z) at which stresses have no limit
   /// (singular_corners()).
   std::vector<dealii::Point<2>>
   corners_of(const Section &section);

@@ -7,22 +7,20 @@
 
 namespace lamella
 {
-  /// Whether both have the same cells: as many, their middles within 1e-9 of
-  /// the section's size, and the same elastic law there to 1e-9. Their theories
-  /// may differ. Cells with curved sides have not, if the degrees differ: their
-  /// middles move with it.
+  /// Returns true if both have the same cells, in number, with middles within
+  /// 1e-9 of the section's size and the same elastic law there to 1e-9.
+  /// Theories may differ, but for curved sides not in degree, on which middles
+  /// depend.
   bool
   have_same_cells(const Section &a, const Section &b);
 
-  /**
-   * The fields @p fields of the section @p from, a column each, as those of
-   * @p to, which have_same_cells(): the displacement v of the one that is
-   * nearest to the other's w over the area,
-   *   int Phi_alpha . (v - w) dA = 0     for each field Phi_alpha of @p to,
-   * at the integration points of @p to. LE-p holds LE-q of a lower degree, so
-   * there v = w. A vector for each column, as long as @p to has fields. Throws
-   * NumericsError where the fields of @p to depend on each other.
-   */
+  /// Returns the fields @p fields of the section @p from, one per column, as
+  /// those of @p to, which have_same_cells(): the displacement v nearest to w
+  /// over the area,
+  ///   int Phi_alpha . (v - w) dA = 0     for each field Phi_alpha of @p to,
+  /// at the integration points of @p to. LE-p contains LE-q of a lower degree,
+  /// so there v = w. One vector per column, as long as @p to has fields. Throws
+  /// NumericsError if the fields of @p to depend on each other.
   std::vector<Vector>
   embedded(const FieldColumns &fields, const Section &from, const Section &to);
 } // namespace lamella

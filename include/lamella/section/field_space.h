@@ -14,37 +14,32 @@
 
 namespace lamella
 {
-  /// Fields of a section, a column each, in its own fields Phi_alpha: column j
-  /// is the field sum_alpha c_(alpha j) Phi_alpha. n_fields() rows, stored
-  /// column by column.
+  /// Fields of a section, one per column, in its own fields Phi_alpha: column j
+  /// is the field sum_alpha c_(alpha j) Phi_alpha. n_fields() rows, stored by
+  /// column.
   using FieldColumns = dealii::LAPACKFullMatrix<double>;
 
   /**
-   * What the nodes of a beam may carry: the fields of a section and further
-   * ones that are combinations of these, its modes (Saint-Venant fields,
-   * response fields and end fields). All live in one space, so they share S_pq,
-   * and nodes with different lists are neighbours without any treatment.
+   * The fields that nodes of a beam may carry: those of a section, then modes,
+   * combinations of these (Saint-Venant fields, response fields and end
+   * fields). All share S_pq, so nodes with different lists may be neighbors.
    *
-   * The fields are numbered through: those of the section first, as it numbers
-   * them, then the modes. A *dense* list has the six rigid fields and modes and
-   * nothing else: what a body of dense lists costs does not depend on the
-   * number of the section's fields any more. The rigid fields and the modes
-   * together, in this order, are the dense fields, numbered 0 ...
-   * n_dense() - 1.
-   *
-   * Products of modes are made once, S_pq between any two dense fields,
+   * A *dense* list has only the six rigid fields and modes: its cost does not
+   * depend on the number of the section's fields. The rigid fields and then the
+   * modes are the dense fields, numbered 0 ... n_dense() - 1. S_pq between
+   * them,
    *   B^T S_pq B,   B = [rigid fields, modes],
-   * in n_fields() x n_dense() numbers and as many squared. Immutable; shares
-   * the section.
+   * is computed once, in n_fields() x n_dense() numbers and as many squared.
+   * Immutable; shares the section.
    */
   class FieldSpace
   {
   public:
-    /// Those of the section and no modes.
+    /// Constructs a space of the section's fields without modes.
     explicit FieldSpace(std::shared_ptr<const Section> section);
 
-    /// With the modes @p columns, which have as many rows as the section has
-    /// fields. A section of EBBT or TBT has no rotation about y: none of these.
+    /// Constructs a space with the modes @p columns, of n_fields() rows each.
+    /// Not for sections of EBBT or TBT, without rotation about y.
     FieldSpace(std::shared_ptr<const Section> section, FieldColumns columns);
 
     const Section &
@@ -59,7 +54,7 @@ namespace lamella
       return base;
     }
 
-    /// Of the section and modes together.
+    /// Returns the number of fields of the section and modes.
     unsigned int
     n_fields() const
     {
@@ -72,22 +67,22 @@ namespace lamella
       return modes.n();
     }
 
-    /// The number of the first mode.
+    /// Returns the number of the first mode.
     unsigned int
     first_mode() const
     {
       return base->n_fields();
     }
 
-    /// The rigid fields and the modes.
+    /// Returns the number of rigid fields and modes.
     unsigned int
     n_dense() const
     {
       return n_rigid + n_modes();
     }
 
-    /// The number among the dense fields of the field @p alpha, or n_dense() of
-    /// a field of the section that is not rigid.
+    /// Returns the number of @p alpha among dense fields, or n_dense() for a
+    /// field of the section that is not rigid.
     unsigned int
     dense_number(const unsigned int alpha) const
     {
@@ -97,90 +92,86 @@ namespace lamella
                                        alpha - first_mode() + n_rigid);
     }
 
-    /// Whether the fields @p list are dense, and modes among what there is.
+    /// Returns true if there are modes and the fields @p list are dense.
     bool
     is_dense(const std::vector<unsigned int> &list) const;
 
-    /// Coarse fields are eliminated before others (SectionField::level); modes
-    /// are warping.
+    /// Returns the level of elimination, coarse first (SectionField::level);
+    /// modes are warping.
     unsigned int
     level(const unsigned int alpha) const
     {
       return alpha < first_mode() ? base->field(alpha).level : 1;
     }
 
-    /// Of each field the largest displacement that a unit of it makes at the
-    /// integration points; 1 of one that makes none there.
+    /// Returns for each field the largest displacement of its unit at the
+    /// integration points; 1 if that is zero.
     const std::vector<double> &
     sizes() const
     {
       return of_fields;
     }
 
-    /// The field @p alpha as numbers for the fields of the section.
+    /// Returns the field @p alpha in the fields of the section.
     Vector
     in_section_fields(const unsigned int alpha) const;
 
-    /// Turns numbers for all fields into numbers for those of the section:
-    /// adds what the modes are made of to the first entries of @p coefficients
-    /// (n_fields() of them) and cuts the rest off.
+    /// Changes @p coefficients of all n_fields() fields to those of the
+    /// section's fields, adding modes to these and dropping the rest.
     void
     expand(std::vector<double> &coefficients) const;
 
-    /// The transpose of expand(): appends to the work @p work that is done on
-    /// the fields of the section that on the modes.
+    /// Appends to @p work on the fields of the section that on the modes, the
+    /// transpose of expand().
     void
     append_modes(std::vector<double> &work) const;
 
-    /// Numbers for the fields @p list, a row each of @p q, as numbers for those
-    /// of the section: what the modes are made of is added to these. A column
-    /// of them stands for itself.
+    /// Returns numbers @p q for the fields @p list, one row each, in the fields
+    /// of the section, modes included; columns are independent.
     dealii::LAPACKFullMatrix<double>
     in_section(const std::vector<unsigned int>        &list,
                const dealii::LAPACKFullMatrix<double> &q) const;
 
-    /// The transpose of in_section(): from the work on the fields of the
-    /// section, a row each of @p work, that on those of @p list.
+    /// Returns the work on the fields @p list from @p work on those of the
+    /// section, one row each: the transpose of in_section().
     dealii::LAPACKFullMatrix<double>
     on_list(const std::vector<unsigned int>        &list,
             const dealii::LAPACKFullMatrix<double> &work) const;
 
-    /// What mode number @p j is made of: a number for each field of the
-    /// section.
+    /// Returns the coefficients of mode @p j in the fields of the section.
     const double *
     mode(const unsigned int j) const
     {
       return &modes(0, j);
     }
 
-    /// S_pq between dense fields, in their numbering. Empty without modes.
+    /// Returns S_pq between dense fields; empty without modes.
     const dealii::LAPACKFullMatrix<double> &
     dense_S(const unsigned int p, const unsigned int q) const
     {
       return dense[2 * p + q];
     }
 
-    /// The rows of S_pq at all fields of which @p carried is true (n_fields()
-    /// of them); the others are empty, and columns of fields that are not
-    /// carried are left out.
+    /// Returns the rows of S_pq of all @p carried fields (n_fields() flags),
+    /// without columns of others; other rows are empty.
     std::vector<FactorRow>
     rows(const std::vector<bool> &carried) const;
 
   private:
     static constexpr unsigned int n_rigid = RigidField::n_all;
 
-    /// S_pq B for one of the section's five matrices, n_fields() x n_dense().
+    /// Returns S_pq B for one of the five matrices, n_fields() x n_dense().
     dealii::LAPACKFullMatrix<double>
     times_dense(const Matrix &S) const;
 
-    /// sizes().
+    /// Returns the result of sizes().
     std::vector<double>
     measured() const;
 
     std::shared_ptr<const Section> base;
     FieldColumns                   modes;
     std::vector<double>            of_fields;
-    /// B^T S B for S_00, S_01, S_10, S_11 and S_shear.
+    /// Products B^T S B for S_00, S_01, S_10, S_11 and S_shear.
     std::array<dealii::LAPACKFullMatrix<double>, 5> dense;
   };
 } // namespace lamella

@@ -11,30 +11,28 @@
 
 namespace lamella
 {
-  /// The gradient of a displacement in the body's axes, a row a direction:
-  /// H[i][c] = d u_c / d x_i. No unit.
+  /// Displacement gradient in body axes, H[i][c] = d u_c / d x_i [no unit].
   using Gradient = dealii::Tensor<2, 3>;
 
-  /// Of the field number @p a at @p point of a section d Phi / dx and
-  /// d Phi / dz [1 / length].
+  /// Returns d Phi / dx and d Phi / dz [1 / length] of field number @p a at
+  /// @p point of a section.
   std::array<dealii::Tensor<1, 3>, 2>
   derivatives_of_field(const SectionPoint &point, const unsigned int a);
 
-  /// H at @p point with the coefficients @p q of the fields there, in their
+  /// Returns H at @p point with the coefficients @p q of its fields, in their
   /// order, at station @p k.
   Gradient
   gradient_at(const SectionPoint &point,
               const FieldParts   &q,
               const unsigned int  k);
 
-  /// Green's strain of the gradient @p H,
-  ///   E_ij = (H_ij + H_ji + sum_c H_ic H_jc) / 2,
-  /// in the order of Voigt, shears twice.
+  /// Returns Green's strain of the gradient @p H, order of Voigt, shears twice,
+  ///   E_ij = (H_ij + H_ji + sum_c H_ic H_jc) / 2.
   Voigt
   green_strain(const Gradient &H);
 
-  /// The first Piola-Kirchhoff stress S (1 + H), a row a direction, where
-  /// @p second is the second one, S, in the order of Voigt.
+  /// Returns the first Piola-Kirchhoff stress S (1 + H), one row per direction,
+  /// from @p second, the second one S in the order of Voigt.
   dealii::Tensor<2, 3>
   first_stress(const Gradient &H, const Voigt &second);
 
@@ -44,45 +42,41 @@ namespace lamella
   Voigt
   predicted_strain(const Gradient &H, const Gradient &dH);
 
-  /**
-   * The derivative of first_stress() by H where S = C E is that of @p law: row
-   * and column 3 i + c of H[i][c],
-   *   (dE/dH)^T C dE/dH + S_ij delta_cd,
-   * symmetric. @p second is the S of the second term, that of
-   * predicted_strain() (mixed integration points: Magisano, Leonetti and
-   * Garcea, Int. J. Numer. Meth. Engng 110, 2017).
-   */
+  /// Returns the symmetric derivative of first_stress() by H where S = C E has
+  /// the C of @p law, with row and column 3 i + c for H[i][c],
+  ///   (dE/dH)^T C dE/dH + S_ij delta_cd.
+  /// @p second is the S of the second term, that of predicted_strain() (mixed
+  /// integration points: Magisano, Leonetti and Garcea, Int. J. Numer. Meth.
+  /// Engng 110, 2017).
   dealii::Tensor<2, 9>
   green_tangent(const Gradient &H, const Voigt &second, const ElasticLaw &law);
 
-  /// S_ij delta_cd of the second stress @p second, in the same order: what a
-  /// stress that does not change adds where H does.
+  /// Returns the geometric part S_ij delta_cd of green_tangent() for a constant
+  /// second stress @p second.
   dealii::Tensor<2, 9>
   stress_tangent(const Voigt &second);
 
-  /// The numbers of green_strain() as a tensor, E_ij.
+  /// Returns green_strain() as a tensor, E_ij.
   dealii::SymmetricTensor<2, 3>
   strain_tensor(const Voigt &strain);
 
-  /**
-   * A deformation F_ci = delta_ci + H[i][c] as a stretch and then a turn,
-   * F = R U with U^2 = 1 + 2 E, the polar decomposition.
-   */
+  /// The polar decomposition F = R U of the deformation F_ci = delta_ci +
+  /// H[i][c], with the stretch U, U^2 = 1 + 2 E.
   class PolarDecomposition
   {
   public:
     explicit PolarDecomposition(const Gradient &H);
 
-    /// R, which turns with the material.
+    /// Returns R, the rotation of the material.
     const dealii::Tensor<2, 3> &
     turn() const
     {
       return R;
     }
 
-    /// R^T sigma R of Cauchy's stress sigma = F S F^T / det F, where @p second
-    /// is the second Piola-Kirchhoff stress S: the true stress in axes that
-    /// turn with the material, U S U / det U. In the order of Voigt.
+    /// Returns R^T sigma R = U S U / det U, order of Voigt: Cauchy's stress
+    /// sigma = F S F^T / det F in axes that rotate with the material. @p second
+    /// is the second Piola-Kirchhoff stress S.
     Voigt
     turned_stress(const Voigt &second) const;
 
@@ -90,15 +84,15 @@ namespace lamella
     dealii::Tensor<2, 3> U, R;
   };
 
-  /// The angle of the rotation @p R, 0 to pi [rad].
+  /// Returns the angle of the rotation @p R, 0 to pi [rad].
   double
   angle_of(const dealii::Tensor<2, 3> &R);
 
-  /// How far the material turns and stretches.
+  /// Measures of rotation and stretch of the material.
   struct Stretch
   {
-    /// [rad], the largest principal value of |E|, and |E_yy|. Over the points
-    /// of a section the largest, and the root mean square of E_yy.
+    /// Angle [rad], largest principal value of |E|, and |E_yy|; over the points
+    /// of a section the largest, for E_yy the root mean square.
     double turn = 0., strain = 0., along = 0.;
   };
   Stretch

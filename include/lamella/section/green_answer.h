@@ -12,9 +12,8 @@
 namespace lamella
 {
   /**
-   * What a section answers to its fields where they turn by any angle: Total
-   * Lagrange, by the points of the section. With the gradient of the
-   * displacement, sums over the fields
+   * The total Lagrangian operator of a section with finite rotations, by the
+   * points of the section. With the displacement gradient, sums over fields
    *   H_x = q Phi_,x,   H_y = q' Phi,   H_z = q Phi_,z,
    * Green's strain E and the second Piola-Kirchhoff stress S = C E of small
    * strains, per length of the beam (integrals over the undeformed section)
@@ -29,33 +28,34 @@ namespace lamella
    *   E_k - l_k sum_m w_m l_m E_m,   l_k = sqrt(7) P_3 at station k,
    * which is zero for strains that are linear in q.
    *
-   * For sections whose strains are those of their displacements, all affine
-   * maps of the section among them: LE, TE-2 and up. A field alone is sparse in
-   * LE; the derivative comes cell by cell. Refers to the space.
+   * For sections whose strains are those of their displacements, including all
+   * affine maps of the section: LE, TE-2 and up. Fields of LE are sparse; the
+   * derivative comes cell by cell. Refers to the space.
    */
   class GreenAnswer
   {
   public:
-    /// An assertion fails if the section completes strains (StrainCompletion)
-    /// or the space has modes.
-    /// @p n_stations is the number of stations of an element.
+    /// Constructs the operator for @p n_stations stations per element. Asserts
+    /// that the section completes no strains (StrainCompletion) and the space
+    /// has no modes.
     GreenAnswer(const FieldSpace &space, const unsigned int n_stations);
 
     /// Returns the forces on all fields, at the stations @p q of an element.
     SectionForces
     forces(const FieldParts &q) const;
 
-    /// The largest at the points and of the means over the section, at the
-    /// stations of @p q.
+    /// Returns the largest values at the points, and of means over the section,
+    /// at the stations of @p q.
     Stretch
     largest(const FieldParts &q) const;
 
-    /// Of each cell of the section its fields, in the order of for_each_cell().
+    /// Returns the fields of each section cell, in the order of
+    /// for_each_cell().
     std::vector<const std::vector<unsigned int> *>
     fields_of_cells() const;
 
-    /// The derivative of the work at the points of a cell: a row and a column
-    /// for each value and then each derivative of its fields, symmetric.
+    /// Derivative of the work at the points of a cell, symmetric: a row and a
+    /// column for each value and then each derivative of its fields.
     struct CellTangent
     {
       const std::vector<unsigned int> *fields = nullptr;
@@ -83,9 +83,9 @@ namespace lamella
       return weights[k] * modes[k];
     }
 
-    /// Calls @p use with what a stress that does not change adds to the tangent
-    /// of each cell, int S_ij (dH_i/dq)^T dH_j/dq dA, where @p stress gives S
-    /// at a point of a cell.
+    /// Calls @p use with the geometric part of the tangent of each cell for a
+    /// constant stress, int S_ij (dH_i/dq)^T dH_j/dq dA, where @p stress gives
+    /// S at a point of a cell.
     void
     for_each_cell_of_stress(
       const std::function<Voigt(const unsigned int, const dealii::Point<2> &)>
@@ -100,9 +100,9 @@ namespace lamella
       unsigned int     cell;
       dealii::Point<2> position;
     };
-    /// Points that have the same fields, with the matrix G of H at them, nine
-    /// rows each, H_x, H_y, H_z: of a unit of the value of each field and then
-    /// of its derivative.
+    /// Points with the same fields, and the matrix G of H at them for unit
+    /// values and then unit derivatives of each field, nine rows per point,
+    /// H_x, H_y, H_z.
     struct Cell
     {
       const std::vector<unsigned int> *fields = nullptr;
@@ -121,15 +121,15 @@ namespace lamella
                const std::vector<Gradient> &H,
                const std::vector<Voigt>    &second);
 
-    /// The first Piola-Kirchhoff stresses at the points of @p cell, nine
-    /// numbers each, times their areas, at each station; @p H holds the
-    /// gradients there. Adds to @p energy, per length, that of each station.
+    /// Returns at each station the first Piola-Kirchhoff stresses at the points
+    /// of @p cell times their areas, nine numbers each, from the gradients @p H
+    /// there. Adds the energy per length of each station to @p energy.
     std::vector<Vector>
     first_stresses(const Cell                               &cell,
                    const std::vector<std::vector<Gradient>> &H,
                    std::vector<double>                      &energy) const;
 
-    /// int (dH/dq)^T D dH/dq dA over @p cell, D of its points.
+    /// Returns int (dH/dq)^T D dH/dq dA over @p cell, D given by point.
     static CellTangent
     tangent_of(
       const Cell                                                    &cell,

@@ -17,77 +17,68 @@ namespace lamella
 {
   /**
    * The Lagrange expansion LE-p (Eq. 3): deal.II's FE_Q<2>(p) on the section
-   * mesh, so L4, L9 and L16 for p = 1, 2, 3 (the nodes of p >= 3 are the
-   * Gauss-Lobatto points; the space is that of equidistant nodes). The geometry
-   * is interpolated in the same nodes (isoparametric), so x and z are in the
-   * span of the nodal functions, and each basis below spans exactly LE.
+   * mesh, L4, L9 and L16 for p = 1, 2, 3 (nodes are Gauss-Lobatto points). The
+   * geometry is isoparametric, so x and z are in the span of the nodal
+   * functions, and each basis below spans exactly LE.
    *
-   * In general the nodal functions of three nodes not on a line give way to 1,
-   * (x - x_c)/h, (z - z_c)/h; the other nodal functions stay as warping.
+   * In general 1, (x - x_c)/h, (z - z_c)/h replace the nodal functions of three
+   * nodes not on a line; the other nodal functions are warping.
    *
-   * On a rectangular grid that is much wider than high the same loss of digits
-   * threatens across the width as along the axis. There the basis is built in
-   * columns: with G_i(x) the sum of the nodal functions of the column at x_i,
-   * two nodes of each column give way to G_i and G_i (z - z_c) / h_z,
-   * differentiated analytically in z, and three of these to 1, x, z. (On one
-   * that is much higher than wide x and z change places.)
+   * On a rectangular grid much wider than high, digits are lost across the
+   * width as along a slender axis. There the basis is built in columns: with
+   * G_i(x) the sum of the nodal functions of the column at x_i, G_i and G_i (z
+   * - z_c) / h_z, differentiated analytically in z, replace two nodes of each
+   * column, and 1, x, z three of these. (If much higher than wide, x and z are
+   * exchanged.)
    *
-   * Both are bases of LE-p alone. Where nodes of one beam are to carry LE-1,
-   * LE-2, ... the basis is *hierarchical* by degree, as that of deal.II's
-   * FE_Q_Hierarchical: the bilinear functions of the vertices, and products
+   * If nodes of one beam carry LE-1, LE-2, ... the basis is *hierarchical* by
+   * degree, as deal.II's FE_Q_Hierarchical: the bilinear functions of the
+   * vertices, and products
    *   l_i(xi) l_j(eta),   max(i, j) = 2, 3, ..., p,
    *   l_0 = 1 - t,  l_1 = t,
    *   l_k = int_(-1)^(2t-1) P_(k-1) / |P_(k-1)| ds   for k > 1
-   * (integrated Legendre polynomials, Szabo and Babuska 1991, which vanish at
-   * both ends), on edges where one of i, j is below 2, else inside of a cell.
-   * Odd ones on an edge change sign with its direction, which is from the
-   * vertex of the smaller number to the other, whatever cells make of it. Three
-   * vertices give way to 1, x, z. Functions are numbered degree after degree:
-   * the leading ones up to degree q span LE-q, so that LE-1 < LE-2 < ... are
-   * parts of one space and share one set of S_pq.
+   * (integrated Legendre polynomials, Szabo and Babuska 1991, zero at both
+   * ends), on edges if i or j is below 2, else inside of a cell. The sign of
+   * odd ones on an edge follows its direction, from the vertex of the smaller
+   * number. 1, x, z replace three vertices. Functions are numbered by degree:
+   * those up to degree q span LE-q, so that LE-1 < LE-2 < ... share one set of
+   * S_pq. (It is not the default: for a single LE-p, factors and rows of
+   * contact fill by some per cent more, and condition numbers double;
+   * doc/theories.md.)
    *
-   * (Not so always: it wins nothing for a body of one LE-p, whose factor and
-   * rows of contact fill by some per cent more, and condition numbers double;
-   * doc/theories.md has numbers. Columns have no like of it yet.)
+   * On curved cells the map is of degree p for all functions. 1, x, z are
+   * functions of their own, so rigid motions are exact in each part, but the
+   * part q is not exactly LE-q on cells of its own shape.
    *
-   * On curved cells the map is that of degree p for all functions. Parts of
-   * lower degree do not hold x and z by themselves, but 1, x, z are functions
-   * of their own: rigid motions are exact in each, and the part q is not
-   * exactly what LE-q with cells of its own shape would be.
-   *
-   * On a mesh with cells in each ply that is the layer-wise (LW) expansion: u
-   * is continuous, its derivatives may jump at ply interfaces, so transverse
-   * strains do and transverse stresses need not.
-   *
-   * n_functions() is the number of the mesh's nodes; (p + 1)^2 functions of
-   * these live on a cell, besides the three linear ones and, in columns, two a
-   * column.
+   * With cells in each ply this is the layer-wise (LW) expansion: u is
+   * continuous, transverse strains may jump at interfaces, and transverse
+   * stresses need not. n_functions() is the number of nodes; (p + 1)^2
+   * functions live on a cell, besides the three linear ones and two per column.
    */
   class LagrangeElement : public CrossSectionElement
   {
   public:
-    /// Nodal functions, in columns where the section is slender, or
-    /// hierarchical ones, in which there are no columns.
+    /// Kind of basis: nodal, in columns for slender sections, or hierarchical,
+    /// without columns.
     enum class Basis
     {
       nodal,
       hierarchical
     };
 
-    /// The ratio of width and height from which grids are built in columns:
-    /// below it the columns only cost (their functions couple with more). Of
-    /// the width over the height, or the other way round.
+    /// Ratio of the sides of a grid from which columns are used. Below it they
+    /// only cost, as their functions couple with more.
     static constexpr double usual_column_aspect = 100.;
 
-    /// @p degree p from 1. @p column_aspect is the ratio of the long to the
-    /// short side of a rectangular grid from which on it is built in columns.
-    /// A hierarchical basis takes no notice of it. Shares @p mesh.
+    /// Constructs LE of @p degree from 1; shares @p mesh. @p column_aspect is
+    /// the ratio of long to short side of a rectangular grid from which a nodal
+    /// basis is built in columns.
     LagrangeElement(std::shared_ptr<const SectionMesh> mesh,
                     const unsigned int                 degree,
                     const double column_aspect = usual_column_aspect,
                     const Basis  basis         = Basis::nodal);
 
-    /// Whether the basis is one in columns.
+    /// Returns true for a basis in columns.
     bool
     has_columns() const
     {
@@ -106,8 +97,8 @@ namespace lamella
       return levels.size();
     }
 
-    /// 0 for 1, x, z; 1 for warping, in a grid of columns for the functions of
-    /// whole columns, whose other nodal functions are of level 2; the degree of
+    /// Returns 0 for 1, x, z; 1 for warping, but with columns 1 for functions
+    /// of whole columns and 2 for other nodal functions; the degree of
     /// hierarchical functions.
     unsigned int
     level(const unsigned int tau) const override
@@ -115,8 +106,8 @@ namespace lamella
       return levels[tau];
     }
 
-    /// Of a hierarchical basis the q of the LE-q that the function completes;
-    /// 1, x, z belong to LE-1.
+    /// Returns for a hierarchical basis the q of the LE-q that the function
+    /// completes; 1, x, z belong to LE-1. Else degree().
     unsigned int
     function_degree(const unsigned int tau) const override
     {
@@ -129,7 +120,7 @@ namespace lamella
       return cells[cell].numbers;
     }
 
-    /// Values below 1e-14 become 0, so that rows at nodes are short.
+    /// Returns values, with those below 1e-14 set to 0 for short rows at nodes.
     FunctionValues
     evaluate(const unsigned int      cell,
              const dealii::Point<2> &unit) const override;
@@ -140,25 +131,25 @@ namespace lamella
       return geometry.map(cell, unit);
     }
 
-    /// The nodes on it; normals and weights are integrals of the nodal
-    /// functions along the sides.
+    /// Returns the nodes on the boundary; normals and weights are integrals of
+    /// nodal functions along the sides.
     std::vector<EdgePoint>
     edge_points(const std::string &boundary) const override;
 
-    /// The nodes.
+    /// Returns the nodes.
     std::vector<EdgePoint>
     section_points() const override
     {
       return section_grid();
     }
 
-    /// The nodes, with the integrals of the nodal functions for weights.
-    /// [length^2]
+    /// Returns the nodes with integrals of nodal functions as weights
+    /// [length^2].
     std::vector<EdgePoint>
     section_grid() const override;
 
-    /// Of a hierarchical basis the nodes of LE-q, at their places in the map of
-    /// degree p.
+    /// Return for a hierarchical basis the nodes of LE-q, in the map of degree
+    /// p.
     std::vector<EdgePoint>
     coarse_edge_points(const std::string &boundary,
                        const unsigned int degree) const override;
@@ -166,17 +157,12 @@ namespace lamella
     coarse_section_grid(const unsigned int degree) const override;
 
   private:
-    /**
-     * A function that does not vanish on a cell: the sum of the nodal
-     * functions of @p nodes (local numbers) times 1 or, as a slope, the
-     * coordinate along the column.
-     *   nodal         N_i
-     *   column        G = sum N_i over the column's nodes on the cell
-     *   column_slope  G (z - z_c) / h_z
-     * (z the coordinate along the column). Derivatives of the last two across
-     * the column are those of the nodal functions; along it that of G is zero
-     * and not a sum of what cancels.
-     */
+    /// A nonzero function on a cell: the sum of the nodal functions of @p nodes
+    /// (local numbers), for a slope times the coordinate z along the column.
+    ///   nodal         N_i
+    ///   column        G = sum N_i over the column's nodes on the cell
+    ///   column_slope  G (z - z_c) / h_z
+    /// The derivative of G along the column is exactly zero.
     struct LocalFunction
     {
       enum class Kind
@@ -185,7 +171,7 @@ namespace lamella
         column,
         column_slope
       };
-      /// Of the function in the whole section.
+      /// Number of the function in the whole section.
       unsigned int              number;
       Kind                      kind;
       std::vector<unsigned int> nodes;
@@ -200,19 +186,17 @@ namespace lamella
       double                      sign;
     };
 
-    /// What a cell evaluates, in the order of its numbers: functions or, of a
-    /// hierarchical basis, products.
+    /// Functions or, for a hierarchical basis, products of a cell.
     struct Cell
     {
-      /// 0, 1, 2 and those of functions or products, ascending.
+      /// Numbers 0, 1, 2 and those of functions or products, ascending.
       std::vector<unsigned int>  numbers;
       std::vector<LocalFunction> functions;
       std::vector<Product>       products;
     };
 
-    /// A grid of nodes: for each its place along the long side of the section
-    /// and along the short one. Both counted from 0 in ascending coordinates.
-    /// n_columns is 0 if there is none.
+    /// A grid of nodes: their places along the long side (column) and the short
+    /// side, from 0 in ascending coordinates. n_columns is 0 if there is none.
     struct Grid
     {
       std::vector<unsigned int> column, place;
@@ -225,23 +209,23 @@ namespace lamella
       return basis == Basis::hierarchical;
     }
 
-    /// The three of @p nodes that give way: two far apart and a third far off
-    /// their line.
+    /// Returns three of @p nodes to replace: two far apart, and one off their
+    /// line.
     std::array<unsigned int, 3>
     replaced_nodes(const std::vector<dealii::Point<2>> &nodes) const;
 
-    /// The nodes as a grid of columns across the direction long_side, empty if
-    /// they are none or the section is not slender. They are a grid if as many
-    /// distinct x times as many distinct z are as many as there are nodes.
+    /// Returns the grid of columns across long_side, empty if the section is
+    /// not slender or the number of nodes is not that of distinct x times that
+    /// of distinct z.
     Grid
     find_grid(const double column_aspect) const;
 
-    /// Numbers for the basis of the general case: 0, 1, 2 and a node each.
+    /// Sets numbers of the general nodal basis: 0, 1, 2 and one per other node.
     void
     number_nodal_functions();
 
-    /// The numbers of the functions in columns: of each column the constant
-    /// one and the slope, and of each node its own; 0 where there is none.
+    /// Function numbers in columns: constants and slopes of columns, and those
+    /// of nodes; 0 for none.
     struct ColumnNumbers
     {
       std::vector<unsigned int> constant, slope, of_node;
@@ -249,23 +233,23 @@ namespace lamella
     ColumnNumbers
     number_columns(const Grid &grid);
 
-    /// Numbers for the basis in columns. 1, x, z stand for both functions of
-    /// the first column and the constant one of the last.
+    /// Sets numbers of the basis in columns. 1, x, z replace both functions of
+    /// the first column and the constant of the last.
     void
     number_column_functions(const Grid &grid);
 
-    /// A hierarchical function of a section: its degree, the kind of what it is
-    /// on (vertex, edge, cell) with the number of that, and its indices there.
+    /// Key of a hierarchical function: its degree, the kind (vertex, edge,
+    /// cell) and number of its support, and its two indices.
     using ProductKey = std::array<unsigned int, 5>;
-    /// Numbers for the hierarchical basis, degree after degree, without the
-    /// three vertices that give way.
+    /// Returns numbers of the hierarchical basis by degree, without the three
+    /// replaced vertices.
     std::map<ProductKey, unsigned int>
     number_products();
     void
     number_hierarchical_functions();
 
-    /// Appends the functions of @p cell at @p unit to @p values; @p to_real
-    /// turns gradients on the unit square into those in x and z.
+    /// Append the functions of @p cell at @p unit to @p values; @p to_real
+    /// transforms gradients on the unit square into those in x and z.
     void
     append_functions(const Cell                 &cell,
                      const dealii::Point<2>     &unit,
@@ -277,8 +261,8 @@ namespace lamella
                     const dealii::Tensor<2, 2> &to_real,
                     FunctionValues             &values) const;
 
-    /// edge_points() and section_grid() in the nodes of @p grid, which may be
-    /// of a lower degree than the map.
+    /// Return edge_points() and section_grid() at the nodes of @p grid,
+    /// possibly of lower degree than the map.
     std::vector<EdgePoint>
     edge_points_of(const SectionGeometry &grid,
                    const std::string     &boundary) const;
@@ -289,16 +273,16 @@ namespace lamella
     void
     collect_numbers();
 
-    /// The isoparametric map in the expansion's own nodes.
+    /// Isoparametric map in the expansion's own nodes.
     SectionGeometry geometry;
     Basis           basis;
-    /// Of a hierarchical basis the nodes of the degrees 1 ... p - 1.
+    /// Nodes of the degrees 1 ... p - 1 of a hierarchical basis.
     std::vector<std::unique_ptr<const SectionGeometry>> coarse;
-    /// Of each function its level(); of each cell its functions.
+    /// Result of level() for each function; functions of each cell.
     std::vector<unsigned int> levels;
     std::vector<Cell>         cells;
     bool                      in_columns = false;
-    /// Of a grid: 0 if the section is wide, 1 if it is high; and the length
+    /// For a grid, 0 if the section is wide, 1 if it is high; and the length
     /// that makes the coordinate along a column dimensionless.
     unsigned int long_side     = 0;
     double       column_length = 1.;

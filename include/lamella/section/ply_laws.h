@@ -13,18 +13,15 @@
 
 namespace lamella
 {
-  /**
-   * The laws of a section's plies in the body frame. That of a ply in a flat
-   * plane is one; that of a ply that follows a curved wall is another one at
-   * each point, the law in the plane's axes turned about y with its normal.
-   * Beams and solids ask this class, so that both turn it alike.
-   */
+  /// The laws of a section's plies in the body frame, for beams and solids. A
+  /// ply in a flat plane has one law; a ply in a curved wall has at each point
+  /// the law in the plane's axes rotated about y with its normal.
   class PlyLaws
   {
   public:
-    /// @p plies are copied. @p shear_factor k multiplies what transverse shear
-    /// strains of the body frame do: D C D in place of C with sqrt(k) in D's
-    /// places for xy and yz.
+    /// Constructs the laws of @p plies, which are copied. @p shear_factor k
+    /// scales transverse shear in the body frame: D C D replaces C, with
+    /// sqrt(k) in D's entries for xy and yz.
     explicit PlyLaws(const std::vector<Ply> &plies,
                      const double            shear_factor = 1.);
 
@@ -34,19 +31,19 @@ namespace lamella
       return plies.size();
     }
 
-    /// Whether the law of @p ply depends on the point.
+    /// Returns true if the law of @p ply depends on the point.
     bool
     varies(const unsigned int ply) const
     {
       return bool(plies[ply].plane.normal_at);
     }
 
-    /// Whether any does.
+    /// Returns true if the law of any ply depends on the point.
     bool
     vary() const;
 
-    /// The law of @p ply at the point @p x of the section. Where it varies it
-    /// is turned at each call, some microseconds.
+    /// Returns the law of @p ply at the point @p x of the section. Rotates a
+    /// varying law at each call, some microseconds.
     ElasticLaw
     at(const unsigned int ply, const dealii::Point<2> &x) const
     {
@@ -54,42 +51,39 @@ namespace lamella
                            everywhere[ply];
     }
 
-    /// The law of @p ply, which does not vary.
+    /// Returns the law of @p ply, which does not vary.
     const ElasticLaw &
     constant(const unsigned int ply) const
     {
       return everywhere[ply];
     }
 
-    /// A normal's harmonics: 1, cos phi, sin phi, ..., cos 4 phi, sin 4 phi.
+    /// Harmonics of a normal: 1, cos phi, sin phi, ..., cos 4 phi, sin 4 phi.
     static constexpr unsigned int n_harmonics = 9;
     using Harmonics                           = std::array<double, n_harmonics>;
 
-    /// The harmonics of the normal of @p ply at @p x, phi its angle from +x
-    /// towards +z.
+    /// Returns the harmonics of the normal of @p ply at @p x, phi its angle
+    /// from +x towards +z.
     Harmonics
     harmonics(const unsigned int ply, const dealii::Point<2> &x) const;
 
-    /**
-     * C_0 ... C_8 of @p ply, with which its stiffness at any point is the sum
-     * of C_k times harmonics()[k]. A turn about y by phi makes of C a
-     * polynomial of degree four in cos phi and sin phi, so nine terms hold it
-     * all; they are the discrete Fourier coefficients at nine angles. Integrals
-     * of C times functions of the section are then sums of integrals of the
-     * functions.
-     */
+    /// Returns C_0 ... C_8 of @p ply: its stiffness at any point is the sum of
+    /// C_k times harmonics()[k], so that integrals of C times functions of the
+    /// section are sums of integrals of functions. Nine terms are exact, since
+    /// rotation about y gives a polynomial of degree four in cos phi and sin
+    /// phi; they are discrete Fourier coefficients at nine angles.
     std::array<ElasticTensor, n_harmonics>
     stiffness_harmonics(const unsigned int ply) const;
 
   private:
-    /// The law of @p ply where its normal is @p normal.
+    /// Returns the law of @p ply where its normal is @p normal.
     ElasticLaw
     turned(const unsigned int ply, const dealii::Tensor<1, 2> &normal) const;
 
     std::vector<Ply> plies;
     double           shear_factor;
     /// C of each ply in its own axes, and the law in the body frame for the
-    /// normal that its plane says, wherever that counts.
+    /// normal of its plane, valid for laws that do not vary.
     std::vector<ElasticTensor> own;
     std::vector<ElasticLaw>    everywhere;
   };

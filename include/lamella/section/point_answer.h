@@ -9,14 +9,12 @@
 
 namespace lamella
 {
-  /**
-   * By the points of the section, with the few fields that live at each: strain
-   * first, then stress, then its work,
-   *   epsilon(x_s) = sum_alpha q_alpha D_s Phi_alpha + q_alpha' D_y Phi_alpha,
-   *   W_0 = sum_s w_s D_s^T C epsilon,   W_1 = sum_s w_s D_y^T C epsilon.
-   * For any section and any list; costs (points) times (fields at a point) a
-   * station. A point is looked at once for all stations.
-   */
+  /// A section operator by points of the section, with the few fields at each:
+  /// strains first, then stresses, then their work,
+  ///   epsilon(x_s) = sum_alpha q_alpha D_s Phi_alpha + q_alpha' D_y Phi_alpha,
+  ///   W_0 = sum_s w_s D_s^T C epsilon,   W_1 = sum_s w_s D_y^T C epsilon.
+  /// For any section and any list, at a cost of (points) times (fields at a
+  /// point) per station. Evaluates each point once for all stations.
   class PointAnswer : public SectionAnswer
   {
   public:
@@ -27,29 +25,27 @@ namespace lamella
     SectionForces
     forces(const FieldParts &q) const override;
 
-    /// The sparse rows of the section's matrices, and those of modes.
+    /// Returns the sparse rows of the section's matrices, and those of modes.
     std::vector<FactorRow>
     stiffness() const override;
 
   private:
-    /// Of a field what multiplies or collects its part of each strain
-    /// (transverse shear strains may have values of their own), and its
-    /// derivative.
+    /// Factors of a field's part of each strain (transverse shear may have
+    /// values of its own) and of its derivative, or their work.
     struct Coefficient
     {
       Voigt  value;
       double derivative = 0.;
     };
 
-    /// A number for each field of the section, station after station.
+    /// Coefficients of each field of the section, station after station.
     using Coefficients = std::vector<Coefficient>;
 
     Coefficients
     coefficients(const FieldParts &q) const;
 
-    /// Adds the work at @p point, whose law is @p law, to @p work and to
-    /// @p energy, of each station; @p weight is what the point stands for
-    /// [length^2].
+    /// Adds the work at @p point of the law @p law and integration weight
+    /// @p weight [length^2] to @p work and to @p energy of each station.
     void
     add_point(const SectionPoint  &point,
               const double         weight,

@@ -14,30 +14,25 @@
 
 namespace lamella
 {
-  /**
-   * What multiplies the strains of a field at a station of the axis, and what
-   * does work there: the field's value q_alpha in all strains but transverse
-   * shear, its value in transverse shear (of its own where the axis assumes
-   * these strains), and its derivative along y.
-   */
+  /// Parts of a field at a station of the axis, as factors of strains and as
+  /// conjugates of work: its value q_alpha in all strains but transverse shear,
+  /// its value in transverse shear (separate where the axis assumes these
+  /// strains), and its derivative along y.
   namespace FieldPart
   {
     constexpr unsigned int value = 0, shear_value = 1, derivative = 2, n = 3;
   } // namespace FieldPart
 
-  /// Of each FieldPart a number for each field of a list, a row each, at each
-  /// of some stations of the axis, a column each.
+  /// Numbers for each FieldPart, one row per field of a list, one column per
+  /// station of the axis.
   using FieldParts = std::array<dealii::LAPACKFullMatrix<double>, FieldPart::n>;
 
-  /// That with @p n_fields rows and @p n_stations columns, all zero.
+  /// Returns zeros of @p n_fields rows and @p n_stations columns.
   FieldParts
   field_parts(const unsigned int n_fields, const unsigned int n_stations);
 
-  /**
-   * What a section does at some stations of the axis: the generalised forces
-   * that are conjugate to the coefficients of its fields, and the strain energy
-   * per length of the beam.
-   */
+  /// Generalized forces of a section at stations of the axis, conjugate to the
+  /// coefficients of its fields, and the strain energy per length of the beam.
   struct SectionForces
   {
     explicit SectionForces(const unsigned int n_fields   = 0,
@@ -46,14 +41,14 @@ namespace lamella
       , energy(n_stations, 0.)
     {}
 
-    /// Per length of the beam, for coefficients that are lengths: on the two
-    /// values in force / length, on the derivatives in force.
+    /// Forces per length of the beam for coefficients that are lengths: force /
+    /// length on the two values, force on the derivatives.
     FieldParts work;
-    /// [force], of each station.
+    /// Energy per length of each station [force].
     std::vector<double> energy;
   };
 
-  /// Those of the fields @p list of @p space from @p forces, those of all
+  /// Returns the forces on the fields @p list of @p space from @p forces on all
   /// fields of its section (FieldSpace::on_list()).
   SectionForces
   on_list(const FieldSpace                &space,
@@ -61,32 +56,26 @@ namespace lamella
           const SectionForces             &forces);
 
   /**
-   * What a section answers to a list of its fields: with their coefficients q
-   * and q' at a station of the axis, the strain
+   * The constitutive operator of a section for a list of its fields. With
+   * coefficients q and q' at a station of the axis, the strain of Eq. 5
    *   epsilon = sum_alpha q_alpha D_s Phi_alpha + q_alpha' D_y Phi_alpha
-   * of Eq. 5 makes the generalised forces of Eq. 12 before its integral over
-   * the axis is taken,
+   * gives the generalized forces of Eq. 12 before integration over the axis,
    *   W_0 = int D_s^T C epsilon dA = S_00 q + S_01 q',
    *   W_1 = int D_y^T C epsilon dA = S_10 q + S_11 q',
    * the energy per length (q . W_0 + q' . W_1) / 2, and their derivatives, the
-   * S_pq. Where transverse shear strains are assumed their part of q is another
-   * one (FieldPart).
+   * S_pq. Assumed transverse shear strains have a q of their own (FieldPart).
    *
-   * A beam asks it all along its axis and knows no more of its section than
-   * this. Which implementation answers depends on the section and the list
-   * (make_section_answer()); they agree up to rounding. In all of them strains
-   * come before anything that multiplies them: what cancels in a slender beam
-   * that moves rigidly, the slope of the axis and that of its sections, does so
-   * while it is small. The section is linear, so that stiffness() holds for all
-   * q.
-   *
-   * Refers to the space, which lives longer.
+   * Implementations depend on the section and the list (make_section_answer())
+   * and agree up to rounding. All compute strains first: the slopes of the axis
+   * and of the sections of a slender beam in rigid motion cancel while they are
+   * small. The section is linear, so stiffness() holds for all q. Refers to the
+   * space.
    */
   class SectionAnswer
   {
   public:
-    /// To the fields @p list of @p space, ascending. Of the section's points
-    /// every one of @p stride is looked at for rotations.
+    /// Constructs the operator of the fields @p list of @p space, ascending.
+    /// Rotations use every @p stride-th point of the section.
     SectionAnswer(const FieldSpace         &space,
                   std::vector<unsigned int> list,
                   const unsigned int        stride = 1)
@@ -97,28 +86,26 @@ namespace lamella
 
     virtual ~SectionAnswer() = default;
 
-    /// The list, in the numbers of the space.
+    /// Returns the list, in the numbers of the space.
     const std::vector<unsigned int> &
     fields() const
     {
       return list;
     }
 
-    /// W_0 in its two parts and W_1, and the energy, for the coefficients @p q
-    /// of the list [length] and their derivatives [no unit].
+    /// Returns W_0 in its two parts, W_1 and the energy for the coefficients
+    /// @p q of the list [length] and their derivatives [no unit].
     virtual SectionForces
     forces(const FieldParts &q) const = 0;
 
-    /// The derivatives of the forces: of each field of the space the row of
-    /// S_00, S_01, S_10, S_11 and of the part of S_00 in transverse shear;
-    /// empty for fields that are not in the list. Where no shear is assumed the
-    /// last multiplies nothing and may be zero. Units are those of
-    /// Section::S().
+    /// Returns for each field of the space the row of S_00, S_01, S_10, S_11
+    /// and of the transverse shear part of S_00, which may be zero if no shear
+    /// is assumed; empty for fields not in the list. Units as in Section::S().
     virtual std::vector<FactorRow>
     stiffness() const = 0;
 
-    /// The largest rotation in the section's points (SectionPoint), curl u / 2
-    /// [rad], at the stations that @p q is of.
+    /// Returns the largest rotation curl u / 2 [rad] at the section's points
+    /// (SectionPoint) and the stations of @p q.
     double
     largest_rotation(const FieldParts &q) const;
 
@@ -130,13 +117,10 @@ namespace lamella
     const unsigned int stride;
   };
 
-  /**
-   * The one that suits the fields @p list of @p space, ascending, on an axis
-   * that has assumed transverse shear strains or not: a ProductAnswer where all
-   * fields live on the whole section and are coupled anyway, a PointAnswer for
-   * all others. A list that is not empty begins with the rigid fields that the
-   * section has.
-   */
+  /// Returns the operator of the fields @p list of @p space, ascending, with or
+  /// without assumed transverse shear strains on the axis: a ProductAnswer if
+  /// all fields span the whole section and couple anyway, else a PointAnswer. A
+  /// list that is not empty begins with the section's rigid fields.
   std::unique_ptr<const SectionAnswer>
   make_section_answer(const FieldSpace         &space,
                       std::vector<unsigned int> list,

@@ -13,30 +13,30 @@
 namespace lamella
 {
   /**
-   * A structural theory: which cross-section expansion a beam has, and what its
-   * strains are completed with (the paper's Sec. 2).
+   * A structural theory: the cross-section expansion of a beam and the
+   * completion of its strains (the paper's Sec. 2; doc/theories.md compares). A
+   * plain value, from which Section makes the fields.
    *
-   * - EBBT, Euler-Bernoulli: u_x, u_y, u_z of the axis, sections stay plane and
-   *   normal to the axis (Kirchhoff's constraint, exact, needs B4).
+   * - EBBT, Euler-Bernoulli: sections stay plane and normal to the axis
+   *   (Kirchhoff's constraint, exact, needs B4).
    * - TBT, Timoshenko: sections stay plane, u_y is linear over the section.
    *   Neither can twist.
-   * - TE-N: all polynomials of degree N for each component (Eq. 2).
-   * - LE-N: layer-wise Lagrange elements of degree N (Eq. 3), L4, L9, L16 for
-   *   N = 1, 2, 3.
+   * - TE-N: all polynomials of degree N for each component (Eq. 2), an
+   *   equivalent single layer.
+   * - LE-N: layer-wise Lagrange elements of degree N (Eq. 3), L4, L9, L16 for N
+   *   = 1, 2, 3.
    * - SV-N, Saint-Venant: the six rigid motions of a section and its six
    *   Saint-Venant warpings, with the full three-dimensional law, and the
-   *   responses at N wave numbers to whatever touches the body in its scene;
-   *   SV is SV-0. The fields are made of those of LE (section_order).
-   * - solid-N: no beam at all, but hexahedra of degree N, 1 or 2.
+   *   responses at N wave numbers to loads and contacts of the scene; SV is
+   *   SV-0. The fields are made of those of LE (section_order).
+   * - solid-N: hexahedra of degree N, 1 or 2, without section fields.
    *
-   * In each the three displacement components have the same functions F_tau,
-   * but for EBBT and TBT, where u_x and u_z are constant over the section. TE
-   * is an equivalent single layer, LE is layer-wise. doc/theories.md compares
-   * them. A plain value; Section makes the fields of it.
+   * The displacement components have the same functions F_tau, except u_x and
+   * u_z of EBBT and TBT, constant over the section.
    */
   struct Theory
   {
-    /// `undefined` is the default only, and what parse() never returns.
+    /// Kind; `undefined` is the default only, never from parse().
     enum class Kind
     {
       undefined,
@@ -50,39 +50,33 @@ namespace lamella
     Kind kind = Kind::undefined;
     /// N of TE-N, LE-N, SV-N and solid-N; 1 for the classical theories.
     unsigned int order = 0;
-    /// Of SV-N the degree of the LE whose fields its own are made of.
+    /// Degree of the LE whose fields those of SV-N are made of.
     unsigned int section_order = default_section_order;
 
     static constexpr unsigned int default_section_order = 3;
 
-    /// Of LE, and of the LE that SV is made of: whether the functions are
-    /// hierarchical by degree, so that LE-q of lower degrees are parts of it
-    /// (LagrangeElement::Basis). The space is the same; only bodies whose nodes
-    /// mix degrees need it.
+    /// Flag for LE, also that of SV: functions are hierarchical by degree, so
+    /// that LE-q of lower degrees are parts of it (LagrangeElement::Basis). The
+    /// space is the same; bodies whose nodes mix degrees need it.
     bool hierarchical = false;
 
-    /**
-     * Whether sections of EBBT, TBT and TE-1, whose own functions cannot
-     * follow the contraction under bending, contract freely (Poisson locking
-     * otherwise). EBBT and TBT condense sigma_xx = sigma_zz = sigma_xz = 0 out
-     * of the law of each ply; TE-1, which has stiffness in xx and zz of its
-     * own, condenses quadratic contraction modes of the section.
-     *
-     * Without it a deflection is some 26 % too small at nu = 0.3. Other
-     * theories contract by themselves and ignore it.
-     */
+    /// Flag: sections of EBBT, TBT and TE-1 contract freely under bending.
+    /// Otherwise Poisson locking makes deflections some 26 % too small at nu =
+    /// 0.3. EBBT and TBT condense sigma_xx = sigma_zz = sigma_xz = 0 out of the
+    /// law of each ply; TE-1, with stiffness in xx and zz, condenses quadratic
+    /// contraction modes of the section. Other theories ignore it.
     bool poisson_correction = true;
-    /// Of TBT: multiplies the shear stiffness of sections, G A -> k G A. k,
-    /// above 0 and at most 1, 5/6 for rectangles of one material; 1 as in the
-    /// paper. Ignored by all others. Reported stresses have it, so that their
-    /// resultant is the shear force.
+    /// Factor k on the shear stiffness of TBT, G A -> k G A, above 0 and at
+    /// most 1, 5/6 for rectangles of one material, 1 in the paper; ignored by
+    /// others. Reported stresses contain it, so their resultant is the shear
+    /// force.
     double shear_factor = 1.;
-    /// Of TBT: whether its sections turn about the axis as well and keep their
-    /// shape in that: a sixth field (RigidField), with G times the polar moment
-    /// as its stiffness. For bodies that turn by any angle (of_turning()).
+    /// Flag of TBT: sections also rotate about the axis, keeping their shape, a
+    /// sixth field (RigidField) of stiffness G times the polar moment. For
+    /// finite rotations (of_turning()).
     bool twists = false;
 
-    /// LE-@p order.
+    /// Returns LE-@p order.
     static Theory
     layer_wise(const unsigned int order)
     {
@@ -92,77 +86,77 @@ namespace lamella
       return result;
     }
 
-    /// For messages and reports: EBBT, TBT, TE-4, solid-2; of LE with the
-    /// element's name in the literature, LE-2 (L9). Not for parse().
+    /// Returns the name for messages: EBBT, TBT, TE-4, solid-2, and for LE with
+    /// the element of the literature, LE-2 (L9). Not for parse().
     std::string
     name() const;
 
-    /// Classical theories: 1, x, z for u_y alone. Their space is that of five
-    /// fields: no torsion, no warping.
+    /// Returns true for theories of five fields, with 1, x, z for u_y alone: no
+    /// torsion, no warping.
     bool
     is_classical() const
     {
       return kind == Kind::EBBT || kind == Kind::TBT;
     }
 
-    // What others ask of a theory: no room above knows the kinds.
+    // Queries of other rooms, none of which knows the kinds.
 
-    /// Whether there is no expansion of a section at all, but hexahedra.
+    /// Returns true for hexahedra, without a section expansion.
     bool
     is_solid() const
     {
       return kind == Kind::solid;
     }
-    /// Whether one polynomial spans the whole section, over all plies: the
-    /// classical theories and TE.
+    /// Returns true if one polynomial spans the whole section, over all plies:
+    /// the classical theories and TE.
     bool
     is_single_layer() const
     {
       return is_classical() || is_taylor();
     }
-    /// Whether it is a complete polynomial in each component.
+    /// Returns true for a complete polynomial in each component.
     bool
     is_taylor() const
     {
       return kind == Kind::TE;
     }
-    /// Whether each cell of a section has functions of its own, of a degree
-    /// that is the theory's order.
+    /// Returns true if each section cell has functions of its own, of the
+    /// theory's order as degree.
     bool
     is_layerwise() const
     {
       return kind == Kind::LE;
     }
-    /// Whether the fields are solutions on the section, of which a scene
-    /// chooses those that it excites; the order numbers their waves.
+    /// Returns true if the fields are solutions on the section, chosen by what
+    /// excites them in a scene; the order numbers their waves.
     bool
     is_of_solutions() const
     {
       return kind == Kind::SV;
     }
-    /// Whether these answer at wave numbers, SV-N with N of 1 or more.
+    /// Returns true for responses at wave numbers, SV-N with N of 1 or more.
     bool
     has_responses() const
     {
       return is_of_solutions() && order > 0;
     }
-    /// Whether sections stay normal to the axis, which ties rotations to
-    /// deflections and leaves no shear strain.
+    /// Returns true if sections stay normal to the axis: rotations are those of
+    /// deflections, without shear strain.
     bool
     keeps_sections_normal() const
     {
       return kind == Kind::EBBT;
     }
-    /// Whether, of bodies that turn by any angle, a section turns as a whole
-    /// and deforms in axes of its own; those of all others that turn deform as
-    /// a turned one does.
+    /// Returns true if, sections of bodies with finite rotations rotate rigidly
+    /// and deform in their own axes. Bodies of other theories are total
+    /// Lagrangian.
     bool
     has_turning_sections() const
     {
       return is_classical() || is_of_solutions();
     }
-    /// What a classical theory is made of there: TBT that twists, of both. All
-    /// others stay.
+    /// Returns the theory for finite rotations: TBT that twists for the
+    /// classical theories (EBBT with shear factor 1), else this one.
     Theory
     of_turning() const
     {
@@ -175,33 +169,31 @@ namespace lamella
       result.twists = true;
       return result;
     }
-    /// Whether a section can turn about the axis.
+    /// Returns true if sections can rotate about the axis.
     bool
     can_twist() const
     {
       return !is_classical() || twists;
     }
-    /// Whether sections contract, and plies couple, by functions of the
-    /// theory's own: not so where u_x and u_z are linear at most.
+    /// Returns true if the theory's own functions describe contraction of
+    /// sections and coupling of plies: u_x and u_z are more than linear.
     bool
     contracts_by_itself() const
     {
       return !is_single_layer() || order > 1;
     }
 
-    /// Of LE-N the SV of @p waves wave numbers whose fields are made of it.
+    /// Returns the SV of @p waves wave numbers made of this LE-N.
     Theory
     from_solutions(const unsigned int waves) const;
 
-    /// Whether the displacements of @p other are among those of the theory: of
-    /// one family, in which EBBT is the least of TE and TBT the next, and no
-    /// lower order.
+    /// Returns true if the theory contains the displacements of @p other: one
+    /// family, TE including EBBT and then TBT as its least, and no lower order.
     bool
     holds(const Theory &other) const;
 
-    /// LE of the degree @p order, SV of @p waves wave numbers made of LE of the
-    /// degree @p degree, TE and solid of the order @p order, with defaults for
-    /// the rest.
+    /// Return LE of degree @p order, SV of @p waves wave numbers made of LE of
+    /// degree @p degree, TE and solid of order @p order, with defaults.
     static Theory
     layerwise(const unsigned int order);
     static Theory
@@ -211,19 +203,19 @@ namespace lamella
     static Theory
     solid(const unsigned int order);
 
-    /// The theory that makes the Section in which the fields are: LE of the
-    /// section_order for SV-N, the theory itself for all others.
+    /// Returns the theory of the Section with the fields: LE of the
+    /// section_order for SV-N, else this one.
     Theory
     of_section() const;
 
-    /// The theory that @p entry spells, with defaults for the rest. Throws
-    /// InputError for anything else. N is from 1 to 20 for TE, to 8 for LE, to
-    /// 2 for solid, and from 0 to 40 for SV.
+    /// Returns the theory spelled in @p entry, with defaults for the rest.
+    /// Throws InputError for anything else. N is 1 to 20 for TE, 1 to 8 for LE,
+    /// 1 to 2 for solid, and 0 to 40 for SV.
     static Theory
     parse(const Entry &entry);
   };
 
-  /// What stands before the `-N` of those that have an order.
+  /// Names before the `-N` of theories with an order.
   template <>
   struct Names<Theory::Kind>
   {
@@ -236,8 +228,8 @@ namespace lamella
                                                     "solid"}};
   };
 
-  /// Theories along the axis, one from each break to the next: node-dependent
-  /// kinematics by hand. Empty: one theory all along.
+  /// Theories of pieces of the axis, from break to break, for manual
+  /// node-dependent kinematics. Empty for one theory.
   struct TheoryPieces
   {
     std::vector<Theory> theories;
@@ -250,41 +242,39 @@ namespace lamella
       return theories.empty();
     }
 
-    /// The theory whose fields are looked after by themselves: the first SV-N
-    /// with the largest N, or else the LE of the highest degree; its section
+    /// Returns the theory whose fields are managed automatically: the first
+    /// SV-N of the largest N, else the LE of the highest degree. Its section
     /// order is the degree of the section's space, that of all pieces.
     Theory
     leading() const;
   };
 
-  /// The entries of a body's `subsection Kinematics` that speak of its theory.
+  /// Theory entries of a body's `subsection Kinematics`.
   struct TheoryParameters
   {
-    /// Theory (empty: the scene's), Theories with Theory breaks, Section order,
-    /// Poisson correction, Shear factor.
+    /// Declares Theory (empty: the scene's), Theories with Theory breaks,
+    /// Section order, Poisson correction, Shear factor.
     static void
     declare(dealii::ParameterHandler &prm);
 
-    /// The theory, or that of the scene's entry @p scene_theory where the body
-    /// names none. Throws InputError. Also for a shear factor that is not above
-    /// 0 and at most 1, whatever the theory.
+    /// Returns the theory, by default that of the scene's entry
+    /// @p scene_theory. Throws InputError, for any theory also if the shear
+    /// factor is not above 0 and at most 1.
     static Theory
     parse(const Entries &in, const Entry &scene_theory);
 
-    /// What `Theories` and `Theory breaks` say of a body of @p length; empty
-    /// where there are none. Throws InputError for theories that cannot stand
-    /// beside others (all but LE and SV), other numbers of theories than of
-    /// pieces, SV-N of different N, a section order below the highest degree of
-    /// LE, and breaks that do not ascend. All theories returned have one
-    /// section order, that of a space which holds them all; it is hierarchical
-    /// where an LE is of a lower degree.
+    /// Returns `Theories` and `Theory breaks` of a body of @p length, empty if
+    /// not given. Throws InputError for theories other than LE and SV, a number
+    /// of theories that is not that of pieces, SV-N of different N, a section
+    /// order below the highest LE degree, and breaks that do not ascend. All
+    /// theories returned have one section order, and are hierarchical if an LE
+    /// is of a lower degree.
     static TheoryPieces
     parse_pieces(const Entries &in, const double length);
   };
 
-  /// For use as a key: theories that share the section's fields and matrices.
-  /// By kind, orders, hierarchy, Poisson correction, shear factor and twist,
-  /// one after the other.
+  /// Compares kind, orders, hierarchy, Poisson correction, shear factor and
+  /// twist, as a key of theories that share section fields and matrices.
   bool
   operator<(const Theory &a, const Theory &b);
 } // namespace lamella

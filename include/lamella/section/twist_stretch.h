@@ -9,53 +9,52 @@
 
 namespace lamella
 {
-  /// How a fibre at @p point is stretched that twist tilts, r^2 = |X - X_c|^2
-  /// times a unit stretch of the axis, completed as the theory demands
+  /// Returns the stretch of a fiber at @p point tilted by twist, r^2 = |X -
+  /// X_c|^2 times a unit stretch of the axis, completed by the theory
   /// [length^2].
   Voigt
   stretch_of_fibre(const Section &section, const SectionPoint &point);
 
   /**
-   * What a twist k [rad / length] stretches: fibres off the axis are tilted by
-   * k r, and so longer by half its square (Wagner 1929),
+   * The stretch by a twist k [rad / length]: fibers off the axis are tilted by
+   * k r, and longer by half its square (Wagner 1929),
    *
    *   epsilon_2 = k^2 / 2 (r^2 e_yy + D_s v),
    *
-   * where r is the distance from the centre of area and v what makes the
-   * section contract as it likes, S_00 v = -int D_s^T C e_yy r^2 dA. That is
-   * what stiffens a twisted strip, by E (I_4 - I_p^2 / A) k^2 / 2 on G J, and
-   * what takes torsional stiffness from a column, N I_p / A. Of the section of
-   * an LE, the finer the better: one cell of LE-2 has 19 % too much of I_4 -
-   * I_p^2 / A in a bar of 8 x 5, and 7 % in a strip of 30 x 0.8.
+   * where r is the distance from the centroid and v the free contraction of the
+   * section, S_00 v = -int D_s^T C e_yy r^2 dA. It stiffens a twisted strip, by
+   * E (I_4 - I_p^2 / A) k^2 / 2 on G J, and reduces the torsional stiffness of
+   * a column by N I_p / A. For sections of LE, preferably fine: one cell of
+   * LE-2 has 19 % too much of I_4 - I_p^2 / A in a bar of 8 x 5, and 7 % in a
+   * strip of 30 x 0.8.
    */
   class TwistStretch
   {
   public:
     explicit TwistStretch(const SaintVenant &states);
 
-    /// epsilon_2 at @p point for k^2 / 2 = 1 [length^2].
+    /// Returns epsilon_2 at @p point for k^2 / 2 = 1 [length^2].
     Voigt
     strain(const SectionPoint &point) const;
 
-    /// int D_y^T C epsilon_2 dA of each field [force length^2]: what it does on
-    /// derivatives of fields. On their values, which v has relaxed, it does
-    /// nothing.
+    /// Returns the work on derivatives of each field, int D_y^T C epsilon_2 dA
+    /// [force length^2]. That on values is zero by v.
     const std::vector<double> &
     work() const
     {
       return on_derivatives;
     }
 
-    /// int epsilon_2 . C epsilon_2 dA [force length^4].
+    /// Returns int epsilon_2 . C epsilon_2 dA [force length^4].
     double
     stiffness() const
     {
       return square;
     }
 
-    /// The c of M = G J k (1 + c k^2) that this makes about the torsion centre,
-    /// with the shears that go with it, alone and with the axis free to be as
-    /// long as it likes (stiffening_by_shape()).
+    /// Returns the c of M = G J k (1 + c k^2) from this stretch about the
+    /// torsion center, including its shears, with the length of the axis free
+    /// (stiffening_by_shape()).
     double
     stiffening() const
     {
