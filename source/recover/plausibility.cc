@@ -4,6 +4,10 @@
 #include <lamella/base/text.h>
 #include <lamella/recover/plausibility.h>
 
+#include <boost/geometry/index/rtree.hpp>
+
+#include <deal.II/numerics/rtree.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -21,42 +25,6 @@ namespace lamella
     // thousandth of their thickness.
     constexpr double deep = 0.1;
 
-
-
-    /// Returns the number of the point of @p points that is nearest to @p x.
-    template <typename Points, typename Position>
-    std::size_t
-    nearest(const Points &points, const Point<3> &x, const Position &position)
-    {
-      return std::min_element(points.begin(),
-                              points.end(),
-                              [&](const auto &a, const auto &b) {
-                                return position(a).distance_square(x) <
-                                       position(b).distance_square(x);
-                              }) -
-             points.begin();
-    }
-
-
-
-    const Point<3> &
-    undeformed(const SurfacePoint &point)
-    {
-      return point.position;
-    }
-
-
-
-    /// Returns about a thousand of @p points, evenly chosen.
-    std::vector<SurfacePoint>
-    sampled_points(const std::vector<SurfacePoint> &points)
-    {
-      const std::size_t         stride = points.size() / enough + 1;
-      std::vector<SurfacePoint> some;
-      for (std::size_t k = 0; k < points.size(); k += stride)
-        some.push_back(points[k]);
-      return some;
-    }
   } // namespace
 
 
@@ -80,12 +48,12 @@ namespace lamella
   {
     // Interior points of facets, three each way, since sides may be flush.
     const std::vector<SurfaceFacet> facets = bodies[b]->surface_facets("all");
+    const std::size_t               stride = 9 * facets.size() / enough + 1;
     std::vector<SurfacePoint>       points;
-    for (const SurfaceFacet &facet : facets)
-      for (const double s : {1. / 6., 0.5, 5. / 6.})
-        for (const double t : {1. / 6., 0.5, 5. / 6.})
-          points.push_back(bodies[b]->surface_point(facet, {s, t}));
-    return sampled_points(points);
+    for (std::size_t k = 0; k < 9 * facets.size(); k += stride)
+      points.push_back(bodies[b]->surface_point(
+        facets[k / 9], {(1 + 2 * (k % 9 / 3)) / 6., (1 + 2 * (k % 3)) / 6.}));
+    return points;
   }
 
 
@@ -95,9 +63,15 @@ namespace lamella
   {
     // The nearest point may belong to the adjacent side.
     constexpr double    around = 2.;
-    const SurfacePoint &there  = faces[b][nearest(faces[b], X, undeformed)];
-    const double        reach  = around * there.position.distance(X);
-    double              least  = reach;
+    const SurfacePoint &there =
+      *std::min_element(faces[b].begin(),
+                        faces[b].end(),
+                        [&X](const SurfacePoint &one, const SurfacePoint &two) {
+                          return one.position.distance_square(X) <
+                                 two.position.distance_square(X);
+                        });
+    const double reach = around * there.position.distance(X);
+    double       least = reach;
     for (const SurfacePoint &point : faces[b])
       if (const Tensor<1, 3> d = point.position - X; d.norm() <= reach)
         least = std::min(least, std::abs(d * point.normal));
@@ -115,12 +89,12 @@ namespace lamella
     constexpr unsigned int iterations = 6;
     const Body            &body       = *bodies[number_of_b];
     std::vector<Point<3>>  x, X;
+    const auto             tree = pack_rtree_of_indices(b.places);
     for (const Point<3> &place : a.places)
       if (b.box.point_inside(place))
         {
-          const auto k = nearest(b.places, place, [](const Point<3> &other) {
-            return other;
-          });
+          const auto k =
+            *tree.qbegin(boost::geometry::index::nearest(place, 1));
           x.push_back(place);
           X.push_back(faces[number_of_b][k].position -
                       transpose(b.turns[k]) * (b.places[k] - place));
@@ -208,12 +182,10 @@ namespace lamella
 
 
   Plausibility::Moved
-  Plausibility::moved_by(const Vector                    &u,
-                         const unsigned int               b,
-                         const std::vector<SurfacePoint> &points) const
+  Plausibility::moved_by(const Vector &u, const unsigned int b) const
   {
     Moved moved;
-    for (const SurfacePoint &point : points)
+    for (const SurfacePoint &point : faces[b])
       {
         const FieldSample at = bodies[b]->sample(point.location, u);
         for (unsigned int c = 0; c < 6; ++c)
@@ -305,32 +277,22 @@ namespace lamella
                    [](const double energy) { return energy != 0.; });
     const unsigned int       n = bodies.size();
     std::vector<std::string> sentences;
-    if (!units.length.empty() || is_rigid)
+    const bool               may_overlap = n * (n - 1) / 2 > contacts.size();
+    if (units.length.empty() && !is_rigid && !may_overlap)
+      return {};
+    std::vector<Moved> moved;
+    for (unsigned int b = 0; b < n; ++b)
       {
-        std::vector<Moved> moved;
-        for (unsigned int b = 0; b < n; ++b)
-          {
-            if (places.size() == b)
-              places.push_back(
-                sampled_points(bodies[b]->surface_points("all")));
-            moved.push_back(moved_by(u.block(b), b, places[b]));
-          }
-        if (!units.length.empty())
-          add_doubts_of_units(moved, is_rigid, sentences);
-        if (is_rigid && last)
-          add_rigid_motion(moved, sentences);
+        if (faces.size() == b)
+          faces.push_back(face_points(b));
+        moved.push_back(moved_by(u.block(b), b));
       }
-    if (n * (n - 1) / 2 > contacts.size())
-      {
-        std::vector<Moved> moved;
-        for (unsigned int b = 0; b < n; ++b)
-          {
-            if (faces.size() == b)
-              faces.push_back(face_points(b));
-            moved.push_back(moved_by(u.block(b), b, faces[b]));
-          }
-        add_overlaps(moved, u, sentences);
-      }
+    if (!units.length.empty())
+      add_doubts_of_units(moved, is_rigid, sentences);
+    if (is_rigid && last)
+      add_rigid_motion(moved, sentences);
+    if (may_overlap)
+      add_overlaps(moved, u, sentences);
     return sentences;
   }
 } // namespace lamella

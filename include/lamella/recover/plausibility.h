@@ -72,9 +72,7 @@ namespace lamella
     std::vector<SurfacePoint>
     face_points(const unsigned int b) const;
     Moved
-    moved_by(const Vector                    &u,
-             const unsigned int               b,
-             const std::vector<SurfacePoint> &points) const;
+    moved_by(const Vector &u, const unsigned int b) const;
     void
     add_doubts_of_units(const std::vector<Moved> &moved,
                         const bool                is_rigid,
@@ -113,9 +111,9 @@ namespace lamella
     Units            units;
     /// Pairs of bodies that a contact joins, the lower number first.
     std::set<std::pair<unsigned int, unsigned int>> contacts;
-    /// Surface nodes and face_points() of each body, filled at their first use,
-    /// since listing them takes long on large sections.
-    std::vector<std::vector<SurfacePoint>> places, faces;
+    /// face_points() of each body, filled at their first use, since making them
+    /// takes long on large sections.
+    std::vector<std::vector<SurfacePoint>> faces;
   };
 } // namespace lamella
 
