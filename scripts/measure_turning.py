@@ -14,6 +14,7 @@ COUPON = ROOT / "prm/flexure_large.prm"
 SLIDE = ROOT / "tests/scenes/large_slide.prm"
 BELT = ROOT / "tests/scenes/turning_capstan.prm"
 CORNERS = ROOT / "tests/scenes/large_corners.prm"
+HEATED = ROOT / "tests/scenes/large_heated_strip.prm"
 THROUGH = ROOT / "tests/scenes/large_through_strip.prm"
 CORNER_PULL = ROOT / "tests/scenes/large_corner_pull.prm"
 THIN = ROOT / "tests/scenes/large_thin_strip.prm"
@@ -554,7 +555,8 @@ def thin_strip(height, load, places, length=100., width=10., modulus=70e3):
 
 
 def thin():
-    """Stresses of tests/scenes/large_thin_strip.prm on the default axis, and their error bars."""
+    """Stresses of tests/scenes/large_thin_strip.prm on the default axis, and their error bars;
+    and stresses of tests/scenes/large_heated_strip.prm that should be zero."""
     rows = []
     for slenderness in (10, 100, 500, 2000):
         for load in (0.5, 3., 10.):
@@ -581,6 +583,28 @@ def thin():
     table(["L / h", "P L^2 / EI"] + [
         f"{theory}: {what}" for theory in ("SV-6", "LE-3")
         for what in ("s_yz at 10 [%] (bar)", "s_yz at 50", "s_yy at 12.5")], rows)
+    heated()
+
+
+def heated():
+    """s_zz on the free faces of tests/scenes/large_heated_strip.prm over the largest s_yy."""
+    places = [(y, z) for z in (0, 1) for y in np.arange(20., 80.1, 1.25)]
+    names = [f"p{k}" for k in range(len(places))]
+    probes = ["Probes=" + ", ".join(names)] + [
+        f"Probe {name}/At=strip: 5, {y:g}, {z}" for name, (y, z) in zip(names, places)]
+    rows = []
+    for elements in ("10", "auto", "40"):
+        row = [elements]
+        for theory in ("SV-6", "LE-2", "LE-3"):
+            for rotations in ("linear", "large"):
+                run = BarRun(HEATED, [*probes, f"Theory={theory}", f"Rotations={rotations}",
+                                      f"Body strip/Kinematics/Axis elements={elements}"])
+                largest = [max(abs(run.value(f"{name}: {stress}")) for name in names)
+                           for stress in ("szz", "syy")]
+                row.append(f"{100 * largest[0] / largest[1]:.2f}")
+        rows.append(row)
+    table(["Axis elements"] + [f"{theory}, {rotations} [%]" for theory in ("SV-6", "LE-2", "LE-3")
+                               for rotations in ("linear", "large")], rows)
 
 
 def turning():
