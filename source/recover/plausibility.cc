@@ -20,7 +20,7 @@ namespace lamella
     // Fibers, resins and metals fail at smaller strains than the first; no
     // intended load causes strains below the second.
     constexpr double large_strain = 0.02, small_strain = arithmetic::negligible;
-    constexpr std::size_t enough = 1000;
+    constexpr std::size_t enough = 500;
     // Share of the depth of the cell below: bodies side by side bulge by a
     // thousandth of their thickness.
     constexpr double deep = 0.1;
@@ -39,6 +39,18 @@ namespace lamella
     for (const ContactInterface &contact : interfaces)
       if (contact.second_body)
         contacts.insert(std::minmax(contact.first_body, *contact.second_body));
+  }
+
+
+
+  std::vector<SurfacePoint>
+  Plausibility::some_nodes(const unsigned int b) const
+  {
+    const std::vector<SurfacePoint> points = bodies[b]->surface_points("all");
+    std::vector<SurfacePoint>       some;
+    for (std::size_t k = 0; k < points.size(); k += points.size() / enough + 1)
+      some.push_back(points[k]);
+    return some;
   }
 
 
@@ -182,10 +194,12 @@ namespace lamella
 
 
   Plausibility::Moved
-  Plausibility::moved_by(const Vector &u, const unsigned int b) const
+  Plausibility::moved_by(const Vector                    &u,
+                         const unsigned int               b,
+                         const std::vector<SurfacePoint> &points) const
   {
     Moved moved;
-    for (const SurfacePoint &point : faces[b])
+    for (const SurfacePoint &point : points)
       {
         const FieldSample at = bodies[b]->sample(point.location, u);
         for (unsigned int c = 0; c < 6; ++c)
@@ -277,22 +291,29 @@ namespace lamella
                    [](const double energy) { return energy != 0.; });
     const unsigned int       n = bodies.size();
     std::vector<std::string> sentences;
-    const bool               may_overlap = n * (n - 1) / 2 > contacts.size();
-    if (units.length.empty() && !is_rigid && !may_overlap)
-      return {};
-    std::vector<Moved> moved;
-    for (unsigned int b = 0; b < n; ++b)
+    const auto moved_points = [&](std::vector<std::vector<SurfacePoint>> &known,
+                                  const auto &points_of) {
+      std::vector<Moved> moved;
+      for (unsigned int b = 0; b < n; ++b)
+        {
+          if (known.size() == b)
+            known.push_back((this->*points_of)(b));
+          moved.push_back(moved_by(u.block(b), b, known[b]));
+        }
+      return moved;
+    };
+    if (!units.length.empty() || is_rigid)
       {
-        if (faces.size() == b)
-          faces.push_back(face_points(b));
-        moved.push_back(moved_by(u.block(b), b));
+        const auto moved = moved_points(nodes, &Plausibility::some_nodes);
+        if (!units.length.empty())
+          add_doubts_of_units(moved, is_rigid, sentences);
+        if (is_rigid && last)
+          add_rigid_motion(moved, sentences);
       }
-    if (!units.length.empty())
-      add_doubts_of_units(moved, is_rigid, sentences);
-    if (is_rigid && last)
-      add_rigid_motion(moved, sentences);
-    if (may_overlap)
-      add_overlaps(moved, u, sentences);
+    if (n * (n - 1) / 2 > contacts.size())
+      add_overlaps(moved_points(faces, &Plausibility::face_points),
+                   u,
+                   sentences);
     return sentences;
   }
 } // namespace lamella

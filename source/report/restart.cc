@@ -208,6 +208,13 @@ namespace lamella
       fail("the run is of version " + restart.version +
            " of Lamella, this is " + version() +
            ". Run the scene from the start, without --resume.");
+    if (restart.scene.size() > scene.size() &&
+        restart.scene.compare(0, scene.size(), scene) == 0)
+      fail("the run has changed the axis or the contacts of its scene, as the "
+           "end of " +
+           directory +
+           "/scene.prm says, and cannot go on from there. Run the scene from "
+           "the start, without --resume.");
     if (restart.scene != scene)
       fail("the run is of another scene; what it is of stands in " + directory +
            "/scene.prm. Give that scene, or leave out --resume.");

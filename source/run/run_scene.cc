@@ -22,7 +22,8 @@ namespace lamella
     void
     keep_ready_for_interruption(const std::string &directory,
                                 const unsigned int done,
-                                const unsigned int all)
+                                const unsigned int all,
+                                const bool         may_resume)
     {
       if (!is_speaker())
         return;
@@ -37,7 +38,10 @@ namespace lamella
              "all load steps, but not what comes after them" :
              "load step" + std::string(done == 1 ? " " : "s 1 to ") +
                std::to_string(done) + " of " + std::to_string(all)) +
-          ". The same command with --resume goes on from there.");
+          (may_resume ?
+             ". The same command with --resume goes on from there." :
+             ". No run can go on from there, as this one has changed the axis "
+             "or the contacts of its scene."));
     }
 
 
@@ -86,7 +90,7 @@ namespace lamella
       const Results &found = simulation.results();
       // Steps of an earlier run, which are not looked at again.
       const std::size_t earlier = found.steps.size();
-      keep_ready_for_interruption(directory, earlier, found.load_steps);
+      keep_ready_for_interruption(directory, earlier, found.load_steps, true);
       try
         {
           simulation.solve([&](const Results &results) {
@@ -94,7 +98,8 @@ namespace lamella
             writer.write_step(results);
             keep_ready_for_interruption(directory,
                                         results.steps.size(),
-                                        results.load_steps);
+                                        results.load_steps,
+                                        !simulation.is_revised());
           });
         }
       catch (const NumericsError &error)

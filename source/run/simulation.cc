@@ -84,6 +84,7 @@ namespace lamella
     out << what << std::endl;
     // Load steps of another axis cannot be resumed.
     shorter.resolved += "# " + what + "\n";
+    revised = true;
     forget_solver();
     build(shorter, built->rules());
     return true;
@@ -94,8 +95,8 @@ namespace lamella
   namespace
   {
     /// Adds a contact at @p end to @p scene, a part of the one that is there,
-    /// and a warning that tells it.
-    void
+    /// and returns a sentence on it.
+    std::string
     add_end(const EndInContact &end, Scene &scene)
     {
       ContactPair       part  = scene.contacts[end.contact];
@@ -108,13 +109,10 @@ namespace lamella
       part.part_of        = end.contact;
       scene.contacts.push_back(part);
       scene.contact_references[part.name];
-      scene.warnings.push_back(
-        "contact " + whole + ": an end of body '" + body +
-        "' presses where constraints on faces do not hold it. Its nodes have "
-        "their own, contact " +
-        part.name + ", whose force is in that of " + whole + " as well");
-      // Load steps of other contacts cannot be resumed.
-      scene.resolved += "# " + scene.warnings.back() + "\n";
+      return "contact " + whole + ": an end of body '" + body +
+             "' presses where constraints on faces do not hold it. Its nodes "
+             "have their own, contact " +
+             part.name + ", whose force is in that of " + whole + " as well";
     }
   } // namespace
 
@@ -128,9 +126,12 @@ namespace lamella
     Scene with_ends = built->anew();
     for (const EndInContact &end : missing.ends)
       {
-        add_end(end, with_ends);
-        out << "Once more: " << with_ends.warnings.back() << std::endl;
+        const std::string added = add_end(end, with_ends);
+        out << "Once more: " << added << std::endl;
+        // Load steps of other contacts cannot be resumed.
+        with_ends.resolved += "# " + added + "\n";
       }
+    revised = true;
     forget_solver();
     try
       {

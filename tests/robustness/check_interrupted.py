@@ -98,6 +98,17 @@ def check_trade(program, scene, output):
     expect(told in errors and list(output.glob("rungs/01_*/rung.json")), errors.strip())
 
 
+def check_revised(program, folder):
+    """A run that has changed the contacts of its scene."""
+    scene = Path(__file__).resolve().parents[1] / "scenes/large_corner_pull.prm"
+    words = [program, str(scene), "--set", "Contacts=face", "--output", str(folder)]
+    _, errors = interrupted(words, "Load step 7 ", signal.SIGINT)
+    expect("No run can go on from there" in errors, errors.strip())
+    done = subprocess.run([*words, "--resume"], capture_output=True, text=True)
+    expect(done.returncode == 1 and "has changed the axis or the contacts" in done.stderr,
+           done.stderr.strip())
+
+
 def main():
     program, scene, to_tolerance, trade = sys.argv[1:5]
     folder = Path(sys.argv[5])
@@ -122,6 +133,7 @@ def main():
     expect(done.returncode == 0 and "interrupted" not in done.stderr and
            json.loads((output / "summary.json").read_text())["load_steps"] == STEPS,
            f"--resume goes on {done.stderr}")
+    check_revised(program, folder / "revised")
     check_setup(program, to_tolerance, folder / "setup")
     check_bars(program, to_tolerance, folder / "bars")
     check_tolerance_run(program, to_tolerance, folder / "tolerance")

@@ -68,11 +68,16 @@ namespace lamella
       Extreme                       strain, displacement;
     };
 
-    /// Returns points of body @p b in the interior of its surface facets.
+    /// Returns at most some 500 surface nodes of body @p b, evenly chosen.
+    std::vector<SurfacePoint>
+    some_nodes(const unsigned int b) const;
+    /// Returns as many points in the interior of its surface facets.
     std::vector<SurfacePoint>
     face_points(const unsigned int b) const;
     Moved
-    moved_by(const Vector &u, const unsigned int b) const;
+    moved_by(const Vector                    &u,
+             const unsigned int               b,
+             const std::vector<SurfacePoint> &points) const;
     void
     add_doubts_of_units(const std::vector<Moved> &moved,
                         const bool                is_rigid,
@@ -111,9 +116,9 @@ namespace lamella
     Units            units;
     /// Pairs of bodies that a contact joins, the lower number first.
     std::set<std::pair<unsigned int, unsigned int>> contacts;
-    /// face_points() of each body, filled at their first use, since making them
-    /// takes long on large sections.
-    std::vector<std::vector<SurfacePoint>> faces;
+    /// some_nodes() and face_points() of each body, filled at their first use,
+    /// since making them takes long on large sections.
+    std::vector<std::vector<SurfacePoint>> nodes, faces;
   };
 } // namespace lamella
 

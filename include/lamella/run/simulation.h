@@ -122,6 +122,14 @@ namespace lamella
       return *solver;
     }
 
+    /// Returns whether the run has changed the axis or the contacts of its
+    /// scene, so that no other run can resume its load steps.
+    bool
+    is_revised() const
+    {
+      return revised;
+    }
+
     /// Where progress goes.
     std::ostream &
     output() const
@@ -148,7 +156,7 @@ namespace lamella
     bool
     shorten_elements(const UndetectedPenetration &missed);
 
-    /// Rebuilds the scene with contact constraints at the nodes of the ends that
+    /// Rebuilds the scene with contact constraints at nodes of the ends that
     /// @p missing names: faces lose what slides over an end, and the mean gap
     /// over an element lets an end sink in. Returns false, without any change,
     /// for steps of an earlier run and if an end faces nothing.
@@ -217,6 +225,7 @@ namespace lamella
     std::vector<bool> may_refine;
     /// Whether the last step comes from an earlier run and has its state only.
     bool last_is_bare = false;
+    bool revised      = false;
   };
 } // namespace lamella
 
