@@ -42,7 +42,7 @@ namespace lamella
             begin += length;
             breaks.push_back(begin);
           }
-        // The last is the end of the axis.
+        // The last one is the end of the axis.
         breaks.pop_back();
         axis.breaks = breaks;
         axis.elements.assign(breaks.size() + 1, 1);
@@ -54,9 +54,9 @@ namespace lamella
 
   namespace
   {
-    /// Those of @p elements that are to become better, by their errors for each
-    /// DoF, until the others have no more than @p left of the error together,
-    /// and no more than 1 - @p share of all.
+    /// Returns those of @p elements to be refined, by their errors per DoF,
+    /// until the error of the others is at most @p left and 1 - @p share of
+    /// all.
     std::vector<ElementError>
     worst_elements(std::vector<ElementError> elements,
                    const double              share,
@@ -115,16 +115,16 @@ namespace lamella
 
   namespace
   {
-    /// One element of an axis, or several as one.
+    /// An element of an axis, or several merged ones.
     struct Span
     {
       double begin = 0., end = 0.;
-      /// What it does to the goals, the largest share of a tolerance.
+      /// Error in the goals: the largest share of a tolerance.
       double error = 0.;
     };
 
-    /// The elements of the body @p body with their errors; empty where one is
-    /// not known of some goal.
+    /// Returns the elements of body @p body with their errors; empty if one is
+    /// unknown for some goal.
     std::vector<Span>
     spans_of(const AxisMesh                &axis,
              const unsigned int             body,
@@ -172,8 +172,8 @@ namespace lamella
 
 
 
-    /// Merges @p spans, the least error first, while what is merged is below
-    /// @p left, and says what is left of that.
+    /// Merges @p spans in order of increasing error while the sum is below
+    /// @p left. Returns the remainder of @p left.
     double
     merge(std::vector<Span>         &spans,
           const std::vector<double> &kept,
@@ -200,7 +200,7 @@ namespace lamella
             }
           if (best == spans.size() || least.error > left)
             return left;
-          // What the two were allowed before is in the new one.
+          // The error of the new span includes those of its parts.
           left -= least.error;
           spans[best] = least;
           spans.erase(spans.begin() + best + 1);

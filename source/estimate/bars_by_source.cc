@@ -12,7 +12,7 @@ namespace lamella
 {
   namespace
   {
-    /// @p scene with fewer wave numbers for SV-N, by @p fewer, but 1 at least.
+    /// Returns @p scene with @p fewer wave numbers less for SV-N, 1 at least.
     Scene
     of_fewer_waves(Scene scene, const unsigned int fewer)
     {

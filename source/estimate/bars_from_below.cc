@@ -11,7 +11,7 @@ namespace lamella
 {
   namespace
   {
-    /// Whether all of @p body is LE of @p degree or more.
+    /// Returns whether all of @p body is LE of @p degree or more.
     bool
     is_layerwise(const BodyDescription &body, const unsigned int degree)
     {
@@ -113,7 +113,7 @@ namespace lamella
       return own ? std::abs(own->section.*level) + std::abs(own->axis.*level) :
                    0.;
     };
-    // Of both levels the larger: sources cancel in what is solved.
+    // The larger one at both levels: sources may cancel in the solved models.
     const double last  = std::max(std::abs(change), by_source(&Surplus::last));
     const double least = rules.least_of_before * std::abs(before);
     return error_bar_from_below(
@@ -141,7 +141,8 @@ namespace lamella
                        of_run.numbers().value(goal) - half->value(goal))}};
     const double of_section = own->section.last, of_axis = own->axis.last,
                  both = std::abs(of_section) + std::abs(of_axis);
-    // Models that are poorer in both do not tell them apart: surpluses do.
+    // Models that are poorer in both do not separate the sources; surpluses
+    // do.
     const bool is_told = bar.parts.size() == 2;
     const auto part    = [&](const unsigned int k, const double last) {
       return std::copysign(is_told    ? bar.parts[k] :

@@ -28,8 +28,8 @@ namespace lamella
 
 
 
-    /// Whether LE-1 is not richer than the theory of @p body: TE-3 and SV have
-    /// what it lacks, and may be off as it is.
+    /// Returns whether LE-1 is not richer than the theory of @p body: TE-3 and
+    /// SV have functions that LE-1 lacks.
     bool
     is_above_linear(const BodyDescription &body)
     {
@@ -39,7 +39,7 @@ namespace lamella
 
 
 
-    /// @p scene on axes that are halved so often.
+    /// Returns @p scene with axes halved @p times.
     Scene
     on_coarser_axis(Scene scene, const unsigned int times)
     {
@@ -50,7 +50,8 @@ namespace lamella
 
 
 
-    /// H_r of the scene of H_p, with LE-@p degree for others than LE.
+    /// Returns H_r of the scene of H_p, with LE-@p degree in place of other
+    /// theories.
     Scene
     richer_in_section(Scene scene, const unsigned int degree)
     {
@@ -109,7 +110,7 @@ namespace lamella
           const double m = dofs_of_layers(sizes[b], degree) / sizes[b].nodes;
           return CostRules().of_block * nodes * m * m * m;
         };
-        // H_r, and what is one degree less: H_p or H_l.
+        // H_r, and one degree less: H_p or H_l.
         const unsigned int degree = rich.bodies[b].theory.order;
         sum += take(degree) + (degree > 1 ? take(degree - 1) : 0.);
       }

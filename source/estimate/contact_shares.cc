@@ -13,8 +13,8 @@ namespace lamella
     , any_friction(has_source(run.model().scene(), Source::path) &&
                    run.model().scene().solve.rotations != Rotations::large)
   {
-    // With friction the last state is that of a path: all of it is to be gone
-    // again.
+    // States with friction depend on the path: poorer models are solved
+    // instead.
     if (!any_penalty || any_friction)
       return;
     std::vector<GapRow> rows(run.model().rows().begin(),

@@ -12,7 +12,7 @@ namespace lamella
 {
   namespace
   {
-    /// All theories along the axis of @p body.
+    /// Returns all theories along the axis of @p body.
     std::vector<Theory *>
     theories_of(BodyDescription &body)
     {
@@ -40,7 +40,8 @@ namespace lamella
     {
       const bool layers_are_cheap = size.nodes > 0 && body.pieces.empty() &&
                                     !why_layers(size, rules).empty();
-      // Pieces of plain SV beside LE say by hand where responses are wanted.
+      // Pieces of plain SV beside LE are a user's choice of places for
+      // responses.
       for (Theory *theory : theories_of(body))
         if (theory->is_single_layer() ||
             (theory->is_of_solutions() && theory->order < rules.least_waves))
@@ -63,9 +64,9 @@ namespace lamella
 
 
 
-    /// Makes SV-10 of the LE-N of @p size that would have @p times as many
-    /// DoFs, if these are too many: the same fields of the section,
-    /// those that the scene wants, where these are fewer.
+    /// Replaces LE-N of @p size by SV-10 with the same section functions if it
+    /// would have too many DoFs, @p times as many as now, and
+    /// may_have_responses().
     void
     keep_small(BodyDescription &body,
                const BodySize  &size,
@@ -80,7 +81,8 @@ namespace lamella
 
 
 
-    /// Whether the section of @p body has corners that could have more layers.
+    /// Returns whether the section of @p body has corners that can have more
+    /// layers.
     bool
     may_have_layers(const Scene           &scene,
                     const BodyDescription &body,
@@ -94,7 +96,7 @@ namespace lamella
 
 
 
-    /// Whether the degree of @p body's section stays as it is: its cells are
+    /// Returns whether the degree of @p body's section stays and its cells are
     /// divided instead.
     bool
     keeps_degree(const Scene           &scene,
@@ -142,8 +144,8 @@ namespace lamella
 
 
 
-    /// Divides the sections of bodies that keep their degrees: towards their
-    /// corners where there are any, else all cells.
+    /// Divides the sections of bodies that keep their degrees: at their corners
+    /// if there are any, else all cells.
     void
     divide_sections(Scene                       &result,
                     const Scene                 &scene,
@@ -165,7 +167,7 @@ namespace lamella
 
 
 
-    /// The share of the length of the beam @p body that gap rows see.
+    /// Returns the share of the length of the beam @p body with gap rows.
     double
     touched_share(const BuiltScene  &model,
                   const Beam        &whole,
@@ -301,7 +303,7 @@ namespace lamella
   {
     Scene scene          = run.model().anew();
     scene.solve.strategy = Strategy::condensed;
-    // For large rotations each load step starts from the last one.
+    // With large rotations each load step starts from the one before.
     const bool is_large = scene.solve.rotations == Rotations::large;
     if (!is_large && first_with_friction(scene) == nullptr)
       scene.solve.load_factors = {scene.solve.load_factors.back()};

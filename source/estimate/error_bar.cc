@@ -10,8 +10,8 @@ namespace lamella
 {
   namespace
   {
-    /// What speaks against the changes @p first and @p second from one
-    /// refinement to the next.
+    /// Returns why the changes @p first and @p second of successive refinements
+    /// give no bar.
     std::string
     why_not_trusted(const double    first,
                     const double    second,

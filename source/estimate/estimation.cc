@@ -120,7 +120,7 @@ namespace lamella
     const auto        look = [this](const Simulation &finer) {
       local = errors_of(*of_run, run, finer);
     };
-    // Where along the axis duals say, and with friction there are none.
+    // Duals give the errors along the axis; with friction there are none.
     const bool is_first =
       source == Source::axis && base == 0 && !has_source(scene, Source::path);
     const bool is_known = cache.find(scene) != nullptr;
@@ -155,13 +155,13 @@ namespace lamella
   {
     const std::vector<Source> some = sources_that_matter();
     before_richest                 = base;
-    // One source alone is refined a second time right after it was: what comes
-    // behind it in the chain does not matter.
+    // A single source is refined again right after its first refinement: the
+    // later ones in the chain do not matter.
     for (const Step &step : steps)
       if (some.size() == 1 && some.front() == step.source)
         before_richest = step.to;
-    // LE that stands in for fields has more of its section instead, which may
-    // be a model that is known.
+    // LE in place of other fields gets a richer section instead, which may be
+    // a known model.
     std::vector<Source> refined;
     for (Source source : some)
       {
@@ -221,7 +221,7 @@ namespace lamella
     out << "Error bars, from richer models of the scene:" << std::endl;
     of_run = std::make_unique<RunGoals>(run);
     models = {first_model()};
-    // The run has its numbers: no model beside it takes them away.
+    // A failure of another model must not discard the results of the run.
     if (const Outcome outcome = outcome_of([this] { climb(); });
         outcome.status != 0)
       {

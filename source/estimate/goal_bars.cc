@@ -22,15 +22,16 @@ namespace lamella
 {
   namespace
   {
-    /// How @p run is compared with models on less of its axis, if it can be;
-    /// where nobody has asked for it, if that costs little.
+    /// Returns the comparison of @p run with models on coarser axes, if it is
+    /// possible, and if it is cheap where bars are not asked for.
     std::optional<HalfPlan>
     plan_of(const Simulation &run)
     {
       if (!BarsFromHalf::reason_for_none(run).empty())
         return {};
       const GoalParameters &goals = run.model().scene().goals;
-      // A tolerance wants LE-3, which LE-2 is near to: LE-1 is far from LE-2.
+      // A tolerance leads to LE-3, which LE-2 is close to; LE-1 is far from
+      // LE-2.
       if (!goals.tolerances.empty())
         return HalfPlan{1, 3};
       if (goals.bars != ErrorBars::automatic)
@@ -45,9 +46,9 @@ namespace lamella
 
     using Goals = std::vector<GoalResult>;
 
-    /// What makes the bars of @p run without richer models of its whole scene,
-    /// and the words for what from; nothing where these are not to be had or
-    /// cost too much.
+    /// Returns the function that makes the bars of @p run without Estimation,
+    /// and the name of the models for messages; empty if impossible or too
+    /// costly.
     std::pair<std::function<Goals(std::ostream &, ModelCache &)>, std::string>
     maker_for(const Simulation &run)
     {
@@ -71,8 +72,8 @@ namespace lamella
 
 
 
-    /// Makes what the mesh has of the bars of @p goals no less than twice what
-    /// they @p missed at places that are held. What contact has comes on top.
+    /// Raises the mesh part of the bars of @p goals to at least twice the
+    /// changes @p missed at supported places. Contact parts are added.
     void
     widen(const std::vector<double> &missed, Goals &goals)
     {
@@ -98,8 +99,8 @@ namespace lamella
 
 
 
-    /// Has the bars of @p goals know what places that are held do; where that
-    /// cannot be solved they stay as they are, and @p out is told.
+    /// Extends the bars of @p goals by the effects of supported places. If
+    /// these models fail, the bars stay and @p out gets a message.
     void
     look_at_held_places(const Simulation &run,
                         std::ostream     &out,
@@ -129,7 +130,7 @@ namespace lamella
       if (!make)
         return {};
       out << "Error bars, from " << from << ":" << std::endl;
-      // The run has its numbers: nothing beside it takes them away.
+      // A failure of another model must not discard the results of the run.
       std::optional<Goals> goals;
       const Outcome        outcome =
         outcome_of([&, &make = make] { goals = make(out, cache); });

@@ -12,8 +12,8 @@ namespace lamella
 
   namespace
   {
-    /// What a column of probes.csv is the component @p component of; none for
-    /// others than displacements, strains and stresses.
+    /// Component that a column of probes.csv is; none for columns other than
+    /// displacements, strains and stresses.
     struct Component
     {
       Quantity     quantity;
@@ -27,7 +27,7 @@ namespace lamella
       const auto        &names = field_names();
       const unsigned int n =
         std::find(names.begin(), names.end(), column) - names.begin();
-      // Where each kind begins among the names.
+      // First number of each kind among the names.
       enum : unsigned int
       {
         strains  = 3,
@@ -169,7 +169,7 @@ namespace lamella
   std::optional<GoalDual::Pair>
   GoalDual::of_support(const NamedQuantity &goal) const
   {
-    // Moments refer to points: left to those who can do without a derivative.
+    // Moments depend on a reference point; they have no derivative here.
     if (goal.column[0] != 'f')
       return std::nullopt;
     const BlockVector w      = *lifting(goal);
@@ -224,8 +224,8 @@ namespace lamella
   {
     Pair        result = zero(), correction = zero();
     BlockVector left = derivative.u;
-    // Without active rows there are vectors without entries, which deal.II
-    // refuses to calculate with.
+    // Vectors are empty without active rows; deal.II does not compute with
+    // them.
     Vector right(derivative.force);
     for (double &value : right)
       value = -value;

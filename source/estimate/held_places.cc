@@ -16,9 +16,8 @@ namespace lamella
 
   namespace
   {
-    /// The distances from the start of @p beam, body number @p number, at
-    /// which supports hold points and lines, and of a warm one its ends that
-    /// supports hold.
+    /// Returns the distances from the start of @p beam, body number @p number,
+    /// of supported points and lines, and of supported ends if it is heated.
     std::vector<double>
     held_at(const Beam                 &beam,
             const unsigned int          number,
@@ -42,8 +41,8 @@ namespace lamella
 
 
 
-    /// The elements of @p axis, of the body number @p number, that are longer
-    /// than @p longest and hold one of the places @p at.
+    /// Adds the elements of @p axis, of body @p number, that are longer than
+    /// @p longest and contain one of the places @p at, to @p marked.
     void
     mark_long(const AxisMesh            &axis,
               const unsigned int         number,
@@ -72,7 +71,7 @@ namespace lamella
 
 
 
-    /// @p scene with beams of LE-1.
+    /// Returns @p scene with beams of LE-1.
     Scene
     of_first_degree(Scene scene)
     {
@@ -106,8 +105,8 @@ namespace lamella
 
 
 
-    /// @p scene, one of the bodies of @p run, with its long elements at held
-    /// places bisected, @p rules.times; nothing if there are none.
+    /// Returns @p scene, a scene of the bodies of @p run, with long elements at
+    /// supported places bisected @p rules.times; nothing if there are none.
     std::optional<Scene>
     with_short_elements(Scene                 scene,
                         const Simulation     &run,

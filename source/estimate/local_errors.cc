@@ -11,7 +11,7 @@ namespace lamella
 {
   namespace
   {
-    /// The beams of a model, by the numbers of its bodies.
+    /// Returns the beams of a model by the numbers of its bodies.
     std::vector<const Beam *>
     beams_in(const Simulation &simulation)
     {
@@ -20,8 +20,8 @@ namespace lamella
 
 
 
-    /// @p u of one model on the nodes of another; bodies that are no beams are
-    /// the same in both.
+    /// Returns @p u of one model on the nodes of another; bodies other than
+    /// beams are identical in both.
     BlockVector
     moved(const Simulation &from, const BlockVector &u, const Simulation &to)
     {
@@ -37,7 +37,7 @@ namespace lamella
 
 
 
-    /// The size of the resultant on the second side of the contact number
+    /// Returns the size of the resultant on the second side of contact
     /// @p contact, from the forces of all rows.
     double
     resultant(const BuiltScene          &model,

@@ -14,9 +14,9 @@ namespace lamella
 {
   namespace
   {
-    // Each of these takes its structure apart: a new member does not compile
-    // before it has a name here. What is not used was read from the text and is
-    // in it.
+    // Each of these functions decomposes its structure, so that a new member
+    // does not compile until it is named. Unused members come from the text,
+    // which is part of the key.
 
     std::string
     words_of(const double number)
@@ -62,8 +62,8 @@ namespace lamella
 
 
 
-    /// Where the elements of @p axis end, however that is said: halves of
-    /// halves are sums, so in parts of its length that are more than rounding.
+    /// Returns the element ends of @p axis in any notation. Repeated halves are
+    /// sums: ends are rounded to fractions of the length above rounding errors.
     std::string
     words_of_ends(const AxisMesh &axis)
     {
@@ -91,7 +91,7 @@ namespace lamella
                    fineness,
                    equidistant_nodes,
                    assumed_shear] = axis;
-      // An axis that grades itself has no elements yet.
+      // A graded axis has no elements yet.
       return words_of(length) + words_of(degree) +
              (fineness > 0. ? words_of(elements) + words_of(breaks) :
                               words_of_ends(axis)) +
@@ -169,7 +169,8 @@ namespace lamella
     }
 
 
-    /// What is done to sections, @p what, and how often, where it is at all.
+    /// Returns the refinements @p what of sections with their numbers, if not
+    /// zero.
     std::string
     words_of(const std::string                         &what,
              const std::map<std::string, unsigned int> &times)

@@ -62,7 +62,7 @@ namespace lamella
             2. * sizes[b].dofs <= rules.most_dofs_of_layers)
           return std::numeric_limits<double>::infinity();
         sum += cost.axes * sizes[b].nodes * cost.of_block * m * m * m;
-        // It is of LE-N: responses say so.
+        // The body is LE-N, since it may have responses: a beam.
         const Beam  &beam    = *beams[b];
         const auto   touches = find_touches(beam,
                                           b,

@@ -44,7 +44,7 @@ namespace lamella
       return *known;
     std::ostream nowhere(nullptr);
     out << "  " << what << ": " << std::flush;
-    // Whether the linear model will do is a question to the run itself.
+    // `Rotations = auto` is decided for the run itself only.
     Scene compared           = scene;
     compared.solve.is_judged = false;
     Simulation     simulation(compared, nowhere, run.model().rules());

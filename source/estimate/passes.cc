@@ -9,8 +9,8 @@ namespace lamella
 {
   namespace
   {
-    /// What @p goal may be off by as it is held to be, over its tolerance;
-    /// where there is no bar twice the estimate stands for it.
+    /// Returns the bar of @p goal over its tolerance; without a bar, twice the
+    /// estimate stands in for it.
     double
     error_ratio(const GoalResult &goal)
     {
@@ -20,8 +20,8 @@ namespace lamella
 
 
 
-    /// Whether @p share, by name, is one of @p source: some are of two that
-    /// cannot be told apart.
+    /// Returns whether the name @p share includes @p source: some shares are of
+    /// two sources that are not separated.
     bool
     is_of(const std::string &share, const Source source)
     {
@@ -30,8 +30,8 @@ namespace lamella
 
 
 
-    /// What elements do to @p goal that are not bisected, if the axis is
-    /// refined.
+    /// Returns the error of @p goal from elements that are not bisected, if the
+    /// axis is refined.
     double
     of_others(const GoalResult &goal, const Refined &refined)
     {
@@ -142,7 +142,7 @@ namespace lamella
       return false;
     if (made.size() < 2)
       return true;
-    // What the pass before did not know of is another source, or other rows.
+    // A larger change shows an error that the bar of the pass before missed.
     const GoalResult &before = made[made.size() - 2].goals[number];
     return !before.trusted || change(number) <= before.bar;
   }
@@ -158,7 +158,7 @@ namespace lamella
     };
     if (!goal.has_limit)
       return true;
-    // That it has none shows: no bar twice, and another number each time.
+    // Several passes without a bar and with large changes indicate no limit.
     if (made.size() >= rules.patience &&
         std::all_of(made.end() - rules.patience, made.end(), has_no_bar) &&
         change(number) > goal.most_error())

@@ -18,8 +18,8 @@ namespace lamella
 
 
 
-    /// Whether elements of @p lengths get shorter towards the start of the one
-    /// of number @p k, from both sides where there are others.
+    /// Returns whether elements of @p lengths get shorter toward the start of
+    /// number @p k, from both sides unless it is at an end.
     bool
     is_place(const std::vector<double> &lengths, const std::size_t k)
     {
@@ -69,7 +69,7 @@ namespace lamella
   halved(const AxisMesh &axis)
   {
     const std::vector<double> lengths = element_lengths(axis);
-    // One past the last element of each part that pairs are looked for in.
+    // One past the last element of each part in which pairs are formed.
     std::vector<std::size_t> parts;
     if (std::all_of(axis.elements.begin(),
                     axis.elements.end(),
@@ -92,7 +92,7 @@ namespace lamella
         begin = end;
       }
     AxisMesh result = axis;
-    // The last is the end of the axis.
+    // The last one is the end of the axis.
     ends.pop_back();
     result.breaks = ends;
     result.elements.assign(ends.size() + 1, 1);

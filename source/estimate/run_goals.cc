@@ -81,7 +81,7 @@ namespace lamella
     const std::vector<double> &corrections = state.contact_corrections.empty() ?
                                                state.free_corrections :
                                                state.contact_corrections;
-    // Newton's method for large rotations has none.
+    // Newton's method for large rotations has no corrections.
     return corrections.empty() ?
              0. :
              values.largest_of_kind(quantity) * corrections.back();

@@ -11,10 +11,10 @@ namespace lamella
 {
   namespace
   {
-    /// Equal elements, as where a scene says nothing of the axis, for bodies
-    /// that are planned to have them: graded to a contact that is everywhere
-    /// they would be fine everywhere. A roller touches at one place, which
-    /// equal elements miss. Bodies whose nodes a contact pairs go together.
+    /// Sets equal elements, as by default, for bodies whose plan has them:
+    /// graded to a contact along the whole body, they would be fine everywhere.
+    /// Bodies at a roller are excluded: equal elements miss its one contact
+    /// place. Bodies whose nodes a contact pairs are treated alike.
     void
     begin_with_equal_elements(Scene &scene, std::vector<unsigned int> elements)
     {

@@ -12,8 +12,8 @@ namespace lamella
 {
   namespace
   {
-    /// Sum over the nodes of all @p beams of the size of what each has of the
-    /// product of @p v and @p w.
+    /// Returns the sum over the nodes of all @p beams of the sizes of their
+    /// parts of the product of @p v and @p w.
     double
     sum_by_nodes(const std::vector<const Beam *> &beams,
                  const BlockVector               &v,

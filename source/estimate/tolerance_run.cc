@@ -94,8 +94,8 @@ namespace lamella
   ToleranceRun::make_pass()
   {
     const std::string number = std::to_string(passes.all().size() + 1);
-    // One factor at a time: the results of the pass before are all that is
-    // wanted of it.
+    // Only the results of the pass before are needed: its factorization is
+    // freed before the next one.
     if (simulation != nullptr)
       simulation->forget_solver();
     std::ostream nowhere(nullptr);
@@ -146,7 +146,7 @@ namespace lamella
       return;
     const auto &loads  = next.results().loads,
                &before = simulation->results().loads;
-    // Couples have no force: what all loads do together is the measure.
+    // Couples have no force: the reference is the load of the whole scene.
     double size = 0.;
     for (const LoadResultant &load : before)
       size += load.force.norm() + load.moment.norm() / next.results().size;
@@ -165,7 +165,7 @@ namespace lamella
   bool
   ToleranceRun::is_late() const
   {
-    // All processes have to agree.
+    // The decision has to be the same on all processes.
     return scene.goals.budget_seconds > 0. &&
            dealii::Utilities::MPI::max(wall.wall_time(), communicator()) >
              scene.goals.budget_seconds;
@@ -207,7 +207,8 @@ namespace lamella
       return std::find(wanted.begin(), wanted.end(), source) != wanted.end();
     };
     refined = {wanted, {}};
-    // Other fields have other errors along the axis: those of EBBT say nothing.
+    // Other fields have other errors along the axis; those of EBBT do not
+    // apply.
     if (!wants(Source::fields))
       next = merged(next, kept, passes.staying(), pass_rules.most_merged);
     if (wants(Source::axis))

@@ -9,7 +9,7 @@ namespace lamella
 {
   namespace
   {
-    /// What a contact without friction has not got.
+    /// Throws InputError for dissipation of a contact without friction.
     void
     check_dissipated(const Scene &scene)
     {

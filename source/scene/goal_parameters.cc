@@ -66,11 +66,11 @@ namespace lamella
 
   namespace
   {
-    /// The share of 1 that @p per_cent, in a piece of @p entry, is.
+    /// Returns @p per_cent, given in a piece of @p entry, as a fraction.
     double
     share_of_one(const Entry &entry, const double per_cent)
     {
-      // The floor of every bar (error_bar.h), in per cent.
+      // Shortest bar (error_bar.h), in per cent.
       constexpr double of_rounding = 1e-6;
       if (!(per_cent > 0. && per_cent <= 100.))
         entry.refuse("must be more than 0 and at most 100 per cent");
@@ -83,8 +83,8 @@ namespace lamella
 
 
 
-    /// What stands behind the number that @p piece begins with; the whole of
-    /// it where there is none.
+    /// Returns the end of the number that @p piece begins with, or the end of
+    /// @p piece without one.
     std::size_t
     end_of_number(const std::string &piece)
     {
@@ -94,8 +94,8 @@ namespace lamella
 
 
 
-    /// Throws unless @p quantities all are in @p unit, which stands in a piece
-    /// of @p entry, or for `abs` are of one kind.
+    /// Throws InputError unless all @p quantities are in @p unit, given in a
+    /// piece of @p entry, or for `abs` of one kind.
     void
     check_unit(const Entry                      &entry,
                const std::string                &unit,
@@ -124,8 +124,8 @@ namespace lamella
 
 
 
-    /// What @p piece of @p entry says of @p quantities of @p goals: a number of
-    /// per cent, or with their unit, or with `abs`.
+    /// Returns the tolerance that @p piece of @p entry gives for @p quantities
+    /// of @p goals: in per cent, in their unit, or with `abs`.
     Tolerance
     parse_tolerance(const Entry                      &entry,
                     const std::string                &piece,
@@ -151,7 +151,8 @@ namespace lamella
 
 
 
-    /// One for each of the @p n quantities that @p goals name or one for all.
+    /// Returns one tolerance per quantity of @p goals, @p n in all, or one for
+    /// all.
     std::vector<Tolerance>
     parse_tolerances(const Entry          &entry,
                      const unsigned int    n,
@@ -182,7 +183,7 @@ namespace lamella
 
 
 
-    /// From 0 to @p most.
+    /// Returns the budget of @p entry, from 0 to @p most.
     double
     parse_budget(const Entry &entry, const double most)
     {

@@ -82,7 +82,8 @@ namespace lamella
 
 
 
-    /// Whether @p contact has a penalty of areas, which a line has none of.
+    /// Returns whether @p contact has a penalty per area, which a line cannot
+    /// have.
     bool
     has_area_penalty(const ContactPair &contact)
     {
@@ -92,8 +93,8 @@ namespace lamella
 
 
 
-    /// Whether the second side of @p contact is a roller across @p body, a
-    /// beam.
+    /// Returns whether the second side of @p contact is a roller across the
+    /// beam @p body.
     bool
     has_roller(const ContactPair &contact, const BodyDescription &body)
     {
@@ -196,7 +197,7 @@ namespace lamella
 
 
 
-    /// Of small rotations.
+    /// Throws InputError for entries that small rotations do not allow.
     void
     check_linear(const Scene &scene)
     {
@@ -223,7 +224,8 @@ namespace lamella
   bool
   can_turn(const Theory &theory)
   {
-    // Sections that turn, and those that deform as a turned one does.
+    // Theories whose sections rotate, or whose functions describe a rotated
+    // section.
     constexpr unsigned int least_order = 2;
     return theory.has_turning_sections() || theory.is_layerwise() ||
            ((theory.is_solid() || theory.is_taylor()) &&

@@ -25,7 +25,7 @@ namespace lamella
 
   namespace
   {
-    /// What is solved, beside the subsections.
+    /// Declares the entries of the model outside subsections.
     void
     declare_model(ParameterHandler &prm)
     {
@@ -116,7 +116,7 @@ namespace lamella
 
 
 
-    /// The first pass.
+    /// Returns the names in @p text (first pass).
     NameLists
     read_names(const SceneText &text)
     {
@@ -155,8 +155,8 @@ namespace lamella
 
 
 
-    /// Reads the subsections of @p kind. Throws InputError if a name of its
-    /// list has none.
+    /// Reads the subsections of @p kind. Throws InputError for a listed name
+    /// without a subsection.
     void
     resolve_kind(const SubsectionKind &kind,
                  const SceneText      &text,
@@ -182,7 +182,7 @@ namespace lamella
 
 
 
-    /// Whether @p entry, Find, asks for the load at first failure.
+    /// Returns whether @p entry, Find, requests the load at first failure.
     bool
     finds_first_failure(const Entry &entry, const StrengthParameters &strength)
     {
@@ -199,8 +199,8 @@ namespace lamella
 
 
 
-    /// What is looked at for failure, goals, and the trade of what these, the
-    /// probes and the resultants give.
+    /// Reads failure criteria, goals, and the trade, which refers to these, the
+    /// probes and the resultants.
     void
     resolve_requests(ParameterHandler               &prm,
                      const std::vector<std::string> &bodies,
@@ -222,7 +222,7 @@ namespace lamella
       prm.enter_subsection("Trade");
       scene.trade = TradeParameters::parse(Entries(prm, "Trade"),
                                            {bodies, names, of_goals});
-      // What it has by itself the goals have by themselves.
+      // Default quantities of a trade are those of the goals already.
       const bool named = !Entries(prm, "Trade")["Quantities"].is_empty();
       prm.leave_subsection();
       prm.enter_subsection("Goals");
@@ -236,8 +236,8 @@ namespace lamella
 
 
 
-    /// Weight is a force in the volume, of which the integration of
-    /// equilibrium through the thickness does not know.
+    /// Throws InputError for weight with stresses by equilibrium, whose
+    /// integration through the thickness has no volume force.
     void
     check_equilibrium(const Scene &scene, const Entry &gravity)
     {
@@ -257,7 +257,8 @@ namespace lamella
 
 
 
-    /// What raises one load factor takes no others.
+    /// Throws InputError for several load histories with a search along one
+    /// factor.
     void
     check_histories(const Scene &scene, const Entries &in)
     {
@@ -271,7 +272,7 @@ namespace lamella
 
 
 
-    /// The second pass, over what @p prm has parsed.
+    /// Returns the scene that @p prm has parsed (second pass).
     Scene
     resolve(ParameterHandler &prm,
             const NameLists  &names,
@@ -304,7 +305,8 @@ namespace lamella
 
   namespace
   {
-    /// @p text without what --set leaves out of a list, and the names.
+    /// Returns @p text without items that --set left out of a list, and the
+    /// names.
     std::pair<SceneText, NameLists>
     listed(SceneText text)
     {
@@ -322,8 +324,8 @@ namespace lamella
 
   namespace
   {
-    /// Whether @p text says `auto` of the Theory @p path. Throws InputError if
-    /// it says so without a Tolerance.
+    /// Returns whether @p text sets the Theory @p path to `auto`. Throws
+    /// InputError for `auto` without a Tolerance.
     bool
     wants_any_theory(const SceneText   &text,
                      const std::string &path,
@@ -342,10 +344,10 @@ namespace lamella
 
 
 
-    /// What a run to a tolerance begins with where @p text does not say, or
-    /// says `auto`: the section's own fields, with responses where contacts
-    /// press, and axes that grade themselves. Whether that is so of the scene's
-    /// Theory; of which bodies it is so of the axis is added to @p axes.
+    /// Sets defaults of a run to a tolerance where @p text has none or `auto`:
+    /// the section's own fields, with responses at contacts, and graded axes.
+    /// Returns whether it sets the scene's Theory; adds the bodies whose axis
+    /// it sets to @p axes.
     bool
     assume_start(SceneText             &text,
                  const NameLists       &names,

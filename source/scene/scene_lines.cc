@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-// The lines of a scene, and what they say (SceneText::scan()).
+// Parsing of the lines of a scene (SceneText::scan()).
 
 #include <lamella/base/exceptions.h>
 #include <lamella/base/text.h>
@@ -33,8 +33,8 @@ namespace lamella
 
   namespace
   {
-    /// The number of bytes of the character at @p i of @p text in UTF-8; 0 if
-    /// there is none, or one that controls a terminal.
+    /// Returns the number of bytes of the UTF-8 character at @p i of @p text; 0
+    /// if it is invalid or a terminal control character.
     std::size_t
     length_of_character(const std::string &text, const std::size_t i)
     {
@@ -87,8 +87,8 @@ namespace lamella
 
   namespace
   {
-    /// Where the comment of @p line begins, npos if it has none: at a '#' that
-    /// no backslash stands before.
+    /// Returns the place of the comment of @p line, a '#' without a backslash
+    /// before it; npos if there is none.
     std::size_t
     begin_of_comment(const std::string &line)
     {
@@ -100,9 +100,9 @@ namespace lamella
 
 
 
-    /// Makes @p line whole with those of @p lines that continue it, counted in
-    /// @p number, takes its comment off and returns whether it had one. Throws
-    /// InputError, beginning with @p place, if the comment ends with a
+    /// Appends continuation lines of @p lines to @p line, counts them in
+    /// @p number, and removes the comment. Returns whether there was one.
+    /// Throws InputError, beginning with @p place, if the comment ends with a
     /// backslash.
     bool
     complete(std::string       &line,
@@ -139,8 +139,8 @@ namespace lamella
 
 
 
-    /// Throws InputError if @p rest, behind the @p word of @p line, has a '/'
-    /// in a name.
+    /// Throws InputError if @p rest, after the @p word of @p line, has a '/' in
+    /// a name.
     void
     check_slashes(const std::string &line,
                   const std::string &word,
@@ -157,7 +157,7 @@ namespace lamella
 
 
 
-    /// Throws InputError if a comment has taken the value of @p entry.
+    /// Throws InputError if a comment hides the value of @p entry.
     void
     check_value(const SceneText::Item &entry,
                 const bool             has_comment,
@@ -186,14 +186,14 @@ namespace lamella
 
 
 
-    /// The subsections that are open at a line: their names, and the lines
-    /// where they were opened.
+    /// Open subsections at a line: names, and lines where they were opened.
     struct OpenSubsections
     {
       std::vector<std::string>  names;
       std::vector<unsigned int> lines;
 
-      /// Of an entry or a subsection @p name in the innermost.
+      /// Returns the path of an entry or a subsection @p name in the innermost
+      /// one.
       std::string
       path_of(const std::string &name) const
       {
@@ -214,7 +214,7 @@ namespace lamella
         lines.pop_back();
       }
 
-      /// Throws InputError if one is open at the end of @p file.
+      /// Throws InputError if a subsection is open at the end of @p file.
       void
       check_end(const std::string &file) const
       {

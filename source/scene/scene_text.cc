@@ -12,7 +12,7 @@ namespace lamella
 {
   namespace
   {
-    /// Everything up to the last slash: the subsection of an entry.
+    /// Returns the text before the last slash: the subsection of an entry.
     std::string
     parent(const std::string &path)
     {
@@ -31,7 +31,7 @@ namespace lamella
 
 
 
-    /// That of @p items which has the path @p path, if there is one.
+    /// Returns the one of @p items with the path @p path, if there is one.
     const SceneText::Item *
     find(const std::vector<SceneText::Item> &items, const std::string &path)
     {
@@ -44,7 +44,7 @@ namespace lamella
 
 
 
-    /// The names of those of @p items that stand in the subsection @p path.
+    /// Returns the names of those of @p items in the subsection @p path.
     std::vector<std::string>
     children(const std::vector<SceneText::Item> &items, const std::string &path)
     {
@@ -57,12 +57,12 @@ namespace lamella
 
 
 
-    /// Longer than any scene: a device or a file of results.
+    /// Limit above any scene; larger files are devices or results.
     constexpr std::size_t longest_scene = 1 << 24;
 
 
 
-    /// Whether @p a is @p b but for a slip of one or two letters.
+    /// Returns whether @p a and @p b differ by one or two letters at most.
     bool
     are_alike(const std::string &a, const std::string &b)
     {
@@ -95,7 +95,7 @@ namespace lamella
 
 
 
-    /// The entry that PATH=VALUE of --set means.
+    /// Returns the entry of PATH=VALUE of --set.
     SceneText::Item
     override_entry(const std::string &assignment)
     {
@@ -107,7 +107,7 @@ namespace lamella
       std::vector<std::string> parts = split(assignment.substr(0, equals), '/');
       for (std::string &part : parts)
         part = collapsed(part);
-      // As in a file; here a '#' alone begins no comment, either.
+      // A '#' alone begins no comment here; values are as in a file.
       return {joined(parts, "/"),
               replaced(trimmed(assignment.substr(equals + 1)), "\\#", "#"),
               0};
@@ -295,7 +295,7 @@ namespace lamella
                        names.end(),
                        first.substr(kind.size() + 1)) == names.end();
     };
-    // `Load factors` is an entry, and no load.
+    // `Load factors` is an entry, not a load.
     entries.erase(std::remove_if(entries.begin(),
                                  entries.end(),
                                  [&](const Item &entry) {
@@ -394,7 +394,7 @@ namespace lamella
   SceneText::check_declared(const dealii::ParameterHandler &prm,
                             const bool top_level_only) const
   {
-    // What is declared, in the one form that ParameterHandler gives it in.
+    // Declared items, in the format of ParameterHandler.
     std::vector<Item> declared, declared_subsections;
     scan(printed(prm), "", declared, declared_subsections);
 
@@ -424,7 +424,7 @@ namespace lamella
   SceneText::fail_on_subsection(const Item              &item,
                                 const std::vector<Item> &declared) const
   {
-    // Nearest among those of the same kind: `Body uper` is no `Probe`.
+    // The nearest of the same kind: `Body uper` is no `Probe`.
     const std::string        name = last_part(item.path);
     const std::string        kind = name.substr(0, name.find(' '));
     std::vector<std::string> alike;

@@ -11,11 +11,11 @@ namespace lamella
 {
   namespace
   {
-    // A value, its column in the matrix and in the pattern that it comes from,
-    // and the half of it that a solver asks for in its own format.
+    // Value, column in the matrix and in its sparsity pattern, and half of
+    // that again for the solver's own format.
     constexpr double bytes_per_entry = 24.;
 
-    // What has fewer DoFs is made in no time, and told exactly then.
+    // Smaller bodies are built quickly, with an exact check.
     constexpr double small = 2e5;
 
     double
@@ -26,7 +26,7 @@ namespace lamella
 
 
 
-    /// DoFs, and from below the non-zeros of the stiffness.
+    /// Returns DoFs and a lower bound of the non-zeros of the stiffness.
     std::pair<double, double>
     size_of(const BodyDescription &body,
             const Laminate        &laminate,
@@ -41,8 +41,8 @@ namespace lamella
                    ny = sum(body.axis.elements), p = body.theory.order;
       const double q    = body.theory.is_solid() ? p : body.axis.degree;
       const double dofs = 3. * (p * nx + 1.) * (p * nz + 1.) * (q * ny + 1.);
-      // Along a direction a node sees 2 p + 1 nodes where elements meet and
-      // p + 1 inside of one: p + 2 on average.
+      // In each direction a node is coupled with 2 p + 1 nodes at element ends
+      // and p + 1 inside: p + 2 on average.
       return {dofs, dofs * 3. * (p + 2.) * (p + 2.) * (q + 2.)};
     }
   } // namespace

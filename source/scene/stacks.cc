@@ -12,7 +12,7 @@ namespace lamella
   {
     constexpr unsigned int most_copies = 1000;
 
-    /// Body -> number of copies, of those with more than one.
+    /// Number of copies by body, if more than one.
     using Stacks = std::map<std::string, unsigned int>;
 
 
@@ -44,8 +44,8 @@ namespace lamella
 
 
 
-    /// Replaces @p name in the list @p list by @p copies, and the subsection
-    /// `KIND NAME` by as many. Throws InputError if one of them is there.
+    /// Replaces @p name in the list @p list by @p copies, and copies the
+    /// subsection `KIND NAME`. Throws InputError if a copy's name exists.
     void
     replace_by_copies(SceneText                      &text,
                       const std::string              &list,
@@ -77,7 +77,7 @@ namespace lamella
 
 
 
-    /// The numbers @p at + k @p step, as text that reads as the same numbers.
+    /// Returns the numbers @p at + k @p step as text of full precision.
     std::string
     stepped(const std::vector<double> &at,
             const std::vector<double> &step,
@@ -127,7 +127,7 @@ namespace lamella
 
 
 
-    /// The body in BODY: SURFACE, and the rest from the colon on.
+    /// Returns the body in BODY: SURFACE, and the rest from the colon on.
     std::pair<std::string, std::string>
     parts_of_region(const std::string &region)
     {
@@ -138,8 +138,7 @@ namespace lamella
 
 
 
-    /// The regions of the entry @p path, those of stacks as those of all
-    /// copies.
+    /// Replaces regions of stacks in the entry @p path by those of all copies.
     void
     write_out_regions(SceneText         &text,
                       const std::string &path,

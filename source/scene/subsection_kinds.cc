@@ -27,7 +27,7 @@ namespace lamella
     {
       Scene &scene          = reading.scene;
       scene.materials[name] = MaterialParameters::parse(in, scene.units);
-      // That of the paper's half-cylinders has no unit.
+      // The half-cylinders of the Hertz paper have no unit.
       if (in["Library"].text() != "hertz-200")
         for (const std::string &doubt :
              doubts_of_material(name, scene.materials[name], scene.units))
@@ -45,7 +45,7 @@ namespace lamella
         SectionParameters::parse(in,
                                  reading.names.at("Materials"),
                                  reading.folder);
-      // The resolved scene must find the mesh from its own folder, too.
+      // The resolved scene has to find the mesh from its own folder.
       if (const auto *file = std::get_if<SectionFile>(&shape))
         reading.prm.set("File", std::filesystem::absolute(file->path).string());
       reading.scene.sections[name] = shape;
@@ -124,7 +124,7 @@ namespace lamella
 
 
 
-    /// The supports that `Hold` of bodies stands for.
+    /// Adds the supports of `Hold` of bodies.
     void
     add_holds(Scene &scene)
     {
@@ -192,9 +192,8 @@ namespace lamella
 
 
 
-    /// Whether @p one and @p other, of the same surfaces, may have rows at the
-    /// same places: edges and faces are different ones, as are those of either
-    /// side.
+    /// Returns whether @p one and @p other, of the same surfaces, may have rows
+    /// at the same places. Edges and faces differ, as do the two sides.
     bool
     share_rows(const ContactPair &one, const ContactPair &other)
     {

@@ -13,14 +13,14 @@ namespace lamella
 {
   namespace
   {
-    /// What is worth a note: deflections off by two in a hundred, or torsion by
-    /// five.
+    /// Smallest relative errors that are reported, of deflections and of
+    /// torsion.
     constexpr double worth_saying = 0.02, torsion_worth_saying = 0.05;
 
 
 
-    /// How many times too stiff in bending the theory makes a beam of @p plies
-    /// for want of shear strain: (1 + phi) / (1 + phi_N), phi = 12 E I / (k G A
+    /// Returns how many times too stiff in bending the theory is for a beam of
+    /// @p plies by its shear: (1 + phi) / (1 + phi_N), phi = 12 E I / (k G A
     /// L^2).
     double
     shear_error(const BodyDescription  &body,
@@ -43,7 +43,7 @@ namespace lamella
 
 
 
-    /// As in "5 % too stiff", "3.5 times too stiff".
+    /// Returns "5 % too stiff" or "3.5 times too stiff", for instance.
     std::string
     how_stiff(const double ratio)
     {
@@ -56,7 +56,8 @@ namespace lamella
 
 
 
-    /// Shear of laminates in theories that are smooth through the thickness.
+    /// Adds notes on theories that are smooth through the thickness of
+    /// laminates, in shear.
     void
     add_shear_note(const BodyDescription    &body,
                    const Scene              &scene,
@@ -78,7 +79,7 @@ namespace lamella
 
 
 
-    /// Torsion of sections of thin walls in Taylor theories.
+    /// Adds notes on Taylor theories of thin-walled sections in torsion.
     void
     add_torsion_note(const BodyDescription                    &body,
                      const std::shared_ptr<const SectionMesh> &mesh,
@@ -100,8 +101,8 @@ namespace lamella
                         "where the body twists");
     }
 
-    /// How much stiffer plies are along the beam where they cannot contract:
-    /// C_yy over E_y, both summed over the area, less one.
+    /// Returns the relative increase of the axial stiffness without lateral
+    /// contraction: C_yy over E_y, both summed over the area, less one.
     double
     held_contraction(const SectionMesh &section, const SectionProperties &p)
     {
@@ -117,7 +118,7 @@ namespace lamella
 
 
 
-    /// The length of the elements at the start and at the end.
+    /// Returns the lengths of the first and the last element.
     std::array<double, 2>
     end_elements(const AxisMesh &axis)
     {
@@ -130,8 +131,8 @@ namespace lamella
 
 
 
-    /// Whether @p support holds the whole section at the start (0) or the end
-    /// (1) of body @p b.
+    /// Returns whether @p support holds the whole section at the start (0) or
+    /// the end (1) of body @p b.
     bool
     clamps(const Support &support, const unsigned int b, const unsigned int end)
     {
@@ -147,18 +148,18 @@ namespace lamella
 
 
 
-    /// Long elements at clamps. What a clamp disturbs (it holds the
-    /// contraction) dies away within about a width of the section, whatever the
-    /// length of the beam; one long element carries it over its own length.
+    /// Adds notes on long elements at clamps. A clamp prevents contraction; the
+    /// disturbance decays within about a width of the section, but a long
+    /// element spreads it over its own length.
     void
     add_clamp_note(const unsigned int        number,
                    const Scene              &scene,
                    const SectionMesh        &mesh,
                    std::vector<std::string> &notes)
     {
-      // Elements longer than `coarse` widths are told, `fine` would do; of the
-      // deflection, per stiffening and per share of the length: measured,
-      // doc/theories.md.
+      // Elements longer than `coarse` widths are reported, `fine` ones
+      // suffice. `cost` is the error of the deflection per stiffening and
+      // share of the length (measured, doc/theories.md).
       constexpr double coarse = 0.5, fine = 0.25, cost = 0.16, worth = 2e-3;
 
       const BodyDescription  &body    = scene.bodies[number];
@@ -193,7 +194,7 @@ namespace lamella
       {
         const BodyDescription &body = scene.bodies[b];
         const auto            &mesh = meshes.at(body.section);
-        // Sections of the others are plane, or contract freely.
+        // Other theories have plane sections, or contract freely.
         if (body.theory.contracts_by_itself() && !body.theory.is_solid())
           add_clamp_note(b, scene, *mesh, notes);
         if (!body.theory.is_single_layer())
@@ -208,7 +209,7 @@ namespace lamella
 
   namespace
   {
-    /// All along the axis or in some piece.
+    /// Returns whether LE-1 is used all along the axis or in some piece.
     bool
     has_LE_1(const BodyDescription &body)
     {
@@ -223,7 +224,7 @@ namespace lamella
 
 
 
-    /// What low orders get wrong, in words.
+    /// Returns notes on the errors of low orders.
     std::vector<std::string>
     notes_on_orders(const Scene &scene)
     {
@@ -249,7 +250,7 @@ namespace lamella
 
 
 
-    /// Where incompatible modes do not do what they are for, in words.
+    /// Returns notes on sections where incompatible modes are ineffective.
     std::vector<std::string>
     notes_on_hexahedra(const Scene &scene)
     {
@@ -272,7 +273,7 @@ namespace lamella
 
 
 
-    /// What theories without free twist miss on off-axis plies, in words.
+    /// Returns notes on theories without free twist for off-axis plies.
     std::vector<std::string>
     notes_on_coupling(const Scene &scene)
     {

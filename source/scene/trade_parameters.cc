@@ -42,7 +42,7 @@ namespace lamella
 
 
 
-    /// What the rungs are compared by.
+    /// Declares the entries of the comparison.
     void
     declare_comparison(ParameterHandler &prm)
     {
@@ -96,11 +96,11 @@ namespace lamella
   namespace
   {
     constexpr double least_factor = 0.05, greatest_factor = 20.;
-    // What a clock of the system can still count, in seconds.
+    // Longest time that the system can count, in seconds.
     constexpr double longest_time = 1e9;
 
-    /// The number behind @p word in the @p piece of @p rung, if that is what it
-    /// is.
+    /// Returns the number after @p word in the @p piece of @p rung, if it has
+    /// this form.
     std::optional<double>
     factor(const Entry &rung, const std::string &piece, const std::string &word)
     {
@@ -117,8 +117,8 @@ namespace lamella
 
 
 
-    /// The tolerance that the @p piece of @p rung says, if it begins with that
-    /// word, as a share of 1.
+    /// Returns the tolerance in the @p piece of @p rung as a fraction, if it
+    /// begins with that word.
     std::optional<double>
     tolerance(const Entry &rung, const std::string &piece)
     {
@@ -137,7 +137,7 @@ namespace lamella
 
 
 
-    /// What the @p rung begins with: a theory, or a tolerance.
+    /// Returns the theory or the tolerance that @p rung begins with.
     LadderEntry
     parse_first(const Entry &rung, const std::string &piece)
     {
@@ -156,7 +156,7 @@ namespace lamella
 
 
 
-    /// @p text is the entry's part for this rung.
+    /// Returns the variant of @p text, its part of the entry.
     LadderEntry
     parse_rung(const Entry &text)
     {
@@ -172,7 +172,7 @@ namespace lamella
           else if (piece.find('=') != std::string::npos)
             rung.overrides.push_back(piece);
           else if (!rung.overrides.empty())
-            // The rest of a value that is a list itself.
+            // Values that are lists contain commas.
             rung.overrides.back() += ", " + piece;
           else
             text.refuse("'" + piece +
@@ -209,8 +209,8 @@ namespace lamella
 
 
 
-    /// Throws InputError if @p reference, which says `given`, has no number
-    /// for one of @p quantities, or zero.
+    /// Throws InputError if @p reference is `given` and one of @p quantities
+    /// has no reference or zero.
     void
     check_given(const Entry                      &reference,
                 const std::vector<NamedQuantity> &quantities)
@@ -232,7 +232,7 @@ namespace lamella
 
 
 
-    /// The text of @p entry, if it says what errors can be taken against.
+    /// Returns the text of @p entry, if it is a valid reference of errors.
     std::string
     parse_reference(const Entry &entry, const std::vector<LadderEntry> &ladder)
     {
@@ -249,7 +249,7 @@ namespace lamella
 
 
 
-    /// As shares of 1.
+    /// Returns the tolerances as fractions.
     std::vector<double>
     parse_tolerances(const Entry &entry)
     {
@@ -295,7 +295,7 @@ namespace lamella
 
     const Entry reference = in["Reference"];
     trade.reference       = parse_reference(reference, trade.ladder);
-    // Those need not have any value that is given.
+    // Quantities of goals need not have References.
     if (trade.quantities.empty() && trade.reference != "given")
       trade.quantities = names.of_goals;
     if (trade.quantities.empty())

@@ -12,79 +12,74 @@
 
 namespace lamella
 {
-  /// The numbers behind end_fields(), all measured
-  /// (doc/saint-venant-fields.md). H is the smaller extent of the section, B
-  /// the larger one.
+  /// Constants of end_fields(), all measured (doc/saint-venant-fields.md). H is
+  /// the smaller extent of the section, B the larger one.
   struct EndFieldRules
   {
-    /// Of the piece, over B.
+    /// Length of the piece over B.
     double length = 8.;
-    /// The piece's element at its held end is as long as the scene's, but no
-    /// less and no more than these times H. The least is what `auto` puts
-    /// there: when such an axis is halved the fields stay, so estimates compare
-    /// nested models; and finer pieces are no better, since the strongest
-    /// disturbance, which reaches are told by, grows without limit at corners.
+    /// Limits over H of the element at the held end, else as long as the
+    /// scene's. The lower one is that of `auto`: fields stay the same when such
+    /// an axis is halved, so estimates compare nested models. Finer pieces are
+    /// no better, since the strongest disturbance grows without limit at
+    /// corners.
     double shortest_element = 0.15, longest_element = 0.5;
-    /// Where zones begin, over B, ascending.
+    /// Starts of the zones over B, ascending.
     std::vector<double> zones{0., 1., 3.};
-    /// By how much of B inner fields go on into the next zone, since a stress
-    /// in an element whose nodes differ is as poor as the poorer one.
+    /// Overlap over B of inner fields with the next zone, since the stress in
+    /// an element is as accurate as at its poorest node.
     double overlap = 0.5;
-    /// Combinations are cut below this amplitude; that of a Saint-Venant state
+    /// Amplitude below which combinations are cut; that of a Saint-Venant state
     /// along one H is 1.
     double tolerance = 1e-3;
-    /// The end disturbs as far as the fields are more than this, of their
-    /// largest.
+    /// Share of their largest value below which fields have decayed, which
+    /// defines how far the end disturbs.
     double rest = 1e-2;
-    /// There are no end fields where the piece would have more DoFs.
+    /// Largest number of DoFs of a piece; beyond it there are no end fields.
     double most_dofs = 1e5;
-    /// Over B: how near to an end stresses have to be asked for, if a richer
-    /// section is to have a piece of its own (EndFields).
+    /// Distance from an end over B within which requested stresses give a
+    /// richer section a piece of its own (EndFields).
     double looked_at = 1.;
   };
 
-  /// How a section is held as a whole, and on which side of it the body is. A
-  /// free end is held by no rows.
+  /// Constraint of a section as a whole, and the side of the body. A free end
+  /// has no rows.
   struct HeldSection
   {
-    /// r(u) = 0 each, the DoFs of a row being the fields of the section.
+    /// Rows r(u) = 0 in the fields of the section.
     std::vector<Row> rows;
-    /// Whether the body goes on from there in the direction of +y.
+    /// True if the body continues in the direction of +y.
     bool goes_forward = true;
-    /// The axis element beside it [length].
+    /// Length of the axis element beside the section [length].
     double element = 0.;
-    /// The body, and what holds it, as touches are called, in their order:
-    /// what is the same in models of one scene.
+    /// Name of the body, and of the touches that hold it, in their order: equal
+    /// in models of one scene.
     std::string              body;
     std::vector<std::string> by;
-    /// Whether stresses are asked for within EndFieldRules::looked_at of it.
+    /// True if stresses are requested within EndFieldRules::looked_at.
     bool is_looked_at = false;
 
-    /// Whether the axis elements are, to within rounding.
+    /// Returns whether the axis elements are as long, to rounding.
     bool
     is_as_long_as(const HeldSection &other) const;
   };
 
-  /**
-   * What holds the section where the touch number @p t of @p touches does
-   * (Touch::holds_section) on a body with @p axis: its rows and those of all
-   * others that hold it there (supports of one component each, say). One for
-   * each side that the body is on: two inside of it.
-   */
+  /// Returns the constraints of the section at touch @p t of @p touches
+  /// (Touch::holds_section) on a body with @p axis: the rows of all touches
+  /// that hold it there, once for each side of the body (two in its interior).
   std::vector<HeldSection>
   held_sections(const std::vector<Touch> &touches,
                 const unsigned int        t,
                 const Axis               &axis);
 
   /**
-   * What heat that is constant along the axis does to a body that is free: the
-   * section takes the shape
+   * Deformation of a free section by heat that is constant along the axis,
    *   v + sum_j c_j a_j,
-   * v its answer (SaintVenant::response_to_constant()) to the load h_s of heat
-   * on values, which what holds it does not let be, and at an end the traction
+   * with v the response (SaintVenant::response_to_constant()) to the heat load
+   * h_s on values. It leaves the traction
    *   r = S_10 v - h_y + sum_j c_j (S_10 a_j + S_11 b_j)
-   * is left, h_y the load on derivatives; with as much of the six states
-   * (a_j, b_j) as frees r of section forces, since none act on a free end.
+   * at an end, h_y the load on derivatives. The c_j of the six states (a_j,
+   * b_j) make the section forces of r zero, as at a free end.
    */
   struct HeatedSection
   {
@@ -92,7 +87,7 @@ namespace lamella
     HeatedSection(const SaintVenant &states, const Beam::SectionHeat &heat);
   };
 
-  /// Whether both hold alike, to within rounding.
+  /// Returns whether both are held alike, to rounding.
   bool
   alike(const HeldSection &a, const HeldSection &b);
 
@@ -100,50 +95,46 @@ namespace lamella
   struct EndZone
   {
     FieldColumns fields;
-    /// [length].
+    /// Distance from the end [length].
     double reach = 0.;
-    /// Whether they are those of a poorer section.
+    /// True if the fields are those of a poorer section.
     bool is_embedded = false;
   };
 
-  /// The axis element at the held end of the piece that end_fields() solves
-  /// [length].
+  /// Returns the length of the axis element at the held end of the piece in
+  /// end_fields() [length].
   double
   first_element(const Section       &section,
                 const HeldSection   &held,
                 const EndFieldRules &rules);
 
   /**
-   * How the section deforms beside an end that is held as a whole, which
-   * answers to no load vector: a short piece of the body is solved with all
-   * fields of its section on an axis that is graded to the end, held there by
-   * @p held and loaded at the other end by the tractions S_10 a + S_11 b of the
-   * six Saint-Venant states, which bring no disturbance of their own. The loads
-   * are combined such that the section forces s at the held end are
-   * orthonormal in the compliance, s_i^T C s_j = delta_ij, unit energy per
-   * length; where the end is free to move rigidly, those of them that do no
-   * work on that. One factorisation serves all of them.
+   * Computes the end fields, which decay from an end that is held as a whole. A
+   * short piece of the body is solved with all section fields on an axis graded
+   * to the end. It is held by @p held and loaded at the other end by the
+   * tractions S_10 a + S_11 b of the six Saint-Venant states, which cause no
+   * disturbance there. The loads are combined such that the section forces s at
+   * the held end are orthonormal in the compliance, s_i^T C s_j = delta_ij
+   * (unit energy per length), and do no work on free rigid motions. One
+   * factorization serves all loads.
    *
-   * What is left of the displacement u_i at node i without its rigid part and
-   * the warpings, times
+   * The displacement u_i at node i less rigid part and warpings, times
    *   sqrt( int N_i dy / H ),
    * is cut to a basis by proper orthogonal decomposition in the metric of
-   * Warping: the sum of squares is the disturbance's energy along the piece,
-   * to within what varies along the axis. Few fields die away slowly, so there
-   * are zones: the outermost has the fields of the nodes there, each further
-   * in what the nodes from its beginning on add to those of the ones outside.
+   * Warping: the sum of squares is the energy of the disturbance along the
+   * piece, except for variation along the axis. Few fields decay slowly, so
+   * there are zones: the outermost has the fields of its nodes, each inner one
+   * those that nodes from its start on add to the outer zones.
    *
-   * Of @p heat comes another load each: that of the answer all along, with the
-   * traction taken off the end, so that what is left beside the answer is the
-   * disturbance, of a section that is held or free; none of one that is held
-   * in part and can still move. It is scaled to the energy that a state has
-   * along one H.
+   * Each of @p heat adds a load: that of its answer along the piece, without
+   * the traction at the end. The solution less the answer is the disturbance of
+   * a held or free section, scaled to the energy of a state along one H. A
+   * partly held section that can still move has none.
    *
-   * The zones, the outermost first, free of rigid fields and warpings; those
-   * that add nothing are left out. None at all where nothing can load the
-   * piece, or where it would be too large. The axis is B4. Throws
-   * NumericsError if the piece's stiffness is not positive definite.
-   * Collective.
+   * Returns the zones, outermost first, free of rigid fields and warpings,
+   * without empty zones; none if nothing can load the piece or it would be too
+   * large. The axis is B4. Throws NumericsError if the stiffness is not
+   * positive definite. Collective.
    */
   std::vector<EndZone>
   end_fields(const std::shared_ptr<const Section> &section,
@@ -154,22 +145,18 @@ namespace lamella
              const std::vector<HeatedSection>     &heat  = {},
              const EndFieldRules                  &rules = {});
 
-  /// The nodes of the pieces that end_fields() would solve for @p beam, which
-  /// carries all fields at all nodes, with @p touches: what they cost is to the
-  /// body's factor as these to its nodes. No piece is solved; that one end may
-  /// be another one's mirror image is not looked at.
+  /// Returns the number of nodes of the pieces that end_fields() would solve
+  /// for @p beam (all fields at all nodes) with @p touches, an estimate of
+  /// their cost relative to the body. Mirror images are counted, too.
   unsigned int
   nodes_of_pieces(const Beam               &beam,
                   const std::vector<Touch> &touches,
                   const EndFieldRules      &rules = {});
 
-  /**
-   * The zones of the same support at the other end of a body, @p zones seen in
-   * a mirror across the axis: u_y changes its sign. Empty unless @p section is
-   * its own mirror image, as sections of isotropic and of cross plies are, and
-   * @p held, too, which is how the section of @p zones is held. It spares the
-   * second of two pieces.
-   */
+  /// Returns @p zones mirrored across the axis (u_y changes its sign), for the
+  /// same support at the other end of a body, which saves a piece. Empty unless
+  /// @p section, as of isotropic or cross plies, and @p held, which belongs to
+  /// @p zones, are their own mirror images.
   std::vector<EndZone>
   mirrored(const std::vector<EndZone> &zones,
            const Section              &section,

@@ -11,14 +11,14 @@
 
 namespace lamella
 {
-  /// The rigid motions of @p piece that @p rows leave free.
+  /// Returns the rigid motions of @p piece that @p rows leave free.
   std::vector<Vector>
   free_motions(const Beam &piece, const std::vector<PrescribedRow> &rows);
 
-  /// Section loads at the far end of @p piece, the node @p far_node, @p arm
-  /// from the held one: the tractions of the six states, combined so that they
-  /// do no work on the free @p motions and make solutions of unit energy that
-  /// are orthogonal in it, as end_fields() says. As many as there are.
+  /// Returns the section loads of end_fields() at the far end of @p piece, node
+  /// @p far_node at the distance @p arm from the held one: tractions of the six
+  /// states, combined to do no work on the free @p motions and to have
+  /// solutions orthonormal in energy.
   std::vector<Vector>
   end_loads(const SaintVenant         &states,
             const Beam                &piece,

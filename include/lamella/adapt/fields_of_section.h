@@ -17,67 +17,65 @@
 
 namespace lamella
 {
-  /**
-   * The fields of one section, for all bodies that have it and the same
-   * theory. Load vectors come in groups, one for each thing that touches, the
-   * same for two that touch alike (the two supports of a beam in bending).
-   * The zones of end fields are groups that bring their fields.
-   */
+  /// The fields of one section, for all bodies with this section and theory.
+  /// Load vectors are grouped by touch; equal touches share a group (as the two
+  /// supports of a beam in bending). Zones of end fields are groups, too.
   class FieldsOfSection
   {
   public:
-    /// Makes the states and warpings of @p section, and beside these its
-    /// responses to what acts all along the axis and little changed: @p heat
-    /// and the section load vectors @p weights. Throws NumericsError if its
-    /// matrices cannot be factorised.
+    /// Computes the states and warpings of @p section, and its responses to
+    /// slowly varying actions along the axis: @p heat and the section load
+    /// vectors @p weights. Throws NumericsError if its matrices cannot be
+    /// factorized.
     FieldsOfSection(std::shared_ptr<const Section>        section,
                     const Theory                         &theory,
                     const FieldRules                     &rules,
                     const std::vector<Beam::SectionHeat> &heat    = {},
                     const std::vector<Vector>            &weights = {});
 
-    /// The group of @p touch.
+    /// Returns the group of @p touch.
     unsigned int
     group_of(const Touch &touch);
 
-    /// Those of what holds a section as a whole, or of a free end, as @p held
-    /// say: the zones of its end fields; the tractions of its touch @p touch
-    /// where something holds and there are none, or the rules want these.
+    /// Returns the groups of a free end or a section held as a whole, @p held:
+    /// the zones of its end fields; or the tractions of its @p touch if it is
+    /// held without end fields, or the rules want them.
     std::vector<unsigned int>
     groups_of(const Touch &touch, const std::vector<HeldSection> &held);
 
-    /// How far along the axis the nodes carry the fields of group @p g.
+    /// Returns the distance along the axis within which nodes carry the fields
+    /// of group @p g.
     double
     reach_of(const unsigned int g) const;
 
-    /// Whether there are wave numbers to answer at.
+    /// Returns whether there are responses at wave numbers.
     bool
     responds() const
     {
       return theory.order > 0 && !groups.empty();
     }
 
-    /// How many load vectors of the group @p group a support holds; none of
-    /// one that holds the section as a whole.
+    /// Returns the number of load vectors of group @p group that a support
+    /// holds; 0 if it holds the section as a whole.
     std::size_t
     n_held(const unsigned int group) const
     {
       return groups[group].is_held ? groups[group].loads.size() : 0;
     }
 
-    /// The list of a node near the groups @p near.
+    /// Returns the list of a node near the groups @p near.
     const std::vector<unsigned int> &
     list(const std::set<unsigned int> &near);
 
-    /// That of a node of SV: the rigid fields and the warpings.
+    /// Returns the list of a node of SV: rigid fields and warpings.
     std::vector<unsigned int>
     saint_venant_list() const;
 
-    /// The modes of @p list.
+    /// Returns the modes of @p list.
     FieldColumns
     columns_of(const std::vector<unsigned int> &list) const;
 
-    /// When no more lists are asked for.
+    /// Returns the space of all modes. Call it after the last list.
     std::shared_ptr<const FieldSpace>
     space() const
     {
@@ -90,14 +88,15 @@ namespace lamella
       std::vector<Vector> loads, smooth;
       double              element = 0.;
       bool                is_held = false;
-      /// To the loads, and to the smooth ones.
+      /// Responses to the loads, and to the smooth ones.
       std::vector<Vector> near, far;
-      /// Of a zone of end fields, whose fields are `near`; else 0.
+      /// Extent of a zone of end fields, which are in `near`; else 0.
       double reach = 0.;
-      /// Whether it holds a section as a whole.
+      /// True if the group holds a section as a whole.
       bool holds = false;
-      /// The first of those near a node is the last to be added: inner zones
-      /// after outer ones, and these after what has load vectors.
+      /// Returns the sort key of groups near a node, the first added last:
+      /// outer zones come before inner ones, and after groups with load
+      /// vectors.
       std::pair<double, std::size_t>
       order() const
       {
@@ -105,13 +104,13 @@ namespace lamella
                 loads.size()};
       }
 
-      /// Whether its fields answer @p other, too: the same loads on elements as
-      /// short.
+      /// Returns whether its fields serve @p other: the same loads on elements
+      /// as short.
       bool
       asks_as(const Group &other) const;
     };
 
-    /// What is held, with the zones of its end fields and their groups.
+    /// A held section with the zones of its end fields and their groups.
     struct End
     {
       HeldSection               held;
@@ -119,32 +118,33 @@ namespace lamella
       std::vector<unsigned int> groups;
     };
 
-    /// The groups of the end fields of @p held, made once; from those of the
-    /// other end where that is its mirror image.
+    /// Returns the groups of the end fields of @p held, made once, or mirrored
+    /// from the other end if it is the mirror image.
     const std::vector<unsigned int> &
     zones_of(const HeldSection &held);
 
     bool
     has_thin_walls() const;
-    /// Up to @p highest.
+    /// Returns the wave numbers up to @p highest.
     std::vector<double>
     wave_numbers(const double highest) const;
-    /// FieldRules::near_tolerance for N of the theory.
+    /// Returns FieldRules::near_tolerance for N of the theory.
     double
     near_tolerance() const
     {
       const double ratio = double(rules.cut_of_waves) / theory.order;
       return rules.near_tolerance * std::min(1., ratio * ratio);
     }
-    /// The responses of all groups, at one set of wave numbers: one
-    /// factorisation each.
+    /// Computes the responses of all groups at one set of wave numbers, with
+    /// one factorization each.
     void
     find_responses();
-    /// What holds a section as a whole answers to no load vector: it holds the
-    /// warping w, with the tractions that w has as a value and as a derivative.
+    /// Returns tractions in place of load vectors for a section held as a
+    /// whole, which holds the warping w: those of w as a value and as a
+    /// derivative.
     std::vector<Vector>
     tractions_of_warpings() const;
-    /// The responses to smooth loads, as far as they are news.
+    /// Returns the independent responses to smooth loads.
     FieldColumns
     fields_from_afar() const;
 

@@ -25,8 +25,8 @@ namespace lamella
     /// At most, where bodies lie upon each other, unless that makes more
     /// elements of it than most_inside.
     double inside = 0.5, most_inside = 40.;
-    /// What elements grow by for each of their lengths: neighbours differ by a
-    /// factor of some 1.8.
+    /// Growth of elements per length: neighbors differ by a factor of about
+    /// 1.8.
     double growth = 0.6;
     /// At least as many elements on an axis.
     unsigned int least = 4;
@@ -46,9 +46,9 @@ namespace lamella
     double       spare   = 0.05;
     /// Gaps that differ by less than this share of H lie upon each other.
     double same_gap = 1e-3;
-    /// Equal elements that a contact is looked for with: as many over H, and on
-    /// an axis at least and at most: the parabola of grade_axes() tells places
-    /// better than they do.
+    /// Number of equal elements for the search of a contact, over H, and on an
+    /// axis at least and at most. The parabola of grade_axes() is more accurate
+    /// than they are.
     double to_search = 2., least_to_search = 12., most_to_search = 240.;
   };
 

@@ -10,15 +10,14 @@
 
 namespace lamella
 {
-  /// Whether @p zones do for @p held: those that are embedded do not where it
-  /// is looked at.
+  /// Returns whether @p zones suffice for @p held: embedded zones do not if
+  /// stresses are requested near it.
   bool
   suffice(const std::vector<EndZone> &zones, const HeldSection &held);
 
-  /// Those that a section has from another one of the same cells and of a lower
-  /// degree: its zones @p zones embedded in @p section (embedded()) and freed
-  /// of what this one has for warpings, @p warpings. They are as good as they
-  /// were.
+  /// Returns the zones @p zones of the section @p from, of the same cells and a
+  /// lower degree, embedded in @p section and made free of its @p warpings.
+  /// Their accuracy is unchanged.
   std::vector<EndZone>
   embedded(const std::vector<EndZone> &zones,
            const Section              &from,
@@ -27,22 +26,18 @@ namespace lamella
            const FieldColumns         &warpings,
            const EndFieldRules        &rules = {});
 
-  /**
-   * End fields that are made once and asked for by many: those of models of one
-   * scene differ in their axes and loads, and have the same ends. A richer
-   * section, LE-4 for LE-3, has those of the poorer one embedded where nobody
-   * looks at the end itself (HeldSection::is_looked_at): what the degree
-   * changes of them does not reach far, and the piece is most of what such a
-   * model costs.
-   */
+  /// Cache of end fields for the models of one scene, which have the same ends.
+  /// A richer section (LE-4 for LE-3) takes the embedded fields of a poorer one
+  /// if no stresses are requested at the end (HeldSection::is_looked_at): the
+  /// effect of the degree is local, and the piece is most of the model's cost.
   class EndFields
   {
   public:
     explicit EndFields(const EndFieldRules &rules = {});
 
-    /// end_fields(), or what it said of a section with the same matrices and
-    /// fields, held alike; or those of a poorer one, embedded. Models of one
-    /// scene have the same heat. Collective.
+    /// Returns end_fields(), cached for a section with the same matrices and
+    /// fields, held alike, or embedded from a poorer one. Models of one scene
+    /// have the same heat. Collective.
     std::vector<EndZone>
     zones(const std::shared_ptr<const Section> &section,
           const SaintVenant                    &states,
@@ -57,7 +52,7 @@ namespace lamella
       return rules;
     }
 
-    /// How many pieces were solved.
+    /// Returns the number of pieces solved.
     std::size_t
     n_made() const
     {
@@ -69,13 +64,13 @@ namespace lamella
     {
       std::shared_ptr<const Section> section;
       FieldColumns                   warpings;
-      /// Its element is that of the piece.
+      /// Constraint with the element of the piece.
       HeldSection          held;
       std::vector<EndZone> zones;
     };
 
-    /// The number of those of a poorer section of the body, held by the same;
-    /// how many there are if there is none.
+    /// Returns the index of the zones of a poorer section of the body, held
+    /// alike; known.size() if there is none.
     std::size_t
     poorer(const Section &section, const HeldSection &held) const;
 

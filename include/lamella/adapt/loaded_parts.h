@@ -13,7 +13,7 @@ namespace lamella
   /// A place along an axis that wants short elements.
   struct ShortElement
   {
-    /// From the start of the axis [length].
+    /// Distance from the start of the axis [length].
     double y = 0.;
     /// Length of the elements beside it.
     double size = 0.;

@@ -9,52 +9,47 @@
 
 namespace lamella
 {
-  /**
-   * What of rows counts as a touch of a section, and which touch is a clamp.
-   * They are judgements, not optima, and all that doc/saint-venant-fields.md
-   * compares was made with them.
-   */
+  /// Thresholds for rows to count as a touch of a section. Judged, not
+  /// optimized; doc/saint-venant-fields.md uses them throughout.
   struct TouchRules
   {
-    /// Of a unit load vector: with less than that beside the others it is
-    /// nothing new.
+    /// Independent part of a unit load vector below which it is dropped.
     double independent = 0.02;
-    /// Of the largest vector of a load: nodes with less are not looked at.
+    /// Share of a load's largest vector below which nodes are ignored.
     double strong = 0.05;
-    /// Of a row's weights: above it a row presses along the axis, and below it
-    /// what it has along the axis is left out (surfaces that slope).
+    /// Share of a row's weights above which it acts along the axis; below it,
+    /// its part along the axis is dropped (sloping surfaces).
     double along_axis = 0.7;
-    /// What heat may change along one H, of its largest, without being a load:
-    /// FieldRules::far_tolerance, to which the response to constant heat
-    /// follows it.
+    /// Relative change of heat along one H below which it is no load; equal to
+    /// FieldRules::far_tolerance, the accuracy of responses to constant heat.
     double heat_varies = 1e-2;
   };
 
-  /// A part of an axis: from, to, and the shortest element there or beside
+  /// A part of an axis: start, end, and the shortest element there or beside it
   /// [length].
   struct AxisPart
   {
     double begin, end, element;
   };
 
-  /// A section load vector f (Touch) with where it acts.
+  /// A section load vector f (Touch) and its place.
   struct SectionLoad
   {
-    /// Its DoFs are the fields of the section. A row, since a support of a
-    /// whole body has as many as it has nodes, of few entries each.
+    /// Vector in the fields of the section, stored as a row: a support of a
+    /// whole body has as many as nodes, with few entries each.
     Row      f;
     AxisPart place;
-    /// Where in the section [length], and the area that it stands for.
+    /// Position in the section [length], and the area represented.
     dealii::Point<2> in_section;
     double           area = 1.;
-    /// Whether it acts at one node of the axis, and whether it is of a clamp
+    /// True if it acts at one node of the axis; if it belongs to a clamp
     /// (is_clamp()).
     bool at_node = false, of_clamp = false;
   };
 
-  /// A row of a support or a contact, at @p position in the scene, the same
-  /// section vector at all of its nodes; @p normal: without its part along the
-  /// axis, unless that is most of it.
+  /// Returns the load of a row of a support or a contact at @p position in the
+  /// scene, with one section vector at all nodes. If @p normal, without the
+  /// part along the axis, unless that is most of it.
   SectionLoad
   load_of_row(const Beam             &beam,
               const Row              &row,
@@ -63,24 +58,23 @@ namespace lamella
               const bool              normal,
               const TouchRules       &rules);
 
-  /// The load vector @p load, whatever it is at each node: those of each
-  /// element that it is on, of the elements @p asked, one for each cell of the
-  /// axis.
+  /// Returns the vectors of the load vector @p load for each element it acts
+  /// on, among the elements @p asked, one flag per axis cell.
   std::vector<SectionLoad>
   loads_of_vector(const Beam              &beam,
                   const Vector            &load,
                   const std::vector<bool> &asked,
                   const TouchRules        &rules);
 
-  /// Those of @p loads, vectors of @p n_fields, that are independent, unit
-  /// length each.
+  /// Returns the independent ones of @p loads, vectors of @p n_fields,
+  /// normalized.
   std::vector<Vector>
   independent_of(const std::vector<SectionLoad> &loads,
                  const unsigned int              n_fields,
                  const TouchRules               &rules);
 
-  /// The mean of @p loads and what varies linearly across, weighted with their
-  /// areas. There must be a load.
+  /// Returns the area-weighted mean and linear part across the section of
+  /// @p loads, which must not be empty.
   std::vector<Vector>
   smooth_of(const std::vector<SectionLoad> &loads, const unsigned int n_fields);
 } // namespace lamella

@@ -13,26 +13,24 @@
 namespace lamella
 {
   /**
-   * Why strains and stresses have no limit at the place @p position (scene
-   * axes) of the body number @p body: a sentence without a full stop, empty
-   * where nothing is known. However fine a model, the number that it has there
-   * is its own and not the solution's. Known are
+   * Returns the reason why strains and stresses have no limit under refinement
+   * at @p position (scene axes) of body @p body: a sentence without a full
+   * stop, empty if none is known. Known reasons are
    *
    *   loads         on a point and along a line: stresses go as 1/r^2 and 1/r
-   *   clamps        where an end that cannot move along the axis and along the
-   *                 normal n of a free side meets it: r^-0.29 with a Poisson's
-   *                 ratio of 0.3 (Williams, J. Appl. Mech. 19 (1952) 526-528).
-   *                 Held in one of the two directions only, the body goes on as
-   *                 its mirror image
-   *   contacts      where a body ends on another that goes on, in the
+   *   clamps        an end held along the axis and along the normal n of a
+   *                 free side there: r^-0.29 for a Poisson's ratio of 0.3
+   *                 (Williams, J. Appl. Mech. 19 (1952) 526-528). Held in one
+   *                 of these directions only, the body continues as its mirror
+   *                 image
+   *   contacts      an end of a body on another that continues, in the
    *                 undeformed scene: the edge of a punch
-   *   corners       of the section, if they are re-entrant or plies that differ
-   *                 end there (singular_corners()), of beams whose sections are
-   *                 free to deform.
+   *   corners       of the section, re-entrant or with ends of different
+   *                 plies (singular_corners()), if the section can deform.
    *
-   * That a certain load may leave such a place in peace, as bending does the
-   * corner of an L, is not looked at; nor are points that supports hold, whose
-   * reactions may be zero, and edges of obstacles.
+   * Not considered: loads that do not excite a singularity, as bending at the
+   * corner of an L; points that supports hold, whose reactions may be zero; and
+   * edges of obstacles.
    */
   std::string
   reason_for_no_limit(const dealii::Point<3>         &position,

@@ -14,45 +14,43 @@
 namespace lamella
 {
   /**
-   * Something that touches a beam (a load, a support, a side of a contact) as
-   * the section sees it. What acts there does so through rows over the DoFs,
+   * A load, a support or a side of a contact on a beam, as seen by the section.
+   * It acts through rows over the DoFs,
    *   r(u) = sum_i sum_alpha w_i f_alpha u_(i,alpha),
-   * products of weights of the axis and a section load vector f: those vectors
-   * are all that the section can be asked to answer. A beam that carries all
-   * fields of its section at all nodes tells them.
+   * with axis weights w and section load vectors f, the only loads that the
+   * section has to respond to. A beam with all section fields at all nodes
+   * provides them.
    */
   struct Touch
   {
-    /// As in "contact nose".
+    /// Name, as in "contact nose".
     std::string name;
-    /// The section load vectors f, unit length each and independent, in the
-    /// section's fields.
+    /// Section load vectors f in the section's fields, independent and of unit
+    /// length.
     std::vector<Vector> loads;
-    /// Those of the mean of all rows, weighted with their areas, and of what
-    /// varies linearly across: what the section feels from afar.
+    /// Vectors of the area-weighted mean of all rows, and of their linear part
+    /// across: the action on the section far away.
     std::vector<Vector> smooth;
-    /// The axis elements that it is on, or the node: from, to [length].
+    /// Range of the axis elements, or of the node [length].
     double begin = 0., end = 0.;
-    /// The shortest axis element there, or of those beside the node: no load
-    /// can vary faster along the axis than it can show [length].
+    /// Length of the shortest axis element there or beside the node: the scale
+    /// of the fastest variation along the axis [length].
     double element = 0.;
-    /// Whether it takes hold of the section as a whole: a clamp
-    /// (is_clamp()).
+    /// True if it holds the section as a whole: a clamp (is_clamp()).
     bool holds_section = false;
-    /// Whether it is nothing but an end that is free to deform.
+    /// True if it is only an end that is free to deform.
     bool is_free = false;
-    /// Its rows then, r(u) = 0 each, their DoFs the fields of the section.
+    /// Rows r(u) = 0 of a clamp, in the fields of the section.
     std::vector<Row> held;
-    /// Whether it is a side of a contact, whether a support, and whether heat.
+    /// True if it is a side of a contact, a support, or heat.
     bool presses = false, holds = false, heats = false;
   };
 
-  /// What touches the body number @p body, @p beam, which carries all fields at
-  /// all nodes. In the order of supports, loads, contacts; a contact is
-  /// followed by what rubs along either tangent. What presses normal
-  /// to the axis is taken without its part along it (where surfaces slope).
-  /// Heat that varies along the axis is a load where it does, in the name
-  /// "heat", after the loads.
+  /// Returns the touches of body @p body, @p beam with all fields at all nodes,
+  /// in the order of supports, loads, contacts. A contact is followed by its
+  /// friction along either tangent. Contact normal to the axis is taken without
+  /// its part along it (sloping surfaces). Heat that varies along the axis is a
+  /// load named "heat" after the loads.
   std::vector<Touch>
   find_touches(const Beam                          &beam,
                const unsigned int                   body,
@@ -66,8 +64,8 @@ namespace lamella
   Vector
   load_on(const Load &load, const unsigned int body, const Bodies &bodies);
 
-  /// The ends of @p beam, if it is heated, that none of @p touches holds as a
-  /// whole: stress that heat makes along the axis ends there.
+  /// Returns the ends of the heated @p beam that none of @p touches holds as a
+  /// whole, where thermal stress along the axis ends; none if it is not heated.
   std::vector<Touch>
   heated_free_ends(const Beam &beam, const std::vector<Touch> &touches);
 } // namespace lamella

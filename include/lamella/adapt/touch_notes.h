@@ -10,14 +10,14 @@
 
 namespace lamella
 {
-  /// Notes what @p touches of @p beam, which is of SV, have no fields.
+  /// Adds notes on @p touches of the SV @p beam without fields.
   void
   note_missing_fields(const Beam               &beam,
                       const std::vector<Touch> &touches,
                       std::vector<std::string> &notes);
 
-  /// Notes which of the @p touches of @p beam, if it is heated, hold sections
-  /// in part: end fields do not know what heat does there.
+  /// Adds notes on the @p touches of a heated @p beam that hold sections in
+  /// part: end fields do not cover heat there.
   void
   note_heat_of_guides(const Beam               &beam,
                       const std::vector<Touch> &touches,

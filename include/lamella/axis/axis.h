@@ -24,14 +24,12 @@
 
 namespace lamella
 {
-  /**
-   * What a scene says of the mesh along the axis: plain data, which
-   * AxisParameters checks. Solids are extruded along the same pieces; degree,
-   * nodes and shear strains are a beam's alone.
-   */
+  /// Description of the mesh along the axis in a scene, checked by
+  /// AxisParameters. Solids use the same pieces for extrusion; degree, nodes
+  /// and shear strains apply to beams only.
   struct AxisMesh
   {
-    /// Of the axis, positive. y runs from 0 to here.
+    /// Length of the axis, positive; y is in [0, length].
     double length = 0.;
     /// Degree of N_i: 1, 2, 3 for B2, B3, B4. The cubic B4 is exact for a beam
     /// that bends under forces at its ends.
@@ -39,83 +37,76 @@ namespace lamella
     /// Equal elements in each piece between 0, the breaks and the length: one
     /// number more than breaks, each at least 1.
     std::vector<unsigned int> elements;
-    /// Where one piece ends and the next begins: distances from the start,
-    /// ascending, strictly between 0 and the length. Short pieces grade a mesh
-    /// towards a clamp or a load.
+    /// Distances of the ends of pieces from the start, ascending, strictly
+    /// between 0 and the length. Short pieces grade a mesh towards a clamp or a
+    /// load.
     std::vector<double> breaks;
-    /// Above 0: elements and breaks are not given but follow from what touches
-    /// the body (grade_axes()), shorter by this factor than its rules say.
+    /// Refinement factor of automatic grading (grade_axes()), which sets
+    /// elements and breaks by the touches of the body; 0: they are given.
     double fineness = 0.;
-    /// Nodes at equal distances, as in the CUF literature's B4, instead of at
-    /// the Gauss-Lobatto points of FE_Q: the same space, other contact pairs.
-    /// For B2 and B3 both are the same.
+    /// True if nodes are equidistant, as in the CUF literature's B4, instead of
+    /// the Gauss-Lobatto points of FE_Q. The space is the same, contact pairs
+    /// differ. No effect on B2 and B3.
     bool equidistant_nodes = false;
-    /// Whether transverse shear strains are assumed one degree lower (MITC).
-    /// B2 and B3 lock in shear without it; B4 does not need it.
+    /// True if transverse shear strains are assumed one degree lower (MITC),
+    /// without which B2 and B3 lock in shear.
     bool assumed_shear = false;
   };
 
-  /// The lengths of the elements along the axis, from its start on; their sum
-  /// is the length. @p description has to be complete.
+  /// Returns the lengths of the elements from the start; their sum is the
+  /// length. @p description has to be complete.
   std::vector<double>
   element_lengths(const AxisMesh &description);
 
-  /**
-   * The shape functions that do not vanish on an axis element, at a point: all
-   * that a beam asks of its axis there. With them a field with the nodal values
-   * u_i has at this point
-   *   the value sum N_i u_i,   the derivative sum N_i' u_i along y,
-   *   and in transverse shear strains the value sum N^_i u_i.
-   */
+  /// Nonzero shape functions of an axis element at a point. With nodal values
+  /// u_i a field has
+  ///   the value sum N_i u_i,   the derivative sum N_i' u_i along y,
+  ///   and in transverse shear strains the value sum N^_i u_i.
   struct AxisPoint
   {
-    /// The element, from 0 on along the axis.
+    /// Number of the element, from 0 along the axis.
     unsigned int cell = 0;
-    /// From the start of the axis (a length).
+    /// Distance from the start of the axis [length].
     double y = 0.;
-    /// N_i and dN_i / dy (one over a length), degree + 1 each, in the order of
+    /// N_i and dN_i / dy [1/length], degree + 1 each, in the order of
     /// Axis::nodes_of_cell(): the two ends first, as in deal.II's FE_Q.
     std::vector<double> N, dN;
-    /// What stands for N in the transverse shear strains: N itself, or its
-    /// projection N^ on the polynomials of one degree less.
+    /// N in transverse shear strains: N itself, or its projection N^ on
+    /// polynomials of one degree less.
     std::vector<double> N_shear;
   };
 
   /**
    * The axis of a beam: FE_Q<1>(1..3) on a mesh of [0, length], nodes numbered
-   * along y, and the four matrices of Eq. 12 over the axis,
+   * along y, and the four matrices of Eq. 12,
    *   A_NN = int N_i N_j,  A_NdN = int N_i N_j',  A_dNdN = int N_i' N_j'
-   * and A_dNN, the transpose of A_NdN. The prime is d/dy, the integrals go from
-   * 0 to the length. Units: length, none, 1 / length. They have as many rows as
-   * nodes and are banded, with at most 2 degree() + 1 entries a row.
+   * and A_dNN, the transpose of A_NdN, with ' = d/dy and integrals over the
+   * length. Units: length, none, 1 / length. A row per node, with at most 2
+   * degree() + 1 entries.
    *
-   * In a transverse shear strain, gamma_yz = w' + a say, the slope w' of the
-   * deflection is of one degree less than the rotation a that it must cancel in
-   * a slender beam: B2 and B3 then lock. With assumed shear strains the
-   * rotation's part is interpolated in the degree() Gauss points of an element
-   * (Dvorkin and Bathe's mixed interpolation of tensorial components, MITC, for
-   * a beam), which is its projection N^ on the polynomials of one degree less
-   * (what is left is a multiple of the Legendre polynomial that vanishes in
-   * those points, orthogonal to all of lower degree). Since N' is one of those,
-   * int N^ N' = int N N' and int N^ N = int N^ N^: one more small matrix,
-   * A_shear = int N^_i N^_j, is all that it takes.
+   * In a transverse shear strain such as gamma_yz = w' + a, the slope w' has
+   * one degree less than the rotation a that cancels it in a slender beam, so
+   * that B2 and B3 lock. With assumed shear strains the rotation is
+   * interpolated at the degree() Gauss points of an element (Dvorkin and
+   * Bathe's MITC for a beam). This is its projection N^ on polynomials of one
+   * degree less, since the rest is a multiple of the Legendre polynomial that
+   * vanishes there. Since N' has that degree, int N^ N' = int N N' and int N^ N
+   * = int N^ N^: only A_shear = int N^_i N^_j is needed in addition.
    *
-   * Every process has the whole axis. Of its elements each owns a part in a
-   * row, for loops, and so of its nodes, for the rows of matrices; nodes are
-   * shared out on their own, so that few elements do for many processes.
+   * Every process has the whole axis, and owns contiguous elements (for loops)
+   * and, independently, contiguous nodes (for rows of matrices).
    *
-   * Owns its mesh and DoF handler, on the run's communicator, refers to nothing
-   * else, and never changes once it is made. Lengths are those of the scene, y
-   * is the body's own axis.
+   * Owns its mesh and DoF handler, on the run's communicator; immutable.
+   * Lengths are in the scene's unit, y is the body's own axis.
    */
   class Axis
   {
   public:
-    /// Meshes, numbers the nodes and integrates the matrices; @p description
+    /// Meshes, numbers the nodes and integrates the matrices. @p description
     /// has to be complete. Collective.
     explicit Axis(const AxisMesh &description);
 
-    /// Of N_i on an element.
+    /// Returns the degree of N_i on an element.
     unsigned int
     degree() const
     {
@@ -128,57 +119,56 @@ namespace lamella
       return description.length;
     }
 
-    /// Whether N_shear differs from N.
+    /// Returns whether N_shear differs from N.
     bool
     has_assumed_shear() const
     {
       return description.assumed_shear;
     }
 
-    /// n_cells() * degree() + 1, on all processes together.
+    /// Returns n_cells() * degree() + 1, the number on all processes.
     unsigned int
     n_nodes() const
     {
       return node_positions.size();
     }
 
-    /// The elements, numbered from 0 on along the axis.
+    /// Returns the number of elements, numbered from 0 along the axis.
     unsigned int
     n_cells() const
     {
       return cell_nodes.size();
     }
 
-    /// The elements that this process integrates over, first and one past the
-    /// last; perhaps none. Equal numbers of them, whatever their lengths.
+    /// Returns the elements that this process integrates over, first and one
+    /// past the last; possibly none. Processes have equal numbers.
     std::pair<unsigned int, unsigned int>
     own_cells() const
     {
       return owned_cells;
     }
 
-    /// The nodes whose rows this process keeps, likewise; they need not be
-    /// nodes of own_cells().
+    /// Returns the nodes whose rows this process keeps, first and one past the
+    /// last, independent of own_cells().
     std::pair<unsigned int, unsigned int>
     own_nodes() const;
 
-    /// y of each node, ascending, from 0 to length(). A node's number is its
-    /// place here.
+    /// Returns y of each node, ascending from 0 to length(), by node number.
     const std::vector<double> &
     nodes() const
     {
       return node_positions;
     }
 
-    /// Nodes of @p cell in the order of AxisPoint::N: its begin, its end, and
-    /// then those inside. Sort them for the order along y.
+    /// Returns the nodes of @p cell in the order of AxisPoint::N: begin, end,
+    /// interior.
     const std::vector<unsigned int> &
     nodes_of_cell(const unsigned int cell) const
     {
       return cell_nodes[cell];
     }
 
-    /// y at the two ends of @p cell.
+    /// Returns y at the begin (and at the end) of @p cell.
     double
     cell_begin(const unsigned int cell) const
     {
@@ -191,59 +181,58 @@ namespace lamella
       return cell_bounds[cell].second;
     }
 
-    /// Shape functions and their derivatives with respect to y at @p eta of
-    /// [0, 1] of @p cell, y = cell_begin + eta (cell_end - cell_begin). Values
-    /// of N below 1e-14 are zero exactly, so that rows at nodes stay short.
+    /// Returns the shape functions and their derivatives by y at @p eta in [0,
+    /// 1] of @p cell, y = cell_begin + eta (cell_end - cell_begin). Values of N
+    /// below 1e-14 are exactly zero, which keeps rows at nodes short.
     AxisPoint
     evaluate(const unsigned int cell, const double eta) const;
 
-    /// The cells that hold @p y within @p tolerance (a length, far below that
-    /// of an element), with the place in [0, 1]: two at a node between
-    /// elements, none outside of the axis. Within the tolerance of an element's
-    /// end the place is 0 or 1 exactly. Looks at each element.
+    /// Returns the cells that contain @p y within @p tolerance [length], far
+    /// below an element's, with eta in [0, 1] (exactly 0 or 1 at an end within
+    /// the tolerance): two at a node between elements, none outside of the
+    /// axis. Loops over all elements.
     std::vector<std::pair<unsigned int, double>>
     locate(const double y, const double tolerance) const;
 
-    /// A cell that has @p node, the first along the axis, and the node's place
-    /// eta in it. Looks at each element.
+    /// Returns the first cell with @p node and the node's eta in it. Loops over
+    /// all elements.
     std::pair<unsigned int, double>
     place_of_node(const unsigned int node) const;
 
-    /// int N_i dy of each node: the length of axis that belongs to it. They are
-    /// positive and sum to length(). Times an edge's length in the section they
-    /// are the tributary areas of contact nodes.
+    /// Returns int N_i dy of each node, positive, with the sum length(). Times
+    /// an edge length in the section they are the tributary areas of contact
+    /// nodes.
     std::vector<double>
     node_weights() const;
 
-    /// The integration points, degree + 1 Gauss points a cell, cell after cell,
-    /// all of them on every process. They integrate products of two N_i
-    /// exactly.
+    /// Returns the integration points, degree + 1 Gauss points per cell, exact
+    /// for products of two N_i, by cell, all on every process.
     const std::vector<AxisPoint> &
     integration_points() const
     {
       return points;
     }
 
-    /// Their weights, lengths that sum to length().
+    /// Returns the integration weights [length], with the sum length().
     const std::vector<double> &
     integration_weights() const
     {
       return weights;
     }
 
-    /// p, q in {0, 1}: whether the row's and the column's function is
-    /// differentiated. A(0, 1) = A_NdN. All five matrices share one sparsity
-    /// pattern, that of nodes with an element in common, and every process has
-    /// the whole of them.
+    /// Returns a matrix of Eq. 12. p, q in {0, 1} are the orders of the
+    /// derivatives of the row's and the column's function: A(0, 1) = A_NdN. All
+    /// five matrices share the sparsity pattern of nodes with a common element,
+    /// and are whole on every process.
     const Matrix &
     A(const unsigned int p, const unsigned int q) const
     {
       return matrices[2 * p + q];
     }
 
-    /// int N^_i N^_j: A(0, 0) unless shear strains are assumed. It takes the
-    /// place of A(0, 0) for the part of S_00 that has a transverse shear strain
-    /// on either side (Section::S_shear).
+    /// Returns int N^_i N^_j, or A(0, 0) without assumed shear strains. It
+    /// replaces A(0, 0) for the part of S_00 with a transverse shear strain on
+    /// either side (Section::S_shear).
     const Matrix &
     A_shear() const
     {
@@ -251,19 +240,18 @@ namespace lamella
     }
 
   private:
-    /// The elements of element_lengths(), shared out to the processes in equal
-    /// numbers.
+    /// Makes the elements of element_lengths(), in equal numbers per process.
     void
     make_mesh();
     /// Renumbers deal.II's nodes along y.
     void
     number_nodes();
-    /// The integration points as well.
+    /// Integrates the matrices, and stores the integration points.
     void
     make_matrices();
 
-    /// Values of N^_i at @p eta of [0, 1]: with eta_q the degree() Gauss points
-    /// and L_q the Lagrange polynomials in them, sum_q L_q(eta) N_i(eta_q).
+    /// Returns N^_i at @p eta in [0, 1]: sum_q L_q(eta) N_i(eta_q), with the
+    /// degree() Gauss points eta_q and their Lagrange polynomials L_q.
     std::vector<double>
     projected_shape_functions(const double eta) const;
 

@@ -11,28 +11,27 @@
 namespace lamella
 {
   /**
-   * The entries of a body's `subsection Kinematics` that speak of its axis, the
-   * one-dimensional mesh and the beam element on it:
+   * The entries of a body's `subsection Kinematics` for its axis mesh and beam
+   * element, with defaults in parentheses:
    *   Axis element     B2, B3 or B4                    (B4)
    *   Axis elements    a number, one for each piece,
    *                    or auto [FACTOR]                (10)
    *   Axis breaks      distances that end a piece      (none)
    *   Axis nodes       Gauss-Lobatto or equidistant    (Gauss-Lobatto)
    *   Shear strains    auto, assumed or full           (auto)
-   * in parentheses what counts where nothing is said. `auto` assumes the
-   * transverse shear strains of B2 and B3, which lock otherwise, and takes
-   * those of B4 as the displacements give them.
+   * `auto` assumes the transverse shear strains of B2 and B3, which lock
+   * otherwise, and not those of B4.
    */
   struct AxisParameters
   {
-    /// Declares them in the subsection that @p prm stands in.
+    /// Declares the entries in the subsection that @p prm is in.
     static void
     declare(dealii::ParameterHandler &prm);
 
-    /// The mesh of an axis of @p length, the scene's, from the entries @p in of
-    /// that subsection. Throws InputError for breaks that do not ascend within
-    /// the length, and unless each piece between them has its number of
-    /// elements, a whole one from 1 to 100000.
+    /// Returns the mesh of an axis of @p length, in the scene's unit, from the
+    /// entries @p in. Throws InputError for breaks that do not ascend within
+    /// the length, and unless each piece has a whole number of elements from 1
+    /// to 100000.
     static AxisMesh
     parse(const Entries &in, const double length);
   };

@@ -16,109 +16,101 @@
 namespace lamella
 {
   /**
-   * An entry of a scene: its path and the text that stands there. Whoever reads
-   * it asks for what it must be and gets that or an InputError with the path,
-   * the text, the rule and the remedy; what only the reader can judge it says
-   * with refuse().
+   * An entry of a scene: its path and its text. Accessors return the value in
+   * the requested form or throw InputError with path, text, rule and remedy;
+   * refuse() is for checks by the caller.
    *
-   * An entry is a value: it copies path and text, and outlives the parameter
-   * handler that it was read from. Numbers of a scene all pass the same checks
-   * here (fault_of_number()), and every message names its entry in the same
-   * form. A piece of an entry becomes an Entry of its own, with the path of the
-   * whole one, where a function takes no less.
+   * An entry is a value, independent of its parameter handler. All numbers of a
+   * scene pass the same checks (fault_of_number()). A piece of an entry may
+   * become an Entry with the path of the whole.
    */
   class Entry
   {
   public:
-    /// @p path as in `Body upper/Kinematics/Theory`; @p text is trimmed.
-    /// Nothing is checked here: an entry that nobody asks for is never refused.
+    /// Stores @p path, as `Body upper/Kinematics/Theory`, and the trimmed
+    /// @p text without checks.
     Entry(const std::string &path, const std::string &text);
 
-    /// For messages, subsections first, with slashes between.
+    /// Returns the path for messages, subsections first, separated by slashes.
     const std::string &
     path() const
     {
       return where;
     }
 
-    /// As it was written, without white space at its ends.
+    /// Returns the text as written, without white space at its ends.
     const std::string &
     text() const
     {
       return what;
     }
 
-    /// Whether nothing stands there: of an optional entry, its default.
+    /// Returns whether the text is empty; an optional entry has its default
+    /// then.
     bool
     is_empty() const
     {
       return what.empty();
     }
 
-    /// Throws InputError: this text breaks the @p rule. @p rule says what the
-    /// text must be, or what is wrong with it, without a full stop; @p remedy
-    /// is whole sentences, empty where the rule says it all. The message is
-    /// that of InputError(path, value, rule, remedy).
+    /// Throws InputError(path, value, rule, remedy). @p rule says what the text
+    /// must be, or what is wrong, without a full stop; @p remedy is whole
+    /// sentences, or empty.
     [[noreturn]] void
     refuse(const std::string &rule, const std::string &remedy = "") const;
 
-    /// Throws InputError: an entry that has to be given is not. @p remedy says
-    /// what to give. The message is that of InputError::missing().
+    /// Throws InputError::missing() for a required entry; @p remedy says what
+    /// to give.
     [[noreturn]] void
     is_missing(const std::string &remedy) const;
 
-    /// The finite number that the whole text spells (fault_of_number() has the
-    /// rules). Throws InputError unless the text is one finite number, zero or
-    /// of a size between 1e-30 and 1e30. No unit is attached: the caller knows
-    /// it.
+    /// Returns the number that the whole text spells (see fault_of_number()).
+    /// Throws InputError unless it is one finite number, zero or of a size
+    /// between 1e-30 and 1e30. The unit is the caller's.
     double
     number() const;
 
-    /// The same of a @p piece of the text. The message names the whole entry
-    /// and quotes the piece.
+    /// Returns the number in a @p piece of the text. The message names the
+    /// whole entry and quotes the piece.
     double
     number(const std::string &piece) const;
 
-    /// A number above zero. Throws InputError as well if the entry is empty.
+    /// Returns a positive number. Throws InputError also if the entry is empty.
     double
     positive() const;
 
-    /// A whole number from @p least to @p most. Any spelling of a whole number
-    /// does, as 1e3 or 8.0; throws InputError for other numbers, for none and
-    /// for several.
+    /// Returns a whole number from @p least to @p most, in any spelling (1e3,
+    /// 8.0). Throws InputError for anything else.
     unsigned int
     whole(const unsigned int least, const unsigned int most) const;
 
-    /// One of each piece between commas; none where the text is empty. Commas
-    /// within parentheses do not separate (split()). Throws InputError for a
-    /// piece that number() would refuse.
+    /// Returns the numbers between commas (outside of parentheses, see
+    /// split()); none for an empty text. Throws InputError as number() does.
     std::vector<double>
     numbers() const;
-    /// numbers() that ascend between 0 and @p end, which @p name calls; throws
-    /// InputError for others: positions along something that end one piece of
-    /// it and begin the next.
+    /// Returns numbers() that ascend between 0 and @p end, called @p name in
+    /// messages: positions that divide a length. Throws InputError for others.
     std::vector<double>
     ascending(const double end, const std::string &name) const;
-    /// numbers() that are whole, each from @p least to @p most.
+    /// Returns numbers() that are whole, each from @p least to @p most.
     std::vector<unsigned int>
     wholes(const unsigned int least, const unsigned int most) const;
 
-    /// Three numbers between commas. A position or a direction in whatever axes
-    /// the entry means; throws InputError for other than three.
+    /// Returns three numbers between commas, a position or direction in the
+    /// axes of the entry. Throws InputError for another count.
     dealii::Point<3>
     point() const;
-    /// Of a @p piece of the text, as entries with several points have between
-    /// semicolons.
+    /// Returns the point in a @p piece of the text.
     dealii::Point<3>
     point(const std::string &piece) const;
 
-    /// `true` or `false`. Throws InputError for any other word, `yes` and `1`
-    /// included.
+    /// Returns `true` or `false`. Throws InputError for any other word,
+    /// including `yes` and `1`.
     bool
     truth() const;
 
-    /// The value of the enumeration @p E with this name. Throws InputError that
-    /// lists the names (Names<E>) if it is none of them.
+    /// Returns the value of the enumeration @p E with this name. Throws
+    /// InputError that lists the names (Names<E>) if there is none.
     template <typename E>
     E
     choice() const
@@ -129,18 +121,17 @@ namespace lamella
         selection<E>().description(dealii::Patterns::PatternBase::Machine));
     }
 
-    /// Pieces between @p separator, trimmed. None for an empty text; an empty
-    /// piece between two separators is kept.
+    /// Returns the trimmed pieces between @p separator; none for an empty text.
+    /// Keeps empty pieces between two separators.
     std::vector<std::string>
     items(const char separator = ',') const
     {
       return split(what, separator);
     }
 
-    /// The text, or a piece of it, which must be a name of the scene's @p list:
-    /// `there is no KIND 'text'. The nearest of LIST is ...`. Returns the text.
-    /// Throws InputError with the name that is nearest to it by Levenshtein's
-    /// distance (nearest_name()).
+    /// Returns the text, which must be among @p names of the scene's @p list.
+    /// Throws InputError otherwise: `there is no KIND 'text'. The nearest of
+    /// LIST is ...` (nearest_name()).
     const std::string &
     among(const std::vector<std::string> &names,
           const std::string              &kind,
@@ -153,38 +144,32 @@ namespace lamella
     std::string where, what;
   };
 
-  /**
-   * The entries of the subsection that a ParameterHandler is in, with the path
-   * that leads there (which ParameterHandler does not tell). Refers to it. The
-   * handler must outlive it, and must stay in that subsection while entries are
-   * read.
-   */
+  /// The entries of the subsection that a ParameterHandler is in, with its
+  /// path. Keeps a reference to the handler, which must stay in that
+  /// subsection.
   class Entries
   {
   public:
-    /// @p path is empty at the top level. Nothing is entered: the caller has
-    /// entered the subsection already.
+    /// Stores the @p path of the current subsection, empty at the top level.
     Entries(const dealii::ParameterHandler &prm, const std::string &path)
       : prm(prm)
       , subsection(path)
     {}
 
-    /// As `Body upper/Kinematics`, empty at the top level.
+    /// Returns the path, as `Body upper/Kinematics`; empty at the top level.
     const std::string &
     path() const
     {
       return subsection;
     }
 
-    /// The entry @p name, which must be declared. deal.II throws its own
-    /// exception for a name that is not declared, which is a fault of the
-    /// program and not of the scene.
+    /// Returns the entry @p name. Throws deal.II's exception, a program error,
+    /// if it is not declared.
     Entry
     operator[](const std::string &name) const;
 
-    /// Throws InputError: what is wrong with the subsection as a whole. For
-    /// faults between entries (two that exclude each other, none of several):
-    /// the message has no value.
+    /// Throws InputError for the subsection as a whole, without a value: for
+    /// conflicts between entries, or if none of several is given.
     [[noreturn]] void
     refuse(const std::string &rule, const std::string &remedy = "") const;
 

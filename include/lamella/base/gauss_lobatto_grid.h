@@ -11,13 +11,13 @@
 
 namespace lamella
 {
-  /// The nodes (s_i, t_j) of the grid of two bases on the unit square, the
-  /// first coordinate running fastest.
+  /// Returns the nodes (s_i, t_j) of the grid of two bases on the unit square,
+  /// the first coordinate running fastest.
   std::vector<dealii::Point<2>>
   grid_points(const GaussLobattoBasis &s, const GaussLobattoBasis &t);
 
-  /// The functions of these nodes at @p st, L_i(s) L_j(t), in their order.
-  /// @p values is cleared first.
+  /// Computes the functions L_i(s) L_j(t) of these nodes at @p st, in their
+  /// order, and overwrites @p values.
   void
   evaluate_on_grid(const GaussLobattoBasis &s,
                    const GaussLobattoBasis &t,

@@ -10,12 +10,12 @@
 namespace lamella
 {
   /**
-   * The numbers of rows of @p A, one a candidate, at most as many as it has
-   * columns, chosen one by one: the longest of what is left of them without
-   * their parts along those before (pivoted Cholesky factorisation of A A^T, or
-   * LAPACK's dgeqp3 of A^T, but that chooses among equals by rounding). It ends
-   * where what is left is below @p relative times the longest row at the
-   * start: the rows chosen then span all others.
+   * Returns the numbers of independent rows of @p A, at most as many as
+   * columns, by pivoted Cholesky factorization of A A^T (as LAPACK's dgeqp3 of
+   * A^T, which chooses among equals by rounding). Each is the row with the
+   * longest remainder without its parts along those before. Ends if the
+   * remainder is below @p relative times the longest row: the chosen rows span
+   * all others.
    */
   std::vector<unsigned int>
   most_independent(const dealii::LAPACKFullMatrix<double> &A,

@@ -7,18 +7,16 @@
 
 namespace lamella
 {
-  /// From now on a program that the user ends (Ctrl-C, or a plain kill) says
-  /// @p words to its error output before it ends by that signal, which a shell
-  /// sees as exit status 130 (143). Words of more than 1000 characters are cut
-  /// off; empty ones say nothing. To be called by one thread, and by one
-  /// process of several.
+  /// Installs a handler that prints @p words (at most 1000 characters) to the
+  /// error output if the user ends the program (Ctrl-C, kill), which then ends
+  /// by that signal (exit status 130 or 143). Must be called by one thread, and
+  /// by one process of several.
   void
   say_if_interrupted(const std::string &words);
 
-  /// As long as one lives, such a signal waits: what is being written is
-  /// written to its end, and the words of it are said. A second one of the same
-  /// kind ends the program at once. Before say_if_interrupted() it does
-  /// nothing.
+  /// Delays such a signal during its lifetime, so that writing completes. A
+  /// second signal of the same kind ends the program at once. No effect before
+  /// say_if_interrupted().
   class Uninterrupted
   {
   public:

@@ -14,38 +14,31 @@
 
 namespace lamella
 {
-  /// Where a map takes a place that was asked for, as far as it is known.
+  /// Result of inverting a map.
   template <int dim>
   struct InverseImage
   {
-    /// u, the last iterate. Where the place lies outside of the cube's image it
-    /// is the continuation of the map, as far as @p keep let it go.
+    /// Last iterate u. For a place outside of the cube's image, in the
+    /// continuation of the map, as far as @p keep permits.
     dealii::Point<dim> unit;
-    /// The length of the last step: rounding if the place was found. In unit
-    /// coordinates, a pure number. Zero for an affine map, whose only step is
-    /// exact. What stayed large says that the map does not reach the place.
+    /// Length of the last step in unit coordinates: rounding if converged, zero
+    /// for an affine map. Large if the map does not reach the place.
     double change = std::numeric_limits<double>::max();
   };
 
   /**
-   * Newton's method for the u at which a map x(u) of the unit cube takes the
-   * value x, from @p start. @p missing(u) returns x - x(u) and the Jacobian
-   * dx/du as a pair of tensors; @p keep(u) may bring u back from far outside of
-   * the cube, where a curved map may fold, and ends the search by returning
-   * false. An affine map takes one step. (deal.II's Mapping inverts the maps of
-   * its own cells; these are of sections, of columns through them, and of the
-   * facets that rays meet.)
+   * Solves x(u) = x for a map x(u) of the unit cube by Newton's method from
+   * @p start,
+   *   u <- u + (dx/du)^-1 (x - x(u)),
+   * until the step is below 1e-14, for at most 20 steps. Used for sections,
+   * their columns, and facets that rays meet; deal.II's Mapping inverts the
+   * maps of its own cells. Throws nothing: the caller checks the residual or
+   * `change`; a singular Jacobian gives NaN.
    *
-   *   u <- u + (dx/du)^-1 (x - x(u))
-   *
-   * until the step is below 1e-14 or 20 steps are done. Convergence is
-   * quadratic for the mildly curved cells of sections; the caller judges the
-   * result by its residual or by change. Nothing is thrown: a singular Jacobian
-   * gives values that are no numbers.
-   *
-   * @param is_affine whether x(u) is affine, so that one step ends it
-   * @param missing   u -> (x - x(u), dx/du), both in the same unit of length
-   * @param keep      u -> whether to go on; may change u
+   * @param is_affine whether x(u) is affine, so that one step is exact
+   * @param missing u -> (x - x(u), dx/du), both in the same unit of length
+   * @param keep u -> whether to continue; may bring u back from far outside of
+   *   the cube, where a curved map may fold
    */
   template <int dim, typename Missing, typename Keep>
   InverseImage<dim>
@@ -71,9 +64,8 @@ namespace lamella
     return found;
   }
 
-  /// Brings @p unit back to half a cube's side around the unit cube. Into
-  /// [-0.5, 1.5] in each coordinate, and true: Newton's method goes on from
-  /// there. What lies further out is reported as if it were at that border.
+  /// Clips @p unit to [-0.5, 1.5] in each coordinate and returns true, as the
+  /// `keep` of inverse_image(). Places further out end at that border.
   template <int dim>
   bool
   stay_near(dealii::Point<dim> &unit)

@@ -9,7 +9,8 @@
 
 namespace lamella
 {
-  /// The Lagrange polynomial of @p points that is one at point @p i, at @p t.
+  /// Returns the Lagrange polynomial of @p points that is one at point @p i, at
+  /// @p t.
   inline double
   lagrange(const std::vector<double> &points,
            const unsigned int         i,

@@ -33,7 +33,7 @@ namespace lamella
   /// forces f, conjugate to each other, so that f . u is a work.
   using Vector = dealii::Vector<double>;
 
-  /// One Vector per body, in the order of the scene's Bodies.
+  /// A Vector per body, in the order of the scene's Bodies.
   using BlockVector = dealii::BlockVector<double>;
 
   /// A sparse matrix of one body on one process; its SparsityPattern must
@@ -44,8 +44,8 @@ namespace lamella
   /// close() resolves chains and comes before any use.
   using Constraints = dealii::AffineConstraints<double>;
 
-  /// What several processes share, by rows (base/processes.h): each keeps a
-  /// contiguous range of them. Declared only, so that headers need no Trilinos.
+  /// Matrix and vector that processes share, each with a contiguous range of
+  /// rows (base/processes.h). Only declared, so that headers need no Trilinos.
   using SharedMatrix = dealii::TrilinosWrappers::SparseMatrix;
   using SharedVector = dealii::TrilinosWrappers::MPI::Vector;
 } // namespace lamella

@@ -9,49 +9,43 @@
 
 namespace lamella
 {
-  /// Of tables and summaries: bytes in an MB. 1024^2, unlike the GB of
-  /// gigabytes() and `Memory limit`, which are 1e9.
+  /// Bytes per MB in tables and summaries: 1024^2, unlike the 1e9 of a GB in
+  /// gigabytes() and `Memory limit`.
   constexpr double megabyte = 1024. * 1024.;
 
-  /// What this process has taken of the machine, and the most that it had
-  /// taken, in bytes. The resident set (VmRSS of Linux), libraries and MPI's
-  /// buffers included.
+  /// Returns the resident memory of this process in bytes (VmRSS of Linux),
+  /// including libraries and MPI's buffers.
   double
   resident_memory();
-  /// Its largest value since the process started (VmHWM).
+  /// Returns the largest resident memory since the start (VmHWM), in bytes.
   double
   peak_memory();
 
-  /// Throws InputError where a limit on the address space (ulimit -v) leaves
-  /// too little of it to begin with: BLAS (OpenBLAS) waits for ever for a
-  /// buffer that it does not get. To be called before anything else.
+  /// Throws InputError if a limit on the address space (ulimit -v) is too low:
+  /// OpenBLAS would wait forever for a buffer. Must be called first.
   void
   require_address_space();
 
-  /// The sum of @p bytes over the processes on this machine. Collective over
-  /// all processes; each gets the sum of its own machine.
+  /// Returns the sum of @p bytes over the processes on this machine. Collective
+  /// over all processes.
   double
   sum_over_machine(const double bytes);
 
-  /**
-   * What the processes on a machine may still take together, in bytes: what the
-   * machine has, or what its control group (a container, a batch job) leaves it
-   * if that is less. With a @p limit it is this limit less what they have
-   * taken. The least of all machines, the same on all processes. Never
-   * negative. Collective. Files that the system merely keeps in memory count as
-   * free. @p limit is in bytes, for each machine; 0: none was set.
-   */
+  /// Returns the memory in bytes that the processes on a machine can still use
+  /// together: the machine's, or that of its control group (a container, a
+  /// batch job) if less; with a @p limit in bytes per machine (0: none), the
+  /// rest of it. The minimum over all machines, not negative. File caches count
+  /// as free. Collective.
   double
   available_memory(const double limit = 0.);
 
-  /// Bytes of an entry `2 GB`, `500 MB` or `auto`, which is 0. Throws
-  /// InputError for anything else. GB and MB are decimal here, 1e9 and 1e6
-  /// bytes. One blank stands between number and unit, at least.
+  /// Returns the bytes of an entry `2 GB`, `500 MB` (decimal, with a blank) or
+  /// `auto`, which is 0. Throws InputError for anything else.
   double
   to_bytes(const Entry &entry);
 
-  /// As in "2.4 GB", of 1e9 bytes each; two digits below one GB, three from
-  /// there on.
+  /// Returns @p bytes as in "2.4 GB" (1e9 bytes), with two digits below one GB
+  /// and three from there on.
   std::string
   gigabytes(const double bytes);
 } // namespace lamella

@@ -8,47 +8,42 @@
 namespace lamella
 {
   /**
-   * MPI (and what deal.II starts with it) for as long as the object lives;
-   * Trilinos wants it for one process, too. The first object of a `main`.
+   * Starts MPI, and deal.II's use of it, for the object's lifetime; Trilinos
+   * needs it for one process, too. Must be the first object of a `main`, on
+   * every process, and its destructor the last use of MPI; n_launched() is
+   * available before.
    *
-   * A process that no launcher started talks to nobody. Open MPI then need not
-   * look for networks, nor start a daemon of its own (both take longer than a
-   * small scene), nor keep files in the folder that all processes of a user
-   * share: one run that ends removes that folder while the next one makes its
-   * own in it, and of many runs side by side one in some hundreds fails at the
-   * start (`orte_session_dir failed`). Settings of the environment come first.
-   *
-   * Every process of a run makes one, before anything that asks for the number
-   * of processes as MPI knows it; n_launched() tells it earlier. Its destructor
-   * must be the last thing that speaks to MPI.
+   * Without a launcher, Open MPI is set not to look for networks, not to start
+   * a daemon and not to keep files in the user's shared folder. The first two
+   * take longer than a small scene; a run that ends removes the folder while
+   * another creates its own, so that one start in some hundreds fails
+   * (`orte_session_dir failed`). Environment settings have precedence.
    */
   class MpiSession
   {
   public:
-    /// One thread: deal.II takes no more than that. @p argc and @p argv are
-    /// main()'s; MPI may take words of its own out of them.
+    /// Starts MPI for one thread, deal.II's limit. MPI may remove its own words
+    /// from main()'s @p argc and @p argv.
     MpiSession(int &argc, char **&argv);
 
   private:
-    /// Ends MPI in its destructor.
+    /// MPI guard, whose destructor ends MPI.
     dealii::Utilities::MPI::MPI_InitFinalize session;
   };
 
-  /// A file that has reached its limit (SIGXFSZ), or a reader of the output
-  /// that is gone (SIGPIPE; `| head -1`), is an error of that writing from now
-  /// on and not the end of the run. MpiSession sees to it. Streams then fail
-  /// and are asked (OutputFile::put_in_place()).
+  /// Makes the process survive SIGXFSZ (file size limit) and SIGPIPE (closed
+  /// reader, `| head -1`): the stream fails instead, and is checked
+  /// (OutputFile::put_in_place()). MpiSession calls it.
   void
   survive_failed_writes();
 
-  /// As many processes as a launcher (mpirun) has started, or 1; known before
-  /// MPI is. From the launcher's environment variables (Open MPI's, PMI's).
+  /// Returns the number of processes that a launcher (mpirun) has started, or
+  /// 1, from environment variables of Open MPI and PMI. Available before MPI.
   unsigned int
   n_launched();
 
-  /// @p n threads from now on; the BLAS would start with one a core. Of deal.II
-  /// and of OpenBLAS, if that is the BLAS that was loaded; another one has to
-  /// be told by its environment variable.
+  /// Limits deal.II and OpenBLAS, if that is loaded, to @p n threads; a BLAS
+  /// otherwise starts one per core. Other ones use their environment variables.
   void
   limit_threads(const unsigned int n);
 } // namespace lamella

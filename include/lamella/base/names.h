@@ -11,39 +11,35 @@
 
 namespace lamella
 {
-  /// The name of one value of the enumeration @p E. @p name is a string
-  /// literal, so that lists of them are constant expressions.
+  /// Name of a value of the enumeration @p E; a string literal, so that lists
+  /// are constant expressions.
   template <typename E>
   struct NameOf
   {
     /// The value.
     E value;
-    /// What scenes, tables and messages call it.
+    /// Name in scenes, tables and messages.
     const char *name;
   };
 
   /**
-   * How scenes and tables write the values of the enumeration @p E: the one
-   * list that reading, writing and the pattern of an entry come from.
-   * Specialised beside the enumeration,
+   * List of names of the enumeration @p E, used for reading, writing and
+   * patterns. Specialized beside the enumeration,
    *   template <>
    *   struct Names<Strategy>
    *   {
    *     static constexpr NameOf<Strategy> all[] = {
    *       {Strategy::condensed, "condensed"}, {Strategy::full, "full"}};
    *   };
-   * in the order in which a message lists them. A value without a name (say,
-   * `undefined`) cannot be written in a scene. There is no general definition:
-   * an enumeration without a list does not compile where a name of it is asked
-   * for. Two values may not share a name, nor one value have two: the first
-   * would win.
+   * in the order of messages. Values without a name (`undefined`) cannot be
+   * written in a scene. Enumerations without a list do not compile. Names and
+   * values must be unique; otherwise the first is used.
    */
   template <typename E>
   struct Names;
 
-  /// What @p value is called; empty if it has no name. A linear search, for
-  /// lists of a few words. The second template argument takes this function out
-  /// of overload resolution for types without a list.
+  /// Returns the name of @p value; empty if it has none. The second template
+  /// argument excludes types without a list from overload resolution.
   template <typename E, std::size_t = sizeof(Names<E>)>
   std::string
   name_of(const E value)
@@ -54,8 +50,7 @@ namespace lamella
     return "";
   }
 
-  /// What is called @p name, if anything is. Letters count as they stand:
-  /// `Full` is not `full`.
+  /// Returns the value called @p name (case-sensitive), if there is one.
   template <typename E>
   std::optional<E>
   named(const std::string &name)
@@ -66,8 +61,8 @@ namespace lamella
     return std::nullopt;
   }
 
-  /// The pattern of an entry that takes one of the names. A value that matches
-  /// can be read by named() or Entry::choice() without fail.
+  /// Returns the pattern of an entry that takes one of the names. Values that
+  /// match can be read by named() or Entry::choice().
   template <typename E>
   dealii::Patterns::Selection
   selection()

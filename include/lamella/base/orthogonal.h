@@ -8,24 +8,18 @@
 namespace lamella
 {
   /**
-   * Gram and Schmidt, twice for the sake of rounding: takes out of @p v what
-   * lies along the vectors @p basis from the number @p first on, which are
-   * orthonormal in @p product, and returns how much along each. What is left is
-   * not normalised: whether it is more than rounding decides the caller.
-   *
+   * Makes @p v orthogonal to the vectors @p basis from number @p first on by
+   * Gram-Schmidt,
    *   part_j = (v, b_j), v <- v - sum_j part_j b_j,
+   * twice, which is sufficient to rounding. @p v is not normalized: the caller
+   * decides whether the rest is rounding. Returns the sums of part_j, the
+   * coefficients of the old v, from @p first on. T is a number or a tensor.
+   * Costs 2 n m operations for m vectors of length n.
+   * (dealii::QR::append_column makes one pass against all columns, in the
+   * Euclidean product, and divides by the rest.)
    *
-   * done twice, after which v is orthogonal to rounding however nearly it
-   * depended on the basis ("twice is enough"). T may be a number or a tensor;
-   * @p product(v, b) is any inner product of two such vectors. Parts are
-   * returned in the order of the basis from @p first on, the sum of both
-   * passes, which are the coefficients of the old v in the basis. n m
-   * operations for m vectors of the length n, twice. (dealii::QR::append_column
-   * is one pass, against all columns, in the Euclidean product, and divides by
-   * what is left.)
-   *
-   * @param v       is changed in place
-   * @param basis   orthonormal from the number first on; as long as v each
+   * @param v changed in place
+   * @param basis orthonormal from number first on; each as long as v
    * @param product symmetric, positive definite, and bilinear
    */
   template <typename T, typename Product>

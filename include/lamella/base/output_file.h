@@ -8,55 +8,49 @@
 
 namespace lamella
 {
-  /**
-   * A file that is there whole or not at all: it is written beside its place
-   * and renamed into it at the end. Until then, and if anything fails on the
-   * way, what stood there before stays. A reader (a script, ParaView, a run
-   * that goes on after a step) therefore never meets half a file. Beside means
-   * PATH.new, in the same folder, so that the system can rename it in one go.
-   */
+  /// A file that is written as PATH.new in the same folder and then renamed, so
+  /// that readers never see a part of it. If anything fails, the old file
+  /// remains.
   class OutputFile
   {
   public:
-    /// Makes the folder of @p path where there is none. Throws nothing: what
-    /// cannot be opened fails in put_in_place().
+    /// Opens the file and creates the folder of @p path if needed. Throws
+    /// nothing: errors appear in put_in_place().
     explicit OutputFile(const std::string &path);
-    /// Removes what was not put in place. So a file that is given up, or left
-    /// by an exception, leaves no trace.
+    /// Removes a file that was not put in place.
     ~OutputFile();
     OutputFile(const OutputFile &) = delete;
 
-    /// To write to; good until put_in_place().
+    /// Returns the stream to write to, valid until put_in_place().
     std::ostream &
     stream()
     {
       return file;
     }
 
-    /// Puts the file in its place; whether that and all writing succeeded.
-    /// Closes the stream; call it once. On failure the old file still stands
-    /// there.
+    /// Closes the stream and renames the file; call it once. Returns whether
+    /// this and all writing succeeded. On failure the old file remains.
     bool
     put_in_place();
 
   private:
-    /// Where the file is to stand, and where it is written until then.
+    /// Final path, and path during writing.
     std::string   path, beside;
     std::ofstream file;
   };
 
-  /// Writes @p text into the file @p path. Throws InputError if it cannot. By
-  /// an OutputFile, so whole or not at all; makes its folder.
+  /// Writes @p text into the file @p path by an OutputFile; creates its folder.
+  /// Throws InputError if it fails.
   void
   write_file(const std::string &path, const std::string &text);
 
-  /// Adds @p text to the end of the file @p path, whole: throws InputError if
-  /// that fails, and leaves the file as it was. The file must exist. It is cut
-  /// back to its old length if writing fails.
+  /// Appends @p text to the existing file @p path. Throws InputError on
+  /// failure, and truncates the file to its old length.
   void
   append_to_file(const std::string &path, const std::string &text);
 
-  /// InputError for a file that could not be written, with the system's reason.
+  /// Throws InputError for a file that cannot be written, with the system's
+  /// reason.
   [[noreturn]] void
   fail_to_write(const std::string &path);
 } // namespace lamella

@@ -14,16 +14,15 @@ namespace lamella
   // Matrices, their solution and the loops over elements are shared: each
   // process has a contiguous part of a body.
 
-  /// The communicator of the run. All processes that were started together;
-  /// nothing is ever split off but for the memory of one machine
-  /// (sum_over_machine()).
+  /// Returns the communicator of the run, all processes started together. Only
+  /// sum_over_machine() splits it.
   inline MPI_Comm
   communicator()
   {
     return MPI_COMM_WORLD;
   }
 
-  /// The number of processes of the run; 1 before MPI is started, too.
+  /// Returns the number of processes of the run; 1 before MPI is started.
   inline unsigned int
   n_processes()
   {
@@ -32,7 +31,7 @@ namespace lamella
              1;
   }
 
-  /// The number of this process, from 0; 0 before MPI is started, too.
+  /// Returns the number of this process, from 0; 0 before MPI is started.
   inline unsigned int
   this_process()
   {
@@ -41,28 +40,24 @@ namespace lamella
              0;
   }
 
-  /// Whether this process speaks for all: it alone prints and writes. It is the
-  /// number 0, and computes its share like all others.
+  /// Returns whether this is process 0, the only one that prints and writes.
   inline bool
   is_speaker()
   {
     return this_process() == 0;
   }
 
-  /// Whether @p here holds on all processes. Collective: all processes must
-  /// call it, and it is how they agree on what to do where one alone has met a
-  /// fault.
+  /// Returns whether @p here is true on all processes, so that they agree on
+  /// errors that only one has met. Collective.
   inline bool
   on_all_processes(const bool here)
   {
     return dealii::Utilities::MPI::min(int(here), communicator()) == 1;
   }
 
-  /// Replaces the shares @p v of the processes by their sum, on all of them.
-  /// Collective, and the same to the last bit on all processes, which lets them
-  /// take the same decisions afterwards. @p v has the same size everywhere;
-  /// each process has left zeros where it has no share. Costs the communication
-  /// of the whole vector; nothing on one process.
+  /// Replaces the shares @p v by their sum over the processes, equal to the
+  /// last bit on all, so that their later decisions agree. @p v has the same
+  /// size everywhere, and zeros outside of a process's share. Collective.
   inline void
   sum_over_processes(Vector &v)
   {

@@ -12,92 +12,79 @@ namespace lamella
 {
   /**
    * A sparse affine functional of the DoFs of one body,
-   *   r(u) = c + sum_k w_k u_k.
-   * Whatever touches a body is one: a displacement component at a point (Eq.
-   * 7),
+   *   r(u) = c + sum_k w_k u_k,
+   * such as a displacement component at a point (Eq. 7),
    *   u_c(X) = sum_tau,i F_tau(x, z) N_i(y) u_tau_i_c,
-   * a gap, a stress, whose constant part is that of an initial strain.
+   * a gap, or a stress, with an initial stress as constant part.
    *
-   * Functionals are what the variational form is made of: the work of a unit
-   * force along c at X is the row of u_c(X), and the load vector of that force
-   * is the same row read as a column (add_to()). Supports are equations between
-   * rows, gaps the difference of two (Eq. 16 of the paper without its
-   * constant), springs and penalties rank-one terms k r^T r.
+   * The work of a unit force along c at X is the row of u_c(X); read as a
+   * column it is the load vector of that force (add_to()). Supports are
+   * equations of rows, gaps differences of two (Eq. 16 without its constant),
+   * springs and penalties rank-one terms k r^T r.
    *
-   * The unit of r is that of what it measures: a length for displacements and
-   * gaps, 1 for strains, force/length^2 for stresses. The weights carry it over
-   * the unit of the DoFs. Memory is 16 bytes an entry; nothing is shared, and a
-   * row refers to no body: who keeps it keeps the body's number, too (BodyRow).
+   * The unit of r is a length for displacements and gaps, 1 for strains,
+   * force/length^2 for stresses; weights have it over the unit of the DoFs. An
+   * entry takes 16 bytes. A row does not know its body (see BodyRow).
    */
   class Row
   {
   public:
-    /// The number k of a DoF and its weight w_k.
+    /// Number k of a DoF and its weight w_k.
     using Entry = std::pair<DofIndex, double>;
 
-    /// Adds @p weight to the weight of @p dof. A weight of exactly zero is not
-    /// kept. Entries are appended as they come: a DoF may stand there several
-    /// times until compress().
+    /// Adds @p weight to the weight of @p dof, unless it is exactly zero.
+    /// Entries are appended; a DoF may occur several times until compress().
     void
     add(const DofIndex dof, const double weight);
 
-    /// Adds @p value to the constant part. It is part of the value and of
-    /// nothing else: neither load vectors nor stiffnesses know it.
+    /// Adds @p value to the constant part, which affects neither load vectors
+    /// nor stiffnesses.
     void
     add_constant(const double value);
 
-    /// Adds @p factor times the functional @p other of the same body. The
-    /// constant part is scaled, too. Not compressed afterwards.
+    /// Adds @p factor times @p other, a functional of the same body, including
+    /// its constant part. Does not compress.
     void
     add(const Row &other, const double factor);
 
-    /// Sorts the entries by DoF and merges those that name the same one. n log
-    /// n in the number of entries. Weights that cancel stay as zeros;
-    /// drop_below() removes them.
+    /// Sorts the entries by DoF and merges those of the same one, in n log n
+    /// operations. Weights that cancel stay as zeros (see drop_below()).
     void
     compress();
 
-    /// Removes the entries below @p relative times the largest, in size. What
-    /// interpolation at a node leaves in other nodes is rounding, and would
-    /// couple rows that share no DoF. @p relative is a number such as 1e-13;
-    /// zero removes nothing. The constant part stays.
+    /// Removes entries below @p relative (such as 1e-13; zero removes nothing)
+    /// times the largest magnitude: rounding errors of interpolation would
+    /// couple rows that share no DoF. The constant part stays.
     void
     drop_below(const double relative);
 
-    /// The value r(u). @p u is the whole vector of the body, with the values of
-    /// its constrained DoFs.
+    /// Returns r(u) for the body's whole vector @p u, constrained DoFs
+    /// included.
     double
     operator()(const Vector &u) const;
 
-    /// f += factor * w: the load that does work @p factor on a unit of r.
-    /// @p factor is a force where r is a length: then f gets the DoFs' share of
-    /// it, by the principle of virtual displacements (Eq. 8). The constant part
-    /// does not enter.
+    /// Adds @p factor times w to f, the load that does work @p factor on a unit
+    /// of r (Eq. 8): @p factor is a force if r is a length. The constant part
+    /// has no effect.
     void
     add_to(Vector &f, const double factor) const;
 
-    /**
-     * The functional of the unconstrained DoFs: a constrained DoF is replaced
-     * by its combination in @p constraints. Inhomogeneities are left out; they
-     * belong to the particular solution.
-     *
-     *   r(G v + u_p) = (r G) v + const., w_red = G^T w,
-     *
-     * with G the homogeneous part of @p constraints, which must be closed. The
-     * constant part is kept as it is, and the result is compressed.
-     */
+    /// Returns the functional of the unconstrained DoFs,
+    ///   r(G v + u_p) = (r G) v + const., w_red = G^T w,
+    /// with G the homogeneous part of @p constraints, which must be closed.
+    /// Inhomogeneities are ignored: they belong to the particular solution. The
+    /// constant part is kept, and the result is compressed.
     Row
     reduced(const Constraints &constraints) const;
 
-    /// The linear part. In the order in which they came, or ascending by DoF
-    /// after compress().
+    /// Returns the entries in order of addition, or by DoF after compress().
     const std::vector<Entry> &
     entries() const
     {
       return row;
     }
 
-    /// The constant part c: the value for u = 0, zero for displacements.
+    /// Returns the constant part c, zero for displacements.
     double
     constant() const
     {
@@ -109,22 +96,22 @@ namespace lamella
     double             constant_part = 0.;
   };
 
-  /// A row together with the number of the body whose DoFs it names. Vectors of
-  /// the scene have one block per body, in the order of its Bodies.
+  /// A row with the number of its body. Vectors of the scene have one block per
+  /// body, in the order of its Bodies.
   struct BodyRow
   {
-    /// The block of scene vectors that the row reads and writes.
+    /// Number of the body, and of its block in scene vectors.
     unsigned int body = 0;
     Row          row;
 
-    /// The value r(u_b) with the block b of this body.
+    /// Returns r(u_b) for the block b of this body.
     double
     operator()(const BlockVector &u) const
     {
       return row(u.block(body));
     }
 
-    /// Row::add_to() in that block; the others stay.
+    /// Adds as Row::add_to() to that block.
     void
     add_to(BlockVector &f, const double factor) const
     {

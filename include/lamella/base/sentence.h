@@ -9,8 +9,8 @@
 
 namespace lamella
 {
-  /// @p message without white space and the full stop at its end, to be put
-  /// into a sentence that has its own.
+  /// Returns @p message without white space and full stops at its end, for use
+  /// within a sentence.
   inline std::string
   without_full_stop(const std::string &message)
   {

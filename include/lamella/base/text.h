@@ -10,80 +10,68 @@
 
 namespace lamella
 {
-  /**
-   * @p text without white space at its ends. White space is blanks, tabs and
-   * ends of lines (\r, \n).
-   */
+  /// Returns @p text without blanks, tabs and line ends (\r, \n) at its ends.
   std::string
   trimmed(const std::string &text);
 
-  /**
-   * The first 50 and the last 25 characters of the long @p text, and how many
-   * there are; all of a text of up to 100. For messages.
-   */
+  /// Returns the first 50 and last 25 characters of @p text and its length, for
+  /// messages; all of a text of up to 100.
   std::string
   abridged(const std::string &text);
 
-  /**
-   * @p text cut at each @p separator outside of parentheses, each piece
-   * trimmed; none for a text of white space. (Parentheses: a muParser
-   * expression such as `if(y>1, 2, 0)` stays whole.) Empty pieces between
-   * separators are kept, as is the one after a separator at the end.
-   */
+  /// Splits @p text at each @p separator outside of parentheses (muParser
+  /// expressions such as `if(y>1, 2, 0)` stay whole) and trims the pieces.
+  /// Empty pieces are kept, also at the end; a blank text has none.
   std::vector<std::string>
   split(const std::string &text, const char separator);
 
-  /// @p text with each @p what replaced @p by something else. From left to
-  /// right; what @p by brings in is not looked at again. @p what must not be
-  /// empty.
+  /// Returns @p text with each @p what, which must not be empty, replaced by
+  /// @p by. Replacements are not searched again.
   std::string
   replaced(std::string text, const std::string &what, const std::string &by);
 
-  /// Numbers of a scene, other than zero, lie between these: fourth powers of
-  /// numbers, and squares of their products, are still doubles. Moments of
-  /// areas are such fourth powers, products of stiffness and length^4 such
-  /// squares.
+  /// Bounds of a scene's nonzero numbers: fourth powers of them (moments of
+  /// areas), and squares of their products (stiffness times length^4), are
+  /// still doubles.
   constexpr double smallest_number = 1e-30, largest_number = 1e30;
 
-  /// What is wrong with a text, and what to do about it. In the form that
-  /// Entry::refuse() takes: a rule without a full stop, a remedy in sentences.
+  /// An error in a text, in the form of Entry::refuse(): a rule without a full
+  /// stop, a remedy in sentences.
   struct TextFault
   {
-    /// Empty: nothing is.
+    /// Rule and remedy; empty if there is no error.
     std::string rule, remedy;
   };
 
-  /// Whether all of @p text spells one finite number within those bounds. Point
-  /// and exponent as in C; no unit, no hexadecimal digits, no inf, no nan.
-  /// White space at the ends is no fault.
+  /// Returns the error if @p text does not spell one finite number within the
+  /// bounds. Point and exponent as in C; no unit, hexadecimal digits, inf or
+  /// nan. White space at the ends is ignored.
   TextFault
   fault_of_number(const std::string &text);
 
-  /// The number that all of @p text spells, which must have no fault. Ask
-  /// fault_of_number() first: of a text with a fault it is anything.
+  /// Returns the number that @p text spells; undefined unless fault_of_number()
+  /// finds no error.
   double
   to_number(const std::string &text);
 
-  /// @p names as `a, b, c`. Empty for no names.
+  /// Returns @p names as `a, b, c`; empty for no names.
   std::string
   joined(const std::vector<std::string> &names,
          const std::string              &separator = ", ");
 
-  /// @p value with @p digits significant digits. As C's %g writes it, without
-  /// trailing zeros. For people; numbers that are read again need 17 digits.
+  /// Returns @p value with @p digits significant digits, as C's %g. Use 17
+  /// digits for numbers that are read again.
   std::string
   to_text(const double value, const int digits = 6);
 
-  /// @p point as `(x, y, z)`. Six digits a coordinate, in the scene's unit of
-  /// length.
+  /// Returns `(x, y, z)` with six digits a coordinate.
   std::string
   to_text(const dealii::Point<3> &point);
-  /// `(x, z)` of a place in a section likewise.
+  /// Returns `(x, z)` of a point in a section, with six digits.
   std::string
   to_text(const dealii::Point<2> &point);
 
-  /// @p v as `(x, y, z)`; a component below 1e-9 of its length is rounding and
-  /// reads 0. A zero vector reads (0, 0, 0).
+  /// Returns @p v as `(x, y, z)`; components below 1e-9 of its length read 0.
   std::string
   to_text(const dealii::Tensor<1, 3> &v);
 } // namespace lamella

@@ -9,25 +9,21 @@
 
 namespace lamella
 {
-  /**
-   * The units a scene is written in. They label results and convert the
-   * built-in materials (kept in pascals); no other number is touched. All other
-   * numbers of a scene have to be in one consistent system, which the two
-   * labels name: `m, N` has stresses in Pa, `mm, N` in MPa = N/mm^2; `none`
-   * prints no labels and converts nothing.
-   */
+  /// The units of a scene. They label results and convert built-in materials
+  /// (in pascals); all other numbers have to be in the consistent system that
+  /// the labels name: `m, N` has stresses in Pa, `mm, N` in MPa; `none` has no
+  /// labels and converts nothing.
   struct Units
   {
     /// Labels for tables and messages; empty in a scene without units.
     std::string length = "m";
     std::string force  = "N";
     std::string stress = "Pa";
-    /// How many of the scene's units of stress one pascal is. 1e-6 for `mm, N`:
-    /// a modulus of 9e9 Pa is 9e3 there.
+    /// Value of one pascal in the scene's unit of stress: 1e-6 for `mm, N`.
     double pascal = 1.;
 
-    /// Reads `m, N`, `mm, N` or `none`; throws InputError for anything else.
-    /// Words are separated by a comma; blanks around it do not matter.
+    /// Returns the units of `m, N`, `mm, N` or `none`; blanks around the comma
+    /// are ignored. Throws InputError for anything else.
     static Units
     parse(const Entry &entry);
   };

@@ -7,14 +7,13 @@
 
 namespace lamella
 {
-  /// The version of this program, `MAJOR.MINOR.PATCH` of CMakeLists.txt: what
-  /// results say, and what a run that is resumed must agree with.
+  /// Returns the program version, `MAJOR.MINOR.PATCH` of CMakeLists.txt,
+  /// printed in results. A resumed run must have the same.
   std::string
   version();
 
-  /// What --version prints: the version with the commit that was built, then
-  /// the libraries and the compiler that it was built with, a line each; of the
-  /// BLAS what is loaded.
+  /// Returns the output of --version: version and commit, then libraries (the
+  /// BLAS as loaded) and compiler, a line each.
   std::string
   version_in_full();
 } // namespace lamella

@@ -13,73 +13,69 @@
 namespace lamella
 {
   /**
-   * What is known of integrals over the cells of a load: each a vector function
-   * f on the unit square (or interval), integrated with the products phi_k of
-   * Lagrange polynomials at Gauss-Lobatto points,
+   * Integrals over the cells of a load. In each cell a vector function f (three
+   * components) on the unit interval (dim 1, lines) or square (dim 2, facets)
+   * is integrated with products phi_k of Lagrange polynomials at Gauss-Lobatto
+   * points,
    *   moment_k = integral f phi_k.
-   * With a traction for f and the trace functions for phi_k these are the
-   * forces of a consistent load vector. Vector means three components; dim is 1
-   * along a line and 2 on a facet.
+   * If f is a traction and phi_k are trace functions, these are the forces of a
+   * consistent load vector.
    */
   template <int dim>
   struct Moments
   {
-    /// A cell and what is asked of it. For a facet f holds the area per unit of
+    /// A cell with its integrand. On a facet f includes the area per unit of
     /// the square, so that integrals over the unit square are forces.
     struct Cell
     {
-      /// f: force per unit of the parameters. It is evaluated inside the cell
+      /// f, force per unit of the parameters. It is evaluated inside the cell
       /// only, and must be finite there.
       std::function<dealii::Tensor<1, 3>(const dealii::Point<dim> &)> f;
-      /// Of the Lagrange polynomials along each parameter. degree + 1 functions
-      /// each, at least 1.
+      /// Degrees of the Lagrange polynomials along each parameter, with degree
+      /// + 1 functions each; at least 1.
       std::array<unsigned int, dim> degree{};
-      /// Lengths of the cell along each parameter, for what is as wide as high.
-      /// Only ratios matter; any unit.
+      /// Lengths of the cell along each parameter. Only ratios matter.
       std::array<double, dim> extent{};
     };
 
-    /// Of each cell, phi_0 of the first parameter running fastest.
-    /// of_cells[c][k]; in two parameters k = k_t (degree_s + 1) + k_s.
+    /// Moments of_cells[c][k] of cell c, phi_0 of the first parameter running
+    /// fastest; with two parameters k = k_t (degree_s + 1) + k_s.
     std::vector<std::vector<dealii::Tensor<1, 3>>> of_cells;
-    /// sum of integral |f|, and what the integrals may be off by. Both in the
-    /// unit of f. The error is an estimate and no bound: what no point of rule
-    /// and grid has met is not in it.
+    /// sum of integral |f|, and the estimated error of the integrals, both in
+    /// the unit of f. The error is no bound: it excludes features that no point
+    /// of rule and grid has met.
     double size = 0., error = 0.;
-    /// The sum of all f by another rule than the one above: the midpoint rule
-    /// on a grid of its own. About 2e4 points in all, at least four along each
-    /// parameter of a cell.
+    /// Sum of all f by another rule: midpoints on a separate grid of about 2e4
+    /// points in all, at least four along each parameter of a cell.
     dealii::Tensor<1, 3> independent;
-    /// What that sum may be off by, as far as three finer grids tell: the
-    /// largest difference to theirs. Looked at where it is more than 1 % of the
-    /// size off the sum of all moments, else 0.
+    /// Estimated error of `independent`: the largest difference from three
+    /// finer grids. Computed if it differs from the sum of all moments by more
+    /// than 1 % of the size, else 0.
     double independent_error = 0.;
-    /// Of the cell that was bisected most: how often along one parameter, its
-    /// number, and where. Zero if nothing was bisected; place then is the
-    /// origin of the unit square.
+    /// Bisections of the cell bisected most, along one parameter, its number,
+    /// and the place. Zero, with the origin of the unit square, if there were
+    /// none.
     unsigned int       bisections = 0, cell = 0;
     dealii::Point<dim> place;
   };
 
   /**
-   * Integrates by Gauss' rule of degree + 3 points a parameter, exact for what
-   * is polynomial, and bisects where halves do not agree with the whole: the
-   * worst place first, along the parameter that gains most, until all errors
-   * together are below 1e-9 of the size. What falls between the points of the
-   * rule is seen by a finer grid of midpoints, which bisects where it finds
-   * values that the rule has not met, and whose own sum is the independent
-   * check. Ends at 1e6 evaluations with the error that is left (edges across a
-   * surface that are not along its parameters).
+   * Integrates by Gauss rules of degree + 3 points per parameter, exact for
+   * polynomials. Bisects the piece of largest error first, along the parameter
+   * that gains most, until the sum of errors is below 1e-9 of the size. A finer
+   * grid of midpoints detects features between the Gauss points: pieces are
+   * bisected where the grid has values that the rule has not met, and its sum
+   * is the independent check. Stops at 1e6 evaluations with the remaining error
+   * (as at edges across a surface oblique to its parameters).
    *
-   * With @p constant all f are taken to be smooth: no grid, no bisection, and
-   * nothing but the moments in the result.
+   * With @p constant all f are assumed smooth: no grid, no bisection, and only
+   * the moments in the result.
    *
-   * A piece is judged by two Gauss rules of degree + 3 and + 4 points, by its
-   * halves along each parameter where they disagree, and by values at its edges
-   * just inside. No piece is bisected more than 45 times along a parameter,
-   * which is what doubles can tell apart. Pieces stand in a heap by their
-   * error, so a step costs the logarithm of their number and the evaluations of
-   * two halves.
+   * The error of a piece is estimated by Gauss rules of degree + 3 and + 4
+   * points, by its halves along each parameter if they differ, and by values
+   * just inside its edges. A piece is bisected at most 45 times along a
+   * parameter, the resolution of doubles. Pieces are kept in a heap by error: a
+   * step costs the logarithm of their number and the evaluations of two halves.
    */
   template <int dim>
   Moments<dim>

@@ -10,50 +10,47 @@
 
 namespace lamella
 {
-  /**
-   * A moment M that acts on a surface as tractions that are linear over it,
-   *   t(x) = theta x (x - c),   J theta = M,
-   *   J = integral of (r^2 1 - r r) dA,   r = x - c,
-   * c the surface's own centre of area, by Gauss points: those of least square
-   * that have the moment M, and no force.
-   */
+  /// A moment M on a surface, applied as tractions that are linear over it,
+  ///   t(x) = theta x (x - c),   J theta = M,
+  ///   J = integral of (r^2 1 - r r) dA,   r = x - c,
+  /// with c the surface's center of area, by Gauss points. These tractions have
+  /// the moment M, no force, and least squares among those which have.
   class Couple
   {
   public:
-    /// @p load, which has a couple, on @p region of @p body. Throws InputError
-    /// where the body has no such surface.
+    /// Constructs the couple of @p load on @p region of @p body. Throws
+    /// InputError if the body has no such surface.
     Couple(const Load &load, const Region &region, const Body &body);
 
-    /// The points with the areas that they carry, which integrate the trace
-    /// functions of the surface times a linear function.
+    /// Returns points with their areas, which integrate the trace functions of
+    /// the surface times a linear function.
     const std::vector<SurfacePoint> &
     points() const
     {
       return all;
     }
 
-    /// t dA of each of them where they have moved to @p x, their areas
-    /// unchanged [force].
+    /// Returns t dA at the points moved to @p x, with unchanged areas [force].
     std::vector<dealii::Tensor<1, 3>>
     forces(const std::vector<dealii::Point<3>> &x) const;
 
-    /// By how much these forces change where the points at @p x move on by
-    /// @p u, to the first order.
+    /// Returns the first-order change of these forces for displacements @p u of
+    /// the points at @p x.
     std::vector<dealii::Tensor<1, 3>>
     change(const std::vector<dealii::Point<3>>     &x,
            const std::vector<dealii::Tensor<1, 3>> &u) const;
 
     /// Two vectors that are linear in the displacements u of the points,
     ///   spin    = J^-1 integral of r x u dA,
-    /// by how much the surface turns, and
+    /// the rotation of the surface, and
     ///   stretch = dJ theta
     ///           = integral of 2 (r . u) theta - (r . theta) u
     ///             - (u . theta) r dA.
-    /// With them the symmetric part of the derivative of the forces is
+    /// The symmetric part of the derivative of the forces is
     ///   df . v = -(spin(u) . stretch(v) + stretch(u) . spin(v)) / 2.
-    /// Entry [k][point] is what the displacement of the point is multiplied by.
-    /// (The other part is that of a moment whose direction is fixed, which has
-    /// no potential but in its plane.)
+    /// Entry [k][point] is the factor of the displacement of the point. The
+    /// skew part belongs to a moment of fixed direction, which has a potential
+    /// only in its plane.
     struct Turning
     {
       std::array<std::vector<dealii::Tensor<1, 3>>, 3> spin, stretch;
@@ -61,12 +58,12 @@ namespace lamella
     Turning
     turning(const std::vector<dealii::Point<3>> &x) const;
 
-    /// The dead load, of the undeformed surface.
+    /// Returns the dead load on the undeformed surface.
     PointForces
     dead() const;
 
   private:
-    /// Where the points have moved to x: their centre, J^-1 and theta.
+    /// Center, J^-1 and theta of the points moved to x.
     struct Place
     {
       dealii::Tensor<1, 3> centre;

@@ -12,18 +12,15 @@
 
 namespace lamella
 {
-  /**
-   * A value of a load: a number, or a function of the scene's x, y, z in the
-   * language of muParser; or nothing. Only text, and cheap to copy: Expression
-   * parses it. Tests and programs that use the library write `load.force[2] =
-   * -1000.`, scenes `-1000*sin(pi*y/2)`.
-   */
+  /// A value of a load, as text: a number, a function of the scene's x, y, z in
+  /// the language of muParser, or empty. Cheap to copy; Expression parses it.
+  /// Library users write `load.force[2] = -1000.`, scenes `-1000*sin(pi*y/2)`.
   class Formula
   {
   public:
     Formula() = default;
 
-    /// Implicit, as from literals and numbers; nothing is checked.
+    /// Converts literals and numbers implicitly, without checks.
     Formula(const std::string &expression)
       : expression(expression)
     {}
@@ -32,22 +29,22 @@ namespace lamella
       : expression(expression)
     {}
 
-    /// With all digits of @p value. 17 of them, so that the parser reads the
-    /// same double again.
+    /// Converts @p value with 17 digits, from which the parser restores it
+    /// exactly.
     template <typename Number,
               typename = std::enable_if_t<std::is_arithmetic<Number>::value>>
     Formula(const Number value)
       : Formula(with_all_digits(value))
     {}
 
-    /// In the language of muParser.
+    /// Returns the text in the language of muParser.
     const std::string &
     text() const
     {
       return expression;
     }
 
-    /// Whether there is no value, as of a pressure where a force is given.
+    /// Returns whether there is no value, as of a pressure if a force is given.
     bool
     empty() const
     {
@@ -55,38 +52,33 @@ namespace lamella
     }
 
   private:
-    /// @p value as text.
+    /// Returns @p value as text.
     static std::string
     with_all_digits(const double value);
 
     std::string expression;
   };
 
-  /**
-   * A real function of the scene's x, y, z that a scene spells in the language
-   * of muParser (deal.II's FunctionParser), with the constant pi. It keeps its
-   * own copy of the entry, for messages.
-   */
+  /// A real function of the scene's x, y, z in the language of muParser
+  /// (deal.II's FunctionParser), with the constant pi. Keeps a copy of its
+  /// entry, for messages.
   class Expression
   {
   public:
-    /**
-     * Of @p expression, a part of @p entry or all of it. Throws InputError of
-     * the entry if the expression does not parse, holds a comma outside of
-     * functions, assigns (`x=1` is an assignment to muParser and worth 1), or
-     * has no value of its own (`rand()`). It is evaluated once, at the origin,
-     * since deal.II parses no earlier; the value there may be infinite.
-     */
+    /// Parses @p expression, all or part of @p entry. Throws InputError of the
+    /// entry if it does not parse, has a comma outside of functions, assigns
+    /// (`x=1` is an assignment of value 1 in muParser), or has no fixed value
+    /// (`rand()`). It is evaluated once, at the origin, since deal.II parses no
+    /// earlier; that value may be infinite.
     Expression(const std::string &expression, const Entry &entry);
 
-    /// The value at @p x; InputError of the entry if it is not a finite number.
-    /// @p x in scene axes [length]; the unit of the value is that of what it is
-    /// for.
+    /// Returns the value at @p x, scene axes [length]. Throws InputError of the
+    /// entry if it is not finite.
     double
     operator()(const dealii::Point<3> &x) const;
 
-    /// Whether the text speaks of none of x, y, z. Then one value stands for
-    /// all places and integrals need no adaptivity.
+    /// Returns whether the text contains none of x, y, z. One value then holds
+    /// everywhere, and integrals need no adaptivity.
     bool
     is_constant() const
     {

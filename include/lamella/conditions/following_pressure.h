@@ -12,11 +12,9 @@
 
 namespace lamella
 {
-  /**
-   * A pressure p(X) per area of the deformed surface, against its normal there:
-   *   f . v = -integral p v . (x_,s x x_,t) ds dt
-   * by Gauss points of each facet, s and t its material coordinates.
-   */
+  /// A follower pressure p(X) per deformed area, against the current normal:
+  ///   f . v = -integral p v . (x_,s x x_,t) ds dt
+  /// by Gauss points of each facet, with material coordinates s and t.
   class FollowingPressure : public TurningLoad
   {
   public:
@@ -36,8 +34,8 @@ namespace lamella
       const std::function<void(const StiffnessBlock &)> &use) const override;
 
   private:
-    /// A point of a facet with its weight times p, and the trace functions
-    /// there with their derivatives by s and t.
+    /// A Gauss point of a facet with its weight times p, and the trace
+    /// functions with their derivatives by s and t.
     struct GaussPoint
     {
       dealii::Point<2>    st;
@@ -54,17 +52,18 @@ namespace lamella
 
       FacetMap
       moved(const Vector &u) const;
-      /// -df/du of the nodes' displacements, @p at the moved facet.
+      /// Returns -df/du of the nodes' displacements, @p at the moved facet.
       dealii::FullMatrix<double>
       stiffness(const FacetMap &at, const double factor) const;
     };
-    /// The functions of @p facet at @p point.
+    /// Evaluates the trace functions of @p facet at @p point.
     static void
     evaluate(const SurfaceFacet &facet, GaussPoint &point);
-    /// The forces on the nodes of @p facet, which is @p now there.
+    /// Returns the forces on the nodes of @p facet, whose current map is
+    /// @p now.
     static std::vector<dealii::Tensor<1, 3>>
     forces_on(const Facet &facet, const FacetMap &now, const double factor);
-    /// The trace nodes of @p facet.
+    /// Returns the trace nodes of @p facet.
     static std::vector<Location>
     nodes_of(const Body &body, const SurfaceFacet &facet);
     static Facet

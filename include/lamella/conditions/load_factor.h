@@ -11,35 +11,33 @@
 namespace lamella
 {
   /**
-   * The load factor t of a state: what multiplies loads, prescribed
-   * displacements and the ways of obstacles there. One number for all of the
-   * scene (`Load factors`), and one for each of them that has a history of its
-   * own (`Factors`),
+   * The load factor t of a state, which multiplies loads, prescribed
+   * displacements and motions of obstacles. The scene has a factor t_0 (`Load
+   * factors`), and each object with its own history (`Factors`) has a t_k:
    *   f(t) = t_0 f_0 + sum_k t_k f_k.
-   * Heat has one, too: it is all there in any step, and on the way of bodies
-   * that turn into the first one a part of it.
+   * Heat has a factor, too: 1 in every step, and less on the way of bodies with
+   * finite rotations to the first step.
    */
   class LoadFactor
   {
   public:
-    /// The number of the history of heat.
+    /// History number of heat.
     static constexpr unsigned int heat = static_cast<unsigned int>(-1);
 
-    /// The number is all there is in scenes where nothing has a history of its
-    /// own.
+    /// Sets t_0 and the t_k of own histories, if any.
     LoadFactor(const double scene = 0., std::vector<double> own = {})
       : scene(scene)
       , own(std::move(own))
     {}
 
-    /// t_0.
+    /// Returns t_0.
     double
     of_scene() const
     {
       return scene;
     }
 
-    /// t_k, k = @p history; 0 is that of the scene.
+    /// Returns t_k, k = @p history; 0 is that of the scene.
     double
     of(const unsigned int history) const
     {
@@ -51,7 +49,7 @@ namespace lamella
       return own[history - 1];
     }
 
-    /// Adds that of one more history; its number is returned.
+    /// Adds the factor of one more history. Returns its number.
     unsigned int
     add(const double factor)
     {
@@ -59,7 +57,7 @@ namespace lamella
       return own.size();
     }
 
-    /// The one between @p from and this, at the share @p way of the way.
+    /// Returns the factor at the fraction @p way between @p from and this.
     LoadFactor
     after(const LoadFactor &from, const double way) const
     {
@@ -70,15 +68,14 @@ namespace lamella
       return result;
     }
 
-    /// Zero in all histories but that of heat: nothing loads or moves the
-    /// bodies.
+    /// Returns this with zero in all histories except heat.
     LoadFactor
     without_loads() const
     {
       return {0., std::vector<double>(own.size(), 0.)};
     }
 
-    /// without_loads(), and cold.
+    /// Returns without_loads(), also without heat.
     LoadFactor
     at_rest() const
     {
@@ -87,7 +84,7 @@ namespace lamella
       return result;
     }
 
-    /// This, as warm as @p other.
+    /// Returns this with the heat factor of @p other.
     LoadFactor
     as_warm_as(const LoadFactor &other) const
     {

@@ -10,37 +10,35 @@
 
 namespace lamella
 {
-  /**
-   * The midpoint rule on a grid over a cell of a load: what looks for that
-   * which falls between the points of Gauss' rule (adaptive_moments()). All
-   * grids together have about 2e4 points, as many on each cell, more along its
-   * longer side, at least four along each parameter.
-   */
+  /// The midpoint rule on a grid over a cell of a load, which detects features
+  /// between Gauss points (adaptive_moments()). All grids have about 2e4
+  /// points, equally many per cell, more along its longer side, at least four
+  /// along each parameter.
   template <int dim>
   class MidpointGrid
   {
   public:
     using Cell = typename Moments<dim>::Cell;
 
-    /// The values over @p cell, one of @p n_cells, with @p finer times the
+    /// Evaluates f over @p cell, one of @p n_cells, with @p finer times the
     /// points along each parameter.
     MidpointGrid(const Cell       &cell,
                  const std::size_t n_cells,
                  const double      finer);
 
-    /// f at the midpoint of each part, the first parameter running fastest.
+    /// Returns f at the midpoints, the first parameter running fastest.
     const std::vector<dealii::Tensor<1, 3>> &
     values() const
     {
       return kept;
     }
 
-    /// How far those in @p box are beyond @p range.
+    /// Returns how far values in @p box exceed @p range (ForceRange::beyond()).
     double
     beyond(const ParameterBox<dim> &box, const ForceRange &range) const;
 
   private:
-    /// Points along each parameter.
+    /// Number of points along each parameter.
     std::array<unsigned int, dim>     n;
     std::vector<dealii::Tensor<1, 3>> kept;
   };

@@ -15,7 +15,7 @@ namespace lamella
   struct ParameterBox
   {
     dealii::Point<dim> low, high;
-    /// How often along each parameter.
+    /// Number of bisections along each parameter.
     std::array<unsigned int, dim> bisections{};
 
     double
@@ -24,13 +24,12 @@ namespace lamella
     dealii::Point<dim>
     centre() const;
 
-    /// The two of its bisection along parameter @p d.
+    /// Returns the two halves along parameter @p d.
     std::array<ParameterBox, 2>
     halves(const unsigned int d) const;
   };
 
-  /// The smallest and the largest value of each component, of all that were
-  /// added.
+  /// Smallest and largest value of each component of the added values.
   struct ForceRange
   {
     dealii::Tensor<1, 3> low, high;
@@ -39,23 +38,22 @@ namespace lamella
     void
     add(const dealii::Tensor<1, 3> &f);
 
-    /// How far @p f is from what is known: a quarter of the range beyond it and
-    /// further; else 0.
+    /// Returns how far @p f lies outside the range widened by a quarter of its
+    /// width on each side; 0 inside.
     double
     beyond(const dealii::Tensor<1, 3> &f) const;
   };
 
-  /**
-   * Gauss' rule over a box of a cell, for integrals of f phi_k (Moments), with
-   * degree + 3 and some more points along each parameter.
-   */
+  /// A Gauss rule over a box of a cell for integrals of f phi_k (Moments), with
+  /// degree + 3 points or more along each parameter.
   template <int dim>
   class MomentRule
   {
   public:
     using Cell = typename Moments<dim>::Cell;
 
-    /// With @p more points along each parameter. Refers to @p cell.
+    /// Sets up @p more additional points along each parameter. Keeps a
+    /// reference to @p cell.
     MomentRule(const Cell              &cell,
                const ParameterBox<dim> &box,
                const unsigned int       more);
@@ -66,13 +64,13 @@ namespace lamella
       return points;
     }
 
-    /// The integrals, in the order of Moments::of_cells; the values of f that
-    /// they are made of into @p range.
+    /// Returns the integrals, in the order of Moments::of_cells. Adds the
+    /// values of f to @p range.
     std::vector<dealii::Tensor<1, 3>>
     integrate(ForceRange &range) const;
 
   private:
-    /// One of the points: its numbers along each parameter.
+    /// A point of the rule, with its index along each parameter.
     struct Node
     {
       std::array<unsigned int, dim> at;
@@ -82,12 +80,12 @@ namespace lamella
 
     Node
     node(const unsigned int q) const;
-    /// w phi_k there.
+    /// Returns w phi_k at @p node.
     double
     weighted(const Node &node, const unsigned int k) const;
 
     const Cell &cell;
-    /// Points, weights and functions of each parameter, once.
+    /// Points, weights and functions of each parameter.
     std::array<std::vector<double>, dim> x, w, phi;
     unsigned int                         points = 1, functions = 1;
   };

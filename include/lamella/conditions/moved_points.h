@@ -9,38 +9,35 @@
 
 namespace lamella
 {
-  /**
-   * Points of a body in any state u of it: where they are, and what forces
-   * there do,
-   *   f(u) = sum over k of R_k(u)^T F_k,   R_k the rows of point k at u
-   * (Body::rows_at()). Rows that no state changes are made once. Refers to the
-   * body.
-   */
+  /// Points of a body in any state u: displacements, and generalized forces
+  ///   f(u) = sum over k of R_k(u)^T F_k,   R_k the rows of point k at u
+  /// (Body::rows_at()). Rows that do not depend on u are cached. Keeps a
+  /// reference to the body.
   class MovedPoints
   {
   public:
     MovedPoints(const Body &body, std::vector<Location> locations);
 
-    /// R_k(u), three rows a point.
+    /// Returns R_k(u), three rows per point.
     std::vector<std::vector<Row>>
     rows(const Vector &u) const;
 
-    /// By how much they have moved, scene axes [length].
+    /// Returns the displacements of the points, scene axes [length].
     std::vector<dealii::Tensor<1, 3>>
     displacements(const Vector &u) const;
 
-    /// f += what @p forces do at @p u.
+    /// Adds the generalized forces of @p forces at @p u to f.
     void
     add_forces(const std::vector<dealii::Tensor<1, 3>> &forces,
                const Vector                            &u,
                Vector                                  &f) const;
 
-    /// Of each point the displacement that the change @p w of @p u makes.
+    /// Returns the displacement of each point for the change @p w of @p u.
     std::vector<dealii::Tensor<1, 3>>
     changes(const Vector &u, const Vector &w) const;
 
-    /// f += @p factor times what @p forces, that stay as they are, do more
-    /// where @p u changes by @p w: sum over k of dR_k^T F_k.
+    /// Adds @p factor sum_k dR_k^T F_k to f, the change of the generalized
+    /// forces of constant @p forces if @p u changes by @p w.
     void
     add_turned(const std::vector<dealii::Tensor<1, 3>> &forces,
                const double                             factor,
@@ -48,7 +45,7 @@ namespace lamella
                const Vector                            &w,
                Vector                                  &f) const;
 
-    /// The same as blocks of a matrix.
+    /// Calls @p use for the blocks of the matrix of add_turned().
     void
     for_each_turned_block(
       const std::vector<dealii::Tensor<1, 3>>           &forces,

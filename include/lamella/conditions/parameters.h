@@ -15,74 +15,69 @@
 
 namespace lamella
 {
-  /**
-   * The body's number among @p bodies and the rest of an entry, or of a piece
-   * of one, `BODY: rest`. Throws InputError for a text without a colon and for
-   * a name that is none of them. @p bodies are the names in the order of the
-   * scene; the number counts from 0. The message gives the nearest name.
-   */
+  /// Returns the number of the body, from 0 in @p bodies, and the rest of
+  /// `BODY: rest`, an entry or a part of it. Throws InputError for a text
+  /// without a colon and for an unknown name; the message suggests the nearest.
   std::pair<unsigned int, std::string>
   parse_on_body(const Entry &entry, const std::vector<std::string> &bodies);
 
   /**
-   * The regions that @p on names, `BODY: point | line | body | SURFACE` between
-   * semicolons, points and lines at the positions of @p at. Throws InputError
-   * for none, for one that is named twice, and for positions that are too few,
-   * too many or that nothing uses. Surfaces are not known yet and are checked
-   * on the body (check_surface()). A semicolon at the end is no fault. All
-   * points of @p at are one region; a line has exactly two different ends.
+   * Returns the regions of @p on, `BODY: point | line | body | SURFACE` between
+   * semicolons (one at the end is allowed), with the positions @p at of points
+   * and lines. All points of @p at are one region; a line has two different
+   * ends. Throws InputError for no or repeated regions, and for too few, too
+   * many or unused positions. Surfaces are checked later, by check_surface().
    */
   std::vector<Region>
   parse_regions(const Entry                    &on,
                 const Entry                    &at,
                 const std::vector<std::string> &bodies);
 
-  /// `Factors` of a load, a support or an obstacle.
+  /// The entry `Factors` of a load, a support or an obstacle.
   struct HistoryParameters
   {
-    /// Declares it in the subsection that @p prm is in.
+    /// Declares the entry in the subsection that @p prm is in.
     static void
     declare(dealii::ParameterHandler &prm);
 
-    /// The number of the history that the entry of @p in says, which is added
-    /// to the load factors of all @p steps; 0, that of the scene, if it is
-    /// empty. Throws InputError unless there is one number a step.
+    /// Adds the history in @p in to the load factors of all @p steps and
+    /// returns its number; 0, that of the scene, if the entry is empty. Throws
+    /// InputError unless there is one number per step.
     static unsigned int
     parse(const Entries &in, std::vector<LoadFactor> &steps);
   };
 
-  /// The entries of a `subsection Support NAME`. `On`, `At`, `u`, `Normal
+  /// The entries of a `subsection Support NAME`: `On`, `At`, `u`, `Normal
   /// displacement`.
   struct SupportParameters
   {
-    /// Declares them in the subsection that @p prm is in.
+    /// Declares the entries in the subsection that @p prm is in.
     static void
     declare(dealii::ParameterHandler &prm);
 
-    /// The support @p name of bodies with the names @p bodies. Throws
-    /// InputError. An empty u holds all three components; `free` leaves one
-    /// free, but not all. A normal displacement excludes u and is for surfaces
-    /// only.
+    /// Returns the support @p name on bodies with the names @p bodies. An empty
+    /// u fixes all components; `free` leaves one free, but not all. A normal
+    /// displacement excludes u and is for surfaces only. Throws InputError.
     static Support
     parse(const Entries                  &in,
           const std::string              &name,
           const std::vector<std::string> &bodies);
   };
 
-  /// The entries of a `subsection Load NAME`. `On`, `At`, and one of `Force`,
+  /// The entries of a `subsection Load NAME`: `On`, `At`, and one of `Force`,
   /// `Total force`, `Pressure`, `Couple` and `Temperature`.
   struct LoadParameters
   {
-    /// Declares them in the subsection that @p prm is in.
+    /// Declares the entries in the subsection that @p prm is in.
     static void
     declare(dealii::ParameterHandler &prm);
 
-    /// The load @p name on bodies with the names @p bodies, its expressions not
-    /// yet parsed. Throws InputError. Regions of which one is part of another
-    /// on the same body (`all`, `ends`) are refused: the load would act twice
-    /// there. So are forces on a whole body, temperatures on anything else, and
-    /// pressure and couples on anything but a surface, couples on several at
-    /// once (`ends`, `all`), totals at points or on lines beside surfaces, too.
+    /// Returns the load @p name on bodies with the names @p bodies, its
+    /// expressions not yet parsed. Throws InputError, also for overlapping
+    /// regions of one body (`all`, `ends`), where the load would act twice,
+    /// forces on whole bodies, temperatures on anything else, pressures and
+    /// couples not on a surface, couples on several surfaces (`ends`, `all`),
+    /// and totals at points or on lines beside surfaces.
     static Load
     parse(const Entries                  &in,
           const std::string              &name,

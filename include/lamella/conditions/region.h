@@ -2,7 +2,7 @@
 
 // The room `conditions`: what holds and loads bodies one by one. It owns
 // regions (surfaces, lines, points), supports, loads and their integration,
-// stabilising springs, and the elimination of what supports prescribe, all as
+// stabilizing springs, and the elimination of what supports prescribe, all as
 // rows of Body. It never knows that there is a second body to touch: no
 // contact.
 
@@ -17,13 +17,12 @@
 
 namespace lamella
 {
-  /// The part of a body that a support or a load acts on. What a scene writes
-  /// as `On = BODY: point | line | body | SURFACE` with `At`. Names of surfaces
-  /// are the body's (Body::surfaces()) and are not known to the parser;
-  /// check_surface() checks them.
+  /// The part of a body that a support or a load acts on: `On = BODY: point |
+  /// line | body | SURFACE` with `At` in a scene. Surfaces are named by the
+  /// body (Body::surfaces()); check_surface() checks them.
   struct Region
   {
-    /// undefined is nothing yet: reading it is a fault of the program.
+    /// Kind of region; reading `undefined` is a program error.
     enum class Kind
     {
       undefined,
@@ -32,39 +31,38 @@ namespace lamella
       surface,
       body
     };
-    /// The number in the scene's list of bodies.
+    /// Number of the body in the scene's list.
     unsigned int body = 0;
-    /// Which of the members below count.
+    /// Kind, which selects the members below.
     Kind kind = Kind::undefined;
-    /// Of a surface its name (bottom, top, start, ends, ...).
+    /// Name of a surface (bottom, top, start, ends, ...).
     std::string surface;
-    /// Of a point its position, of a line its two ends, in scene axes [length].
-    /// Several points are one region.
+    /// Positions of points, which are one region, or the two ends of a line, in
+    /// scene axes [length].
     std::vector<dealii::Point<3>> at;
 
-    /// Whether this is a surface that is, or has for a part, @p side of the
-    /// body.
+    /// Returns whether this is a surface that contains @p side of the body.
     bool
     covers(const std::string &side) const;
-    /// Whether this is a surface with the body's whole start (or its end).
+    /// Returns whether this is a surface with the body's whole start (or end).
     bool
     covers_end(const bool at_start) const;
-    /// Whether this is the body as a whole, its inside, too.
+    /// Returns whether this is the whole body, including its interior.
     bool
     is_whole_body() const
     {
       return kind == Kind::body;
     }
-    /// Whether this is made of points or lines, one of which is at @p x (scene
-    /// axes) up to @p near [length].
+    /// Returns whether this consists of points or lines, one of which is within
+    /// @p near [length] of @p x (scene axes).
     bool
     has_point_at(const dealii::Point<3> &x, const double near) const;
-    /// Whether this is a surface that is made of several: no single place.
+    /// Returns whether this is a surface made of several.
     bool
     is_several_surfaces() const;
   };
 
-  /// The words for regions that are no surface, which has a name of its own.
+  /// Names of regions except surfaces, which have their own.
   template <>
   struct Names<Region::Kind>
   {
@@ -75,49 +73,44 @@ namespace lamella
   };
 
   /**
-   * Locations that fix the displacement of @p body on @p region. Throws
-   * InputError of the entry or subsection @p path if a point or a line is not
-   * in the body or the body has no such surface.
+   * Returns locations that determine the displacement of @p body on @p region.
    *
    *   Kind     locations
    *   point    one for each position in `at`
-   *   line     Body::line_points() of the segment: as many an element as its
+   *   line     Body::line_points() of the segment: as many per element as its
    *            polynomial degree along the line takes
    *   surface  Body::fixing_points()
    *   body     Body::body_points()
    *
    * Prescribing the displacement at all of them prescribes its trace on the
-   * whole region, and some rows more than once, which RowReduction sorts out.
-   * Only the two ends of a line are tested for being in the body before its
-   * crossings are sought; all its points must be found.
+   * region. Some rows are redundant; RowReduction removes them. Throws
+   * InputError of the entry or subsection @p path if a point or a line is not
+   * in the body (both ends are tested first, then all points) or the body has
+   * no such surface.
    */
   std::vector<Location>
   region_locations(const Body        &body,
                    const Region      &region,
                    const std::string &path);
 
-  /**
-   * For each point its locations, one in each ply that it touches
-   * (Body::locate()). Throws InputError of the entry or subsection @p path for
-   * a point outside of @p body; the message gives the body's extent. The order
-   * is that of @p points. Stresses jump between plies, so who samples them
-   * needs all sides.
-   */
+  /// Returns the locations of each point, one in each ply that it touches
+  /// (Body::locate()), since stresses jump between plies. Throws InputError of
+  /// the entry or subsection @p path for a point outside of @p body; the
+  /// message gives the body's extent.
   std::vector<std::vector<Location>>
   locate_sides(const Body                          &body,
                const std::vector<dealii::Point<3>> &points,
                const std::string                   &path);
 
-  /// For each point the first of these (displacements are continuous). Throws
-  /// as locate_sides() does.
+  /// Returns the first location of each point, sufficient for displacements,
+  /// which are continuous. Throws as locate_sides() does.
   std::vector<Location>
   locate_all(const Body                          &body,
              const std::vector<dealii::Point<3>> &points,
              const std::string                   &path);
 
   /// Throws InputError of the entry or subsection @p path if @p body has no
-  /// @p surface. The message lists the surfaces that there are, the nearest
-  /// name first.
+  /// @p surface. The message lists its surfaces, the nearest name first.
   void
   check_surface(const Body        &body,
                 const std::string &surface,

@@ -14,50 +14,50 @@
 
 namespace lamella
 {
-  /// The prescribed rows of a body as RowReduction takes them.
+  /// The prescribed rows of a body, as RowReduction uses them.
   struct BodyRows
   {
-    /// Those of @p rows, which may be of all bodies, that belong to @p body,
-    /// number @p index. Refers to both.
+    /// Selects the @p rows that belong to @p body, number @p index. Keeps
+    /// references to @p body and @p rows.
     BodyRows(const Body                       &body,
              const unsigned int                index,
              const std::vector<PrescribedRow> &rows);
 
-    /// Those that have entries, in groups that share DoFs.
+    /// Returns the nonempty rows in groups that share DoFs.
     std::vector<std::vector<unsigned int>>
     groups() const;
 
     const Body                       &body;
     const std::vector<PrescribedRow> &prescribed;
-    /// Of each row the functional, in the DoFs that the body's theory leaves
-    /// independent; those of other bodies empty.
+    /// Functionals of the rows in the DoFs that the theory leaves independent;
+    /// empty for rows of other bodies.
     std::vector<Row> functionals;
     /// Body::dof_sizes().
     std::vector<double> sizes;
   };
 
   /// The independent rows of a group and the DoFs that they eliminate. Groups
-  /// share no DoF, so each is solved for by itself.
+  /// share no DoF and are solved separately.
   struct IndependentRows
   {
-    /// Numbers in the list of all.
+    /// Numbers of the rows in the list of all.
     std::vector<unsigned int> rows;
-    /// The DoF that rows[k] eliminates.
+    /// DoF that rows[k] eliminates.
     std::vector<DofIndex> pivots;
-    /// The factorised transpose of the rows in the pivots' columns; groups that
-    /// are the same but for a shift share it.
+    /// Factorized transpose of the rows in the pivots' columns, shared by
+    /// groups that are equal up to a shift.
     std::shared_ptr<const dealii::SparseDirectUMFPACK> transposed;
   };
 
-  /// A row under elimination: what is left of it and of its right-hand side.
-  /// Its entries are those of displacements, DoFs times their sizes.
+  /// A row during elimination: the remaining entries and right-hand side.
+  /// Entries belong to displacements, DoFs times their sizes.
   struct RowEquation
   {
     unsigned int               number;
     std::map<DofIndex, double> entries;
     double                     value;
     double                     largest = 0., at_start = 0.;
-    /// The DoF that it eliminates, if any.
+    /// DoF that the row eliminates, if any.
     DofIndex pivot = dealii::numbers::invalid_dof_index;
 
     bool
@@ -66,7 +66,7 @@ namespace lamella
       return pivot != dealii::numbers::invalid_dof_index;
     }
 
-    /// Whether there is enough of it left to eliminate a DoF with.
+    /// Returns whether the rest of the row is large enough for a pivot.
     bool
     is_open() const;
 
@@ -76,26 +76,26 @@ namespace lamella
     double
     entry(const DofIndex dof) const;
 
-    /// Takes @p factor times @p other off, and with it @p eliminated. Returns
-    /// the DoFs that come in.
+    /// Subtracts @p factor times @p other, and removes @p eliminated. Returns
+    /// the DoFs that are new in the row.
     std::vector<DofIndex>
     subtract(const RowEquation &other,
              const DofIndex     eliminated,
              const double       factor);
   };
 
-  /// The rows of a group with what their elimination, Gauss' and Jordan's,
-  /// leaves (RowReduction): equations whose entries are those of DoFs again
-  /// where they have a pivot.
+  /// Gauss-Jordan elimination of the rows of a group (RowReduction). The
+  /// entries of equations with a pivot belong to DoFs again.
   class RowElimination
   {
   public:
-    /// Of @p group, numbers in the list of @p held.
+    /// Eliminates @p group, numbers in the list of @p held.
     RowElimination(const std::vector<unsigned int> &group,
                    const BodyRows                  &held);
 
-    /// Whether the rows @p group are these but for a shift of all DoFs, which
-    /// it returns: the supports of a body along its axis are, node by node.
+    /// Returns the shift of all DoFs that makes the rows @p group equal to
+    /// these, if there is one. Supports along a body's axis are such, node by
+    /// node.
     std::optional<DofIndex>
     shift_to(const std::vector<unsigned int> &group,
              const BodyRows                  &held) const;
@@ -106,12 +106,12 @@ namespace lamella
 
     std::vector<unsigned int> rows;
     std::vector<RowEquation>  equations;
-    /// Of the prescribed values.
+    /// Largest prescribed value.
     double          largest_value = 0.;
     IndependentRows independent;
 
   private:
-    /// Factorises the independent ones of the rows @p functionals.
+    /// Factorizes the independent rows of @p functionals.
     void
     factorise(const std::vector<Row> &functionals);
   };

@@ -12,8 +12,8 @@
 
 namespace lamella
 {
-  /// From forms of the displacements of some places, whose three rows each it
-  /// is made of, to forms of the DoFs that these depend on.
+  /// Transforms forms of the displacements of some places to forms of the DoFs
+  /// in their three rows each.
   class RowsToDofs
   {
   public:
@@ -39,8 +39,8 @@ namespace lamella
       return block;
     }
 
-    /// The block of the quadratic form @p of_rows of the displacements: row
-    /// and column 3 k + c are of the component c at place k.
+    /// Returns the block of the quadratic form @p of_rows of the displacements.
+    /// Row and column 3 k + c belong to component c at place k.
     StiffnessBlock
     operator()(const dealii::FullMatrix<double> &of_rows) const
     {
@@ -59,8 +59,8 @@ namespace lamella
       return result;
     }
 
-    /// Of the block's DoFs, the linear form of the displacements of the
-    /// places that multiplies each by one of @p weights.
+    /// Returns the linear form sum_k weights[k] . u_k of the displacements of
+    /// the places, in the block's DoFs.
     std::vector<double>
     form(const std::vector<dealii::Tensor<1, 3>> &weights) const
     {

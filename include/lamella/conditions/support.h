@@ -13,121 +13,114 @@
 
 namespace lamella
 {
-  /// A rigid motion that nothing prevents. The stiffness of the body is
-  /// singular along it: a Stabilisation has to make it definite for contact to
-  /// hold the body, or the scene is refused.
+  /// A rigid motion that nothing prevents. The body's stiffness is singular
+  /// along it: it needs a Stabilisation, or the scene is rejected.
   struct FreeMotion
   {
-    /// The rotations about the body's centre() times its size(), so that all
-    /// six numbers are displacements of comparable size.
+    /// Motion with rotations about the body's centre() times its size(), so
+    /// that all six numbers are displacements of similar size.
     RigidMotion motion;
-    /// As in "translation along x with rotation about y". Parts below a
-    /// hundredth of the largest are left out.
+    /// Description, "translation along x with rotation about y". Parts below a
+    /// hundredth of the largest are omitted.
     std::string words;
 
-    /// The displacement at @p x of @p body.
-    ///
-    ///   u(x) = t + w x (x - centre), w = rotations / size,
-    ///
-    /// in scene axes, for small rotations. @p body is the one it was found for.
+    /// Returns the displacement at @p x, for small rotations, scene axes,
+    ///   u(x) = t + w x (x - centre), w = rotations / size.
+    /// @p body is the one that the motion was found for.
     dealii::Tensor<1, 3>
     at(const dealii::Point<3> &x, const Body &body) const;
   };
 
-  /// What `Hold` of a body makes a support of: rows that take rigid motions out
-  /// of a body that nothing acts against (conditions/hold.h).
+  /// Isostatic support of a body, from its entry `Hold`: rows that remove
+  /// unresisted rigid motions (conditions/hold.h).
   struct Hold
   {
-    /// The number in the scene's list of bodies.
+    /// Number of the body in the scene's list.
     unsigned int body = 0;
-    /// What is held; empty until find_held_motions() has looked.
+    /// Motions that are held; empty until find_held_motions() is called.
     std::vector<FreeMotion> motions = {};
   };
 
-  /// A surface that is moved as a whole, the rigid motion
-  ///   u(X) = s d + (R(s theta) - 1) (X - c)
-  /// at load factor s, R the rotation by |theta| about theta.
+  /// Rigid motion of a surface at load factor s,
+  ///   u(X) = s d + (R(s theta) - 1) (X - c),
+  /// R the rotation by |theta| about theta.
   struct RigidTurn
   {
-    /// d [length] and theta [rad], scene axes.
+    /// Translation d [length] and rotation theta [rad], scene axes.
     dealii::Tensor<1, 3> translation, rotation;
     dealii::Point<3>     about;
 
-    /// u(@p X).
+    /// Returns u(@p X).
     dealii::Tensor<1, 3>
     displacement(const double s, const dealii::Point<3> &X) const;
-    /// Its derivative, d + theta x R(s theta) (X - c).
+    /// Returns the derivative of u by s, d + theta x R(s theta) (X - c).
     dealii::Tensor<1, 3>
     rate(const double s, const dealii::Point<3> &X) const;
   };
 
-  /// Prescribed displacements, imposed exactly.
-  ///
+  /// Prescribed displacements,
   ///   u_c(X) = s d_c for all X of its regions, or n(X) . u(X) = s d,
-  ///
-  /// with the load factor s of its history, or those of a RigidTurn; bodies of
-  /// small rotations take s (d + theta x (X - c)). Dirichlet conditions,
-  /// eliminated
-  /// from the unknowns (RowReduction); there is no penalty and no multiplier in
-  /// the system. Either u or normal counts.
+  /// with the load factor s of its history, or those of a RigidTurn, which
+  /// bodies of small rotations linearize to s (d + theta x (X - c)). Dirichlet
+  /// conditions, eliminated exactly (RowReduction), without penalty or
+  /// multiplier. Either u or normal is used.
   struct Support
   {
-    /// As in `subsection Support NAME`.
+    /// Name in `subsection Support NAME`.
     std::string name;
-    /// May lie on several bodies.
+    /// Regions, possibly of several bodies.
     std::vector<Region> on;
-    /// The scene components of u at load factor 1; those without are free
-    /// [length]. 0 holds the point.
+    /// Scene components of u at load factor 1 [length]: 0 is fixed, none free.
     std::array<std::optional<double>, 3> u;
-    /// On surfaces, n . u with the outward normal n: 0 is symmetry, whichever
-    /// way the body is turned. Positive outwards [length].
+    /// n . u on surfaces with the outward normal n [length]; 0 is symmetry.
     std::optional<double> normal = std::nullopt;
-    /// theta of a RigidTurn, which then has u for d [rad].
+    /// theta of a RigidTurn, which has u as d [rad].
     std::optional<dealii::Tensor<1, 3>> rotation = std::nullopt;
-    /// Its c; the middle of the box around all that is held without.
+    /// c of a RigidTurn; by default the center of the bounding box of the held
+    /// points.
     std::optional<dealii::Point<3>> about = std::nullopt;
-    /// Of a hold, which has no regions and no values.
+    /// Isostatic support, without regions and values.
     std::optional<Hold> hold = std::nullopt;
-    /// Of its load factors (LoadFactor::of()).
+    /// Number of its history of load factors (LoadFactor::of()).
     unsigned int history = 0;
   };
 
-  /// The displacement of one point along a direction: row(u) = value. The force
-  /// in the row, its multiplier, is a reaction: force along direction on the
-  /// body, and work with value. Of a hold it is the mean of several points.
+  /// The displacement of one point along a direction, row(u) = value; for a
+  /// hold, a mean of several points. Its multiplier is the reaction on the body
+  /// along the direction, work-conjugate to the value.
   struct PrescribedRow
   {
-    /// Compressed, with no constant part and no entries that are rounding.
+    /// Compressed row, without constant part or rounding errors.
     BodyRow row;
-    /// At load factor 1, of small rotations [length].
+    /// Value at load factor 1, for small rotations [length].
     double value = 0.;
-    /// Its number in the list of supports.
+    /// Number of the support in the list.
     unsigned int support = 0;
-    /// A unit vector of the scene; the force in the row acts along it. Of a
-    /// hold the resultant of a unit force in the row.
+    /// Unit vector of the scene along which the row's force acts; for a hold,
+    /// the resultant of a unit force in the row.
     dealii::Tensor<1, 3> direction;
-    /// Where it acts, in the scene: for moments of reactions and for messages.
+    /// Position in the scene, for moments of reactions and messages.
     dealii::Point<3> position;
-    /// The moment about there of a unit force in the row: not zero of a hold
+    /// Moment about the position of a unit force in the row; nonzero for a hold
     /// only.
     dealii::Tensor<1, 3> couple = {};
-    /// That of its support.
+    /// History of the support.
     unsigned int history = 0;
-    /// The same place in its body; none of a hold, and none on an end of a
-    /// body that does not turn: what is held there are the numbers of its
-    /// section, whatever its state.
+    /// Location of the position in the body. None for a hold, and none on an
+    /// end of a body without finite rotations, where section DoFs are held in
+    /// any state.
     std::optional<Location> location = {};
-    /// Where its support turns the place.
+    /// Rigid motion of the place, if its support has one.
     std::optional<RigidTurn> turn = {};
 
-    /// What a body that turns by any angle is to have it measure at load factor
-    /// @p s [length].
+    /// Returns the prescribed value at load factor @p s for a body with finite
+    /// rotations [length].
     double
     value_at(const double s) const
     {
       return turn ? direction * turn->displacement(s, position) : s * value;
     }
-    /// The derivative of what its place does along its direction.
+    /// Returns the derivative of value_at() by s.
     double
     rate_at(const double s) const
     {
@@ -135,47 +128,44 @@ namespace lamella
     }
   };
 
-  /// The turn of @p support, which has one, of places on @p bodies.
+  /// Returns the rigid motion of @p support, which has one, for places on
+  /// @p bodies.
   RigidTurn
   rigid_turn(const Support &support, const Bodies &bodies);
 
-  /// The unit vector along the scene's axis @p c, 0, 1 or 2 for x, y, z.
+  /// Returns the unit vector along scene axis @p c, 0, 1 or 2 for x, y, z.
   dealii::Tensor<1, 3>
   scene_axis(const unsigned int c);
 
   /**
-   * The rows of @p supports. They may depend on each other; RowReduction sees
-   * to that. Throws InputError for regions that are not in their body. Support
-   * by support, region by region, point by point; of u three rows a point or
-   * fewer, of normal one, of a hold one a motion. Weights below 1e-13 of a
-   * row's largest are dropped, so that what rounding leaves at other nodes does
-   * not tie rows together. Throws InputError, too, for a normal displacement on
-   * a surface with corners, where there is no normal.
+   * Returns the rows of @p supports by support, region and point: up to three
+   * per point for u, one for a normal displacement, one per motion of a hold.
+   * They may be dependent (see RowReduction). Weights below 1e-13 of a row's
+   * largest are dropped, so that rounding errors do not couple rows. Throws
+   * InputError for regions outside of their body, and for a normal displacement
+   * on a surface with corners.
    */
   std::vector<PrescribedRow>
   prescribed_rows(const std::vector<Support> &supports, const Bodies &bodies);
 
-  /// The row @p prescribed of @p body where @p u has moved it, a functional of
-  /// changes of that state (Body::rows_at()), and what it measures there. One
-  /// without a location stays as it is; one of a turn measures along a
-  /// direction that turns with the section, so that rows which are independent
-  /// at rest stay so.
+  /// Returns the row @p prescribed of @p body linearized at @p u
+  /// (Body::rows_at()), and its value there. A row without a location is
+  /// unchanged. The direction of a row with a rigid motion rotates with the
+  /// section, which keeps independent rows independent.
   std::pair<PrescribedRow, double>
   row_at(PrescribedRow prescribed, const Body &body, const Vector &u);
 
   /**
-   * The rigid motions of @p body, number @p index, that @p rows leave free;
-   * none if it is held.
+   * Returns the rigid motions of @p body, number @p index, that @p rows leave
+   * free: the null space of R E, E the rigid motions (rotations scaled with the
+   * body's size), by a singular value decomposition with the threshold 1e-8 of
+   * the largest singular value. Motions that the theory lacks
+   * (Body::missing_motions()) count as held.
    *
-   * They are the null space of R E, where E are the body's rigid motions (the
-   * rotations scaled with its size), found by a singular value decomposition
-   * with the threshold 1e-8 of the largest singular value. Motions that the
-   * theory does not contain (Body::missing_motions()) count as held. The result
-   * is brought to echelon form, rotations first: each motion has a rotation, or
-   * failing that a translation, that no other has, so that a user can recognise
-   * it. It is not orthonormal. Rows are folded, sixty at a time, into six of
-   * the same singular values: the cost is linear in their number and the
-   * conditioning not squared, as that of a Gram matrix is.
+   * The result is not orthonormal but in echelon form, rotations first: each
+   * motion has a rotation or translation of its own, for readable messages.
+   * Rows are folded, sixty at a time, into six with the same singular values:
+   * the cost is linear, and the condition number is not squared.
    */
   std::vector<FreeMotion>
   free_rigid_motions(const Body                       &body,

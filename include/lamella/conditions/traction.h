@@ -9,26 +9,24 @@
 
 namespace lamella
 {
-  /**
-   * What a load is at a point: of a surface the traction t there, per area, at
-   * load factor 1. The expressions are parsed once.
-   */
+  /// The value of a load at a point: on a surface the traction t at load factor
+  /// 1. Expressions are parsed once.
   class Traction
   {
   public:
-    /// Throws InputError as add_load() does for expressions that do not parse.
+    /// Parses the expressions. Throws InputError as add_load() does.
     explicit Traction(const Load &load);
     ~Traction();
     Traction(Traction &&) noexcept;
 
-    /// A force f per area (of lines and points: what they have), or a pressure
-    /// p as t = -p n. @p x and the unit outward @p normal in scene axes;
-    /// [force/length^2]. Throws InputError where an expression is not finite.
+    /// Returns the force f per area (on lines and points, their force), or -p n
+    /// of a pressure p [force/length^2]. @p x and the outward unit @p normal
+    /// are in scene axes. Throws InputError if an expression is not finite.
     dealii::Tensor<1, 3>
     operator()(const dealii::Point<3>     &x,
                const dealii::Tensor<1, 3> &normal) const;
 
-    /// Whether it is the same at all places of a plane.
+    /// Returns whether it is constant on any plane.
     bool
     is_constant() const;
 

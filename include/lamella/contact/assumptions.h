@@ -11,51 +11,47 @@
 namespace lamella
 {
   /**
-   * Throws InputError of `Contact NAME` if two of @p interfaces hold the same
-   * places of the same two bodies apart: their forces would be counted twice.
-   * The message names the places. Contacts by weighted gaps may share a line of
-   * nodes, since the areas on either side of it are different ones.
+   * Throws InputError of `Contact NAME` if two of @p interfaces constrain the
+   * same points of the same two bodies, which would count their forces twice.
+   * The message names the places. Contacts with weighted gaps may share a line
+   * of nodes, since the areas on either side differ.
    *
-   * Two places are the same if they are within 1e-9 of the body's size of each
-   * other, their partners within the root of the tributary area, and their
-   * normals within 60 degrees; contacts with the same obstacle are compared,
-   * too. Each pair of contacts between the same two bodies costs a search among
-   * their points. To be called once, before anything is solved.
+   * Two points coincide if they are within 1e-9 of the body size, their
+   * partners within the root of the tributary area, and their normals within 60
+   * degrees. Contacts with the same obstacle are compared as well. Each pair of
+   * contacts between the same two bodies costs a search among their points.
+   * Call once, before the solution.
    */
   void
   check_conflicts(const std::vector<ContactInterface> &interfaces,
                   const Bodies                        &bodies);
 
-  /**
-   * Throws InputError of `Contact NAME/Discretisation` where pairs of nodes
-   * leave most of a contact open: where of the nodes of either side that face
-   * the other surface fewer than half have a partner. The bodies would pass
-   * through each other there. Of bodies as they are solved, not of those that
-   * axes are graded with.
-   */
+  /// Throws InputError of `Contact NAME/Discretisation` if fewer than half of
+  /// the nodes of either side that face the other surface have a node as
+  /// partner: the bodies would pass through each other. Applies to the bodies
+  /// to be solved, not to those used for grading axes.
   void
   check_partners(const std::vector<ContactInterface> &interfaces);
 
-  /// How far places that are held apart slide along each other: the tangential
-  /// part of the relative displacement, d - (d . n) n with d = u_2 - u_1, which
-  /// node pairs of the undeformed bodies take for small.
+  /// Relative sliding of paired points: the tangential part d - (d . n) n of d
+  /// = u_2 - u_1. Pairs of undeformed nodes assume that it is small.
   struct Sliding
   {
-    /// [length]
+    /// Sliding distance [length].
     double distance = 0.;
-    /// Of the points there, see ContactInterface::Point. [length]; 0 if there
-    /// was no row to look at.
+    /// Spacing of the points, see ContactInterface::Point [length]; 0 without
+    /// rows.
     double spacing = 0.;
-    /// On First, undeformed, scene axes.
+    /// Position on First, undeformed, scene axes.
     dealii::Point<3> position;
   };
 
   /**
-   * The worst of the rows @p active of @p interface, by distance over spacing,
-   * for the displacements @p u at load factor @p factor. @p active are numbers
-   * of the interface's own rows. An obstacle has moved by @p factor times its
+   * Returns the largest sliding relative to the spacing of the rows @p active
+   * of @p interface (its own row numbers) for the displacements @p u at load
+   * factor @p factor. An obstacle is displaced by @p factor times its
    * displacement. Throws InputError if a point of the interface is not in its
-   * body, as locate_all() finds it.
+   * body (locate_all()).
    */
   Sliding
   largest_sliding(const ContactInterface          &interface,
@@ -65,15 +61,16 @@ namespace lamella
                   const std::vector<unsigned int> &active);
 
   /**
-   * What the solution says against the pairing, a sentence each: rows hold
-   * places apart that faced each other at the start, along the normals of the
-   * start. So the normals of active pairs should be nearly collinear (5 degrees
-   * apart, the gap along their average is off by 1e-3) and what slides should
-   * slide by little against the spacing of points (a tenth).
+   * Returns warnings on violated assumptions of the pairing, one sentence each:
+   * constraints pair the points that face each other initially, along the
+   * initial normals. The normals of active pairs should be nearly collinear (at
+   * 5 degrees the gap along their average is off by 1e-3), and sliding small
+   * against the spacing of points (a tenth).
    *
-   * Of the rows @p active (the interface's own numbers), those that carry force
-   * in the state @p u at load factor @p factor. At most one sentence on sliding
-   * and one on normals, each with the worst place; none without active rows.
+   * Considers the rows @p active (own numbers of the interface) with a force in
+   * the state @p u at load factor @p factor. Returns at most one sentence on
+   * sliding and one on normals, each with the worst place; none without active
+   * rows.
    */
   std::vector<std::string>
   broken_assumptions(const ContactInterface          &interface,

@@ -8,13 +8,13 @@
 
 namespace lamella
 {
-  /// Which nodes are at the start or the end of a body, undeformed.
+  /// Nodes at the start or the end of an undeformed body.
   class BodyEnds
   {
   public:
     explicit BodyEnds(const Body &body);
 
-    /// Whether the node at @p x is, to a billionth of the body's size.
+    /// Returns true if the node at @p x is at an end, to 1e-9 of the body size.
     bool
     has(const dealii::Point<3> &x) const;
 

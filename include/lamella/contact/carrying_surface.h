@@ -14,27 +14,29 @@
 
 namespace lamella
 {
-  /// The part of a contact between two values of a scene coordinate.
+  /// Part of a contact between two values of a scene coordinate.
   struct ContactStrip
   {
-    /// 0, 1, 2 for x, y, z.
+    /// Axis: 0, 1, 2 for x, y, z.
     unsigned int axis = 0;
-    /// Undeformed places [length], from < to.
+    /// Undeformed coordinates [length], from < to.
     double from = 0., to = 0.;
   };
 
   /**
-   * The part of a surface that the rows of a contact live on, with the
-   * functions phi_i of the rows there:
-   * - `trace`: pairs of nodes and nodes against a surface. phi_i is the nodal
-   *   function of the node's grid, L_a(s) L_b(t) of the expansion's degree,
-   *   whose integral is the tributary area of the node.
-   * - `hats`: weighted gaps. phi_i is the multiplier's own, bilinear on the
-   *   cells between neighbouring nodes, over what of them faces the other side.
+   * The slave (nonmortar) surface of a contact, restricted to the support of
+   * its rows, with their functions phi_i:
    *
-   * What belongs together the body says (SurfaceTopology): facets share a node
-   * if they name the same number. Plain numbers that refer to no body, of the
-   * undeformed scene; made once by make_interface() and shared.
+   * - `trace`: node pairs and nodes against a surface. phi_i is the nodal
+   *   function of the grid, L_a(s) L_b(t) of the expansion degree; its integral
+   *   is the tributary area of the node.
+   * - `hats`: weighted gaps. phi_i is the multiplier function, bilinear on the
+   *   cells between neighboring nodes, restricted to the part that faces the
+   *   other side.
+   *
+   * Facets share a node if they have the same number in SurfaceTopology.
+   * Undeformed geometry without reference to a body; created by
+   * make_interface() and shared.
    */
   class CarryingSurface
   {
@@ -48,34 +50,33 @@ namespace lamella
     struct Facet
     {
       FacetMap map;
-      /// Of the grid of nodes, which are Gauss-Lobatto points.
+      /// Degrees of the grid of nodes, which are Gauss-Lobatto points.
       unsigned int degree_s = 1, degree_t = 1;
-      /// Numbers of the nodes on this surface, those of SurfaceTopology; the
-      /// first coordinate runs fastest.
+      /// Node numbers of SurfaceTopology; the first coordinate runs fastest.
       std::vector<unsigned int> nodes;
-      /// To the rows of which nodes the function of each node belongs, with
-      /// what share: to its own row with 1; that of a hanging node in halves to
-      /// those of its ends; to none where the node faces nothing.
+      /// Rows to which the function of each node contributes, with shares: its
+      /// own row with 1; for a hanging node the rows of its ends with halves;
+      /// none if the node faces nothing.
       std::vector<std::vector<std::pair<unsigned int, double>>> rows;
-      /// What of the unit square the functions live on: convex,
-      /// counterclockwise, each within a cell of the grid if they are hats.
+      /// Parts of the unit square in the support of the functions: convex,
+      /// counterclockwise, each within a grid cell for hats.
       std::vector<Polygon> parts;
     };
 
-    /// @p n_rows of the contact; @p facets name those below.
+    /// Creates the surface with @p n_rows rows, which @p facets refer to.
     CarryingSurface(const Functions    functions,
                     const unsigned int n_rows,
                     std::vector<Facet> facets);
 
-    /// Of a row: the integrals of its function and of the function times the
-    /// place, [length^2] and [length^3].
+    /// Integrals of the function of a row [length^2], and of function times
+    /// position [length^3].
     struct Integrals
     {
       double               area = 0.;
       dealii::Tensor<1, 3> moment;
     };
 
-    /// int phi_i dA and int x phi_i dA over the surface, for each row.
+    /// Returns int phi_i dA and int x phi_i dA over the surface for each row.
     const std::vector<Integrals> &
     integrals() const
     {
@@ -83,44 +84,43 @@ namespace lamella
     }
 
     /**
-     * The same over what lies in @p strip.
+     * Returns the integrals() over the part in @p strip.
      *
-     * Exact to rounding on plane parallelograms. Where facets are curved a
-     * strip ends on straight lines in (s, t) between places of its end on a
-     * grid of four by four; strips side by side leave nothing out and share
-     * nothing, wherever they end.
+     * Exact to rounding on plane parallelograms. On curved facets a strip ends
+     * on straight lines in (s, t) between points of its boundary on a 4 x 4
+     * grid; adjacent strips have no gap or overlap.
      */
     std::vector<Integrals>
     integrals(const ContactStrip &strip) const;
 
-    /// A place on a facet, by its number.
+    /// A point on a facet, given by its number.
     struct Place
     {
       unsigned int     facet = 0;
       dealii::Point<2> st;
     };
 
-    /// Where the line through @p x along @p d, a unit vector, meets what rows
-    /// live on, up to @p reach [length] ahead or behind; the nearest of such
-    /// places.
+    /// Returns the nearest intersection of the surface with the line through
+    /// @p x along the unit vector @p d, up to @p reach [length] in both
+    /// directions.
     std::optional<Place>
     on_line(const dealii::Point<3>     &x,
             const dealii::Tensor<1, 3> &d,
             const double                reach) const;
 
-    /// The functions of the nodes of the facet at @p place, in their order: a
-    /// partition of 1 over the facet.
+    /// Returns the nodal functions of the facet at @p place, in order: a
+    /// partition of unity on the facet.
     std::vector<double>
     functions_at(const Place &place) const;
 
     /**
-     * Chains of nodes that have a row of their own, from neighbour to neighbour
-     * along the grids' lines, ascending in the scene's coordinate @p axis and
-     * at the same @p across: of each node its rows (two at a sharp edge).
+     * Returns chains of neighboring nodes that have rows, along the grid lines,
+     * by ascending coordinate @p axis at constant coordinate @p across. Each
+     * entry lists the rows of a node (two at a sharp edge).
      *
-     * Links that leave the coordinate across by more than 1e-6 of the extent of
-     * the surface are none, so of a grid that is askew to the scene each node
-     * stands alone.
+     * Neighbors whose coordinate @p across differs by more than 1e-6 of the
+     * surface extent are not linked, so on a grid oblique to the scene axes
+     * each node is a chain of its own.
      */
     std::vector<std::vector<std::vector<unsigned int>>>
     lines(const unsigned int axis, const unsigned int across) const;
@@ -144,12 +144,12 @@ namespace lamella
     }
 
   private:
-    /// Adds the integrals over @p part of @p facet.
+    /// Adds the integrals over @p part of @p facet to @p sums.
     void
     add_integrals(const Facet            &facet,
                   const Polygon          &part,
                   std::vector<Integrals> &sums) const;
-    /// The values of the functions of @p facet at @p st.
+    /// Evaluates the functions of @p facet at @p st.
     void
     evaluate(const Facet            &facet,
              const dealii::Point<2> &st,
@@ -162,8 +162,8 @@ namespace lamella
     BoxSearch              boxes;
   };
 
-  /// A node that carries a row: where it is in its body, and the normal of the
-  /// row, of either sign.
+  /// A node with a row: its location in the body, and the normal of the row, of
+  /// either sign.
   struct CarryingNode
   {
     Location             location;
@@ -171,17 +171,16 @@ namespace lamella
   };
 
   /**
-   * That of rows at nodes of the grids of @p surface of @p body: row k is that
-   * of @p nodes[k].
+   * Returns the slave surface with a row k at each node @p nodes[k] of the
+   * grids of @p surface of @p body.
    *
-   * @p whole is whether rows live on facets all of whose nodes have one, as
-   * where nodes face nodes, and the smaller area of the two counts; rows that
-   * have no such facet, and all rows if it is false, live on every facet of
-   * their node. Of several rows at one node, as at an edge on which each side
-   * keeps its own normal, a facet takes the one whose normal is most like its
-   * own, and none that is more than 60 degrees from it. Nodes between others
-   * that have rows, where the body has an expansion of lower degree, share
-   * their functions with these.
+   * If @p whole, rows have support on facets all of whose nodes have a row, as
+   * for node pairs, where the smaller area counts. Rows without such a facet,
+   * and all rows otherwise, have support on every facet of their node. Of
+   * several rows at one node, such as at an edge with a normal on each side, a
+   * facet takes the one with the closest normal, within 60 degrees of its own.
+   * Nodes between others that have rows, where the body has an expansion of
+   * lower degree, share their functions with these.
    */
   CarryingSurface
   surface_of_nodes(const Body                      &body,
@@ -190,11 +189,11 @@ namespace lamella
                    const bool                       whole);
 
   /**
-   * The place (s, t) on the unit square of @p map where the line x + t d meets
-   * it, up to 1e-7 outside; @p d a unit vector.
-   * Newton's method on the two components of X(s, t) - x across d, from the
-   * middle; an affine map takes one step. Nothing if the line misses it or the
-   * iteration leaves the facet far behind.
+   * Returns the intersection (s, t) of the line x + t d with @p map, up to 1e-7
+   * outside the unit square; @p d is a unit vector. Newton's method, from the
+   * center, on the two components of X(s, t) - x normal to d; an affine map
+   * takes one step. Empty if the line misses or the iteration leaves the facet
+   * far behind.
    */
   std::optional<dealii::Point<2>>
   place_on_line(const FacetMap             &map,

@@ -13,22 +13,21 @@
 
 namespace lamella
 {
-  /// How the gap function (Eq. 16) is sampled along two surfaces.
-  /// doc/contact.md compares the three on patch tests: only the last one passes
-  /// with any meshes.
+  /// Discretization of the gap function (Eq. 16) along two surfaces.
+  /// doc/contact.md compares them on patch tests: only `surface to surface`
+  /// passes with any meshes.
   enum class Discretisation
   {
     undefined,
-    automatic,          ///< node to node where all nodes match, else surface to
-                        ///< surface: make_interface() decides
-    node_to_node,       ///< nodes that face each other
-    node_to_surface,    ///< nodes of one side against the other side's surface
-    surface_to_surface, ///< gaps averaged with hat functions of one side
-    edge_to_surface,    ///< nodes of one side where its body ends against the
-                        ///< other side's surface, whichever way that faces the
-                        ///< edge
-    line_to_roller ///< of beams that turn the line that is nearest to the axis
-                   ///< of a cylinder, a row a station along that
+    automatic,          ///< node to node if all nodes match, else surface to
+                        ///< surface (make_interface())
+    node_to_node,       ///< pairs of facing nodes
+    node_to_surface,    ///< slave nodes against the master surface
+    surface_to_surface, ///< gaps averaged with slave hat functions
+    edge_to_surface,    ///< slave nodes at the ends of the body against the
+                        ///< master surface, in any direction
+    line_to_roller ///< the line of a finite-rotation beam that is nearest to a
+                   ///< cylinder axis, one row per station along it
   };
 
   template <>
@@ -43,14 +42,13 @@ namespace lamella
       {Discretisation::line_to_roller, "line to roller"}};
   };
 
-  /// What becomes of bodies that overlap from the start. An overlap is g_init <
-  /// 0. One that is deeper than the cells below is no overclosure but an
-  /// InputError, whatever this says.
+  /// Treatment of initial overlap, g_init < 0. An overlap deeper than the cells
+  /// below is always an InputError.
   enum class Overclosure
   {
     undefined,
-    push_apart, ///< contact forces push them apart: an interference fit
-    adjust,     ///< the overlap is taken out of the gaps, without strain
+    push_apart, ///< contact forces resolve it: an interference fit
+    adjust,     ///< it is subtracted from the gaps, without strain
     refuse      ///< an error
   };
 
@@ -63,15 +61,14 @@ namespace lamella
       {Overclosure::refuse, "error"}};
   };
 
-  /// Which side carries the points of `node to surface`, the hat functions of
-  /// `surface to surface` and the edges of `edge to surface`. In the words of
-  /// mortar methods that is the slave (non-mortar) side. Unused by `node to
-  /// node`.
+  /// Slave (nonmortar) side: it has the points of `node to surface`, the hat
+  /// functions of `surface to surface` and the edges of `edge to surface`.
+  /// Unused by `node to node`.
   enum class PointsOn
   {
     undefined,
     automatic, ///< the side with the finer grid where the two face each other;
-               ///< of edges the first
+               ///< the first for edges
     first,
     second
   };
@@ -85,52 +82,51 @@ namespace lamella
   };
 
   /**
-   * Two surfaces that may touch, and rub, as a scene says it: what
-   * ContactParameters::parse() reads and make_interface() turns into gap rows.
-   * Lengths are those of the scene, surfaces are named and not yet looked for.
+   * Definition of a contact between two surfaces, with friction, as read by
+   * ContactParameters::parse() and converted to gap rows by make_interface().
+   * Lengths in scene units; surfaces are given by name.
    *
-   * First and Second decide signs, nothing else: n of Eq. 16 is the outward
-   * normal of First.
+   * First and Second determine signs only: n of Eq. 16 is the outward normal of
+   * First.
    */
   struct ContactPair
   {
-    /// As in `subsection Contact NAME`; messages, tables and files are named by
-    /// it.
+    /// Name in `subsection Contact NAME`, used in messages, tables and files.
     std::string name;
     /// Surfaces of two different bodies; `second` is unused with an obstacle.
     Region first, second;
-    /// A rigid obstacle in the place of `second`, if not null. It has no nodes:
-    /// `node to node`, `edge to surface` and points on the second side are not
-    /// for it.
+    /// Rigid obstacle in place of `second`, or null. It has no nodes: `node to
+    /// node`, `edge to surface` and points on the second side are excluded.
     std::shared_ptr<const Obstacle> obstacle;
 
-    /// These two have to be set: `undefined` fails an assertion.
+    /// Mandatory: `undefined` fails an assertion.
     Discretisation discretisation = Discretisation::undefined;
     Enforcement    enforcement    = Enforcement::undefined;
     Overclosure    overclosure    = Overclosure::push_apart;
     PointsOn       points_on      = PointsOn::automatic;
-    /// Of `augmented lagrangian` and `exact`, too, where it is no part of the
-    /// law but sets how fast estimates of the force become right.
+    /// Penalty. For `augmented lagrangian` and `exact` it affects the
+    /// convergence of the force estimates only.
     Penalty penalty;
-    /// How far sideways facing nodes may be off, over the root of their
-    /// tributary area (no unit): of `node to node` only, see
+    /// Largest tangential offset of paired nodes over the root of their
+    /// tributary area (no unit), for `node to node` only: see
     /// pair_node_to_node().
     double tolerance = 1e-6;
-    /// Places further apart than this along the normal are not paired; none for
-    /// automatic_search_distance(). [length]
+    /// Largest distance along the normal of paired points [length]; empty for
+    /// automatic_search_distance().
     std::optional<double> search_distance;
-    /// Coulomb's coefficient mu; 0 without friction.
+    /// Coulomb friction coefficient mu; 0 without friction.
     double friction = 0.;
     /// Marks a discretization that `auto` chose. `surface to surface` replaces
     /// a `line to roller` when more than a line touches; an `edge to surface`
     /// joins `surface to surface` where an end of a body presses.
     bool is_automatic = false;
-    /// The number of the contact whose ends of a body this one is for, of which
-    /// its force is a part.
+    /// Number of the contact for whose body ends this one was added; its force
+    /// is part of that contact.
     std::optional<unsigned int> part_of;
   };
 
-  /// Whether the nodes of both sides are paired, or would be if they matched.
+  /// Returns true if the nodes of both sides are paired, or would be if they
+  /// matched.
   inline bool
   may_pair_nodes(const ContactPair &contact)
   {

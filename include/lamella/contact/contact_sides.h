@@ -15,22 +15,21 @@
 namespace lamella
 {
   /**
-   * The two surfaces of a contact where they stand in a state: undeformed, or
-   * moved by displacements u of the bodies and the load factor of an obstacle.
-   * All that pairing and gap rows ask about geometry; each part is made when
-   * somebody asks for the first time.
+   * The two surfaces of a contact in a state: undeformed, or displaced by u and
+   * the load factor of an obstacle. Provides the geometry for pairing and gap
+   * rows, each part on first use.
    *
-   * Refers to the bodies, which have to live longer. Scene axes.
+   * Refers to the bodies, which must outlive it. Scene axes.
    */
   class ContactSides
   {
   public:
-    /// Undeformed, the obstacle before it moves.
+    /// Creates the undeformed sides, with the obstacle at its initial position.
     ContactSides(const ContactPair &contact, const Bodies &bodies);
 
-    /// Those of @p undeformed, which has to live longer, displaced by @p u (a
-    /// block a body), the obstacle at load factor @p factor: control points of
-    /// all facets are moved by u at their trace nodes.
+    /// Displaces @p undeformed, which must outlive this object, by @p u (one
+    /// block per body), with the obstacle at load factor @p factor. The control
+    /// points of all facets move with u at their trace nodes.
     ContactSides(const ContactSides &undeformed,
                  const BlockVector  &u,
                  const LoadFactor   &factor);
@@ -46,8 +45,8 @@ namespace lamella
       return all_bodies;
     }
 
-    /// What `automatic` in the contact has become, of the discretisation and of
-    /// the side that carries the points: for those that are moved from here on.
+    /// Sets the `automatic` discretization and slave side, also for sides
+    /// displaced from here on.
     void
     decide(const Discretisation discretisation, const PointsOn points_on)
     {
@@ -55,8 +54,8 @@ namespace lamella
       pair.points_on      = points_on;
     }
 
-    /// Whether rows are those of edges: their gaps are along the normals of the
-    /// other side, at the feet.
+    /// Returns true for edge contact: gaps are along the normals of the other
+    /// side at the projections.
     bool
     are_of_edges() const
     {
@@ -69,41 +68,43 @@ namespace lamella
       return undeformed != nullptr;
     }
 
-    /// Null where Second is an obstacle.
+    /// Returns the surface of a side; null where Second is an obstacle.
     const MeshSurface *
     surface(const bool second) const;
 
-    /// Where it stands; null where Second is a body.
+    /// Returns the obstacle at its current position; null where Second is a
+    /// body.
     std::shared_ptr<const Obstacle>
     obstacle() const
     {
       return standing;
     }
 
-    /// Body::surface_points() of a side, which are there, with their normals;
-    /// locations and tributary areas stay those of the undeformed body. None of
-    /// an obstacle. Of edges those alone at which the body starts or ends.
+    /// Returns Body::surface_points() of a side with current positions and
+    /// normals; locations and tributary areas are those of the undeformed body.
+    /// Empty for an obstacle. For edge contact only the points at the ends of
+    /// the body.
     std::vector<SurfacePoint>
     points(const bool second) const;
 
-    /// Those at which the body starts or ends, whatever rows are of.
+    /// Returns the points at the ends of the body, for any discretization.
     std::vector<SurfacePoint>
     end_points(const bool second) const;
 
-    /// Where each trace node of surface() is in its body, and the three rows of
-    /// its displacement: made once, of the undeformed; of bodies whose rows
-    /// turn, those of the state.
+    /// Returns the location of each trace node of surface() in its body, and
+    /// its three displacement rows: computed once for the undeformed body, or
+    /// at the state for bodies with rotating rows.
     const std::vector<Location> &
     trace_places(const bool second) const;
     const std::vector<std::vector<Row>> &
     trace_rows(const bool second) const;
-    /// Those of the nodes @p numbers alone.
+    /// Returns the displacement rows of the nodes @p numbers only.
     std::vector<std::vector<Row>>
     trace_rows(const bool                       second,
                const std::vector<unsigned int> &numbers) const;
 
   private:
-    /// @p points of a side where they stand.
+    /// Returns @p points of a side at their current positions.
     std::vector<SurfacePoint>
     standing_points(const bool second, std::vector<SurfacePoint> points) const;
 
@@ -113,7 +114,7 @@ namespace lamella
       return second ? pair.second : pair.first;
     }
 
-    /// Where bodies have moved, those of the trace nodes.
+    /// Returns the displacements of the trace nodes of a displaced side.
     std::vector<dealii::Tensor<1, 3>>
     trace_displacements(const bool second) const;
 

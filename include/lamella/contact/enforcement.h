@@ -7,17 +7,17 @@
 
 namespace lamella
 {
-  /// How the rows of a contact keep apart what they pair. All three are one
-  /// law, g + a lambda = 0 where the bodies touch, with the compliance a = 1 /
-  /// eps [length / force] for `penalty` and a = 0 for the other two. How each
-  /// strategy gets there is in doc/contact.md.
+  /// Enforcement of the contact constraints. All follow one law, g + a lambda =
+  /// 0 in contact, with the compliance a = 1 / eps [length / force] for
+  /// `penalty` and a = 0 for the other two. doc/contact.md describes their
+  /// solution by each strategy.
   enum class Enforcement
   {
     undefined,
     penalty,              ///< lambda = eps max(0, -g): bodies penetrate
-    augmented_lagrangian, ///< the same about an estimate of lambda, improved
-                          ///< until no penetration is left
-    exact                 ///< multipliers: g >= 0 itself
+    augmented_lagrangian, ///< penalty about a multiplier estimate, improved
+                          ///< until there is no penetration
+    exact                 ///< Lagrange multipliers: g >= 0
   };
 
   template <>
@@ -29,9 +29,9 @@ namespace lamella
       {Enforcement::exact, "exact"}};
   };
 
-  /// How a penalty is given. doc/penalty.md measures what size does: too soft
-  /// leaves a penetration, too stiff drowns the bodies' own stiffness in
-  /// rounding (the paper's Eq. 24).
+  /// Unit of a penalty. doc/penalty.md measures its effect: if too small,
+  /// bodies penetrate; if too large, the stiffness of the bodies drowns in
+  /// rounding (Eq. 24).
   enum class PenaltyKind
   {
     undefined,
@@ -40,7 +40,7 @@ namespace lamella
     per_area   ///< force / length^3, times the tributary area: mesh-independent
   };
 
-  /// What a scene says of a number (and `auto` in its place).
+  /// Names of the numeric penalties in a scene (`auto` replaces the number).
   template <>
   struct Names<PenaltyKind>
   {
@@ -48,46 +48,45 @@ namespace lamella
       {{PenaltyKind::per_area, "area"}, {PenaltyKind::per_node, "node"}};
   };
 
-  /// The penalty parameter epsilon_N of the paper's Eq. 20, as a scene gives
-  /// it.
+  /// The penalty parameter epsilon_N of Eq. 20, as given in a scene.
   struct Penalty
   {
-    /// Has to be set: row_penalty() asserts it.
+    /// Mandatory: row_penalty() asserts it.
     PenaltyKind kind = PenaltyKind::undefined;
-    /// The penalty in the unit of its kind, or for `automatic` the multiple (no
+    /// Penalty in the unit of its kind, or for `automatic` the multiple (no
     /// unit; a scene's `auto` is 1e6). Positive.
     double value = 0.;
   };
 
-  /// The stiffness of the cell below one side of a pair against a force on its
+  /// Stiffness of the cell below one side of a pair against a force on its
   /// surface: a bar of section A and length h, E_n A / h [force / length].
   struct LocalStiffness
   {
-    /// E_n = n.n : C : n.n of the ply there, without contraction
-    /// [force/length^2]; the tributary area A [length^2]; the depth h [length]
-    /// of the cell, normal to the surface.
+    /// E_n = n.n : C : n.n of the ply, without contraction [force/length^2];
+    /// tributary area A [length^2]; depth h of the cell along the normal
+    /// [length].
     double normal_modulus = 0., area = 0., depth = 0.;
   };
 
   /**
-   * epsilon_N of one row [force / length]:
+   * Returns epsilon_N of one row [force / length]:
    *   automatic   value * min over both sides of E_n A / h
    *   per_node    value
    *   per_area    value * A, A that of @p first (both sides have the same)
-   * `automatic` takes the softer side of the pair; it does not depend on the
-   * basis of the section and is defined for floating bodies, too. It is larger
-   * than the stiffness of the bodies behind the row, which nobody knows before
-   * anything is solved. Depths must not be zero.
+   * `automatic` uses the more compliant side. It is independent of the section
+   * basis and defined for floating bodies. It exceeds the stiffness of the
+   * bodies behind the row, which is unknown before the solution. Depths must
+   * not be zero.
    */
   double
   row_penalty(const Penalty        &penalty,
               const LocalStiffness &first,
               const LocalStiffness &second);
 
-  /// The contact force of a gap @p g [length] under the penalty @p epsilon
-  /// [force / length] (the size of Eq. 25), positive in compression:
-  ///   lambda = epsilon max(0, -g).
-  /// With n of the row it acts on the second body, and against n on the first.
+  /// Returns the contact force lambda = epsilon max(0, -g) of a gap @p g
+  /// [length] with the penalty @p epsilon [force / length] (magnitude of Eq.
+  /// 25), positive in compression. It acts along n of the row on the second
+  /// body, and along -n on the first.
   double
   contact_force(const double epsilon, const double g);
 } // namespace lamella

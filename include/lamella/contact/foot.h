@@ -10,13 +10,13 @@
 namespace lamella
 {
   /**
-   * The foot of @p x on a facet: the (s, t) at which the distance from @p x to
-   * the facet's map is stationary,
-   *   X_,a . (x - X(s, t)) = 0,
-   * by Newton's method from @p start with the matrix a_ab - r . X_,ab, a_ab the
-   * metric and r = x - X (the curvature from differences of X_,a, so that the
-   * method converges fast and its limit is exact). The map is continued outside
-   * of the unit square. Nothing if the iteration does not settle.
+   * Returns the closest-point projection of @p x onto the map of a facet: the
+   * (s, t) with stationary distance,
+   *   X_,a . (x - X(s, t)) = 0.
+   * Newton's method from @p start with the matrix a_ab - r . X_,ab, the metric
+   * a_ab and r = x - X; the curvature is from differences of X_,a, so the limit
+   * is exact. The map is continued outside the unit square. Empty if the
+   * iteration does not converge.
    */
   std::optional<dealii::Point<2>>
   foot_on(const FacetMap         &map,
@@ -24,20 +24,19 @@ namespace lamella
           const dealii::Point<2> &start);
 
   /**
-   * The place of @p surface that the point @p x with the outward normal @p n1
-   * faces by closest-point projection: the nearest foot, at most @p reach away,
-   * at which the facet's own normal n_2 opposes n_1 to @p opposed, the cosine
-   * of the angle between n_1 and -n_2, or better.
-   * The hit's normal is n_2 and its distance the gap
+   * Returns the closest-point projection of @p x with outward normal @p n1 onto
+   * @p surface: the nearest one within @p reach whose facet normal n_2 opposes
+   * n_1. @p opposed is the smallest cosine of the angle between n_1 and -n_2.
+   * The normal of the hit is n_2, and its distance the gap
    *   g = n_2 . (x - X_2),
-   * negative where x is inside. Its gradient has no part of the foot's own
-   * motion, since X_,a . n_2 = 0: delta g = n_2 . (delta x - delta X_2).
+   * negative inside. The motion of the projection does not enter the gradient,
+   * since X_,a . n_2 = 0: delta g = n_2 . (delta x - delta X_2).
    *
-   * @p last is where the foot was, if it is known. It stays on that facet,
-   * continued, until it is 5 % of its length beyond a side at which another
-   * facet goes on, and so it does not jump between two facets whose normals
-   * differ. Where none goes on a foot beyond the side is none, but for 1 %
-   * along the body; nothing beyond where that starts or ends.
+   * @p last is the previous projection, if known. It remains on that facet,
+   * continued, up to 5 % of its length beyond a side with an adjacent facet,
+   * which avoids jumps between facets with different normals. Beyond a side
+   * without one there is no projection, except for 1 % along the body; none
+   * beyond its ends.
    */
   std::optional<SurfaceHit>
   find_foot(const MeshSurface                            &surface,
@@ -47,9 +46,9 @@ namespace lamella
             const std::optional<MeshSurface::FacetPlace> &last,
             const double opposed = faces_from_60);
 
-  /// The same on a rigid obstacle where it stands: of a plane g = N . (x - p),
-  /// of a cylinder g = |r| - R with r = x - p across its axis. None on the axis
-  /// itself.
+  /// Returns the closest-point projection onto a rigid obstacle at its
+  /// position: g = N . (x - p) for a plane, g = |r| - R for a cylinder with r =
+  /// x - p normal to its axis. Empty on the axis.
   std::optional<SurfaceHit>
   find_foot(const Obstacle             &obstacle,
             const dealii::Point<3>     &x,

@@ -16,25 +16,25 @@
 namespace lamella
 {
   /**
-   * What a row averages over its points (GapPoint), with the weights
-   * a_q phi_i(X_q) / A_i: of a weighted gap mortar integrals.
+   * Averages of a row over its points (GapPoint) with the weights a_q
+   * phi_i(X_q) / A_i: the mortar integrals of a weighted gap.
    *
-   * Numbers of nodes are those of the trace nodes of either surface, psi_k
-   * their functions. n points out of the carrying side.
+   * Node numbers are those of the trace nodes of either surface, psi_k their
+   * functions. n is outward from the slave side.
    */
   struct GapIntegrals
   {
-    /// A_i = sum a_q phi_i of the points that face something [length^2]; zero
-    /// where none does. Then all else is zero, too.
+    /// A_i = sum a_q phi_i over points with a projection [length^2]; zero if
+    /// none, and all else zero, too.
     double area = 0.;
-    /// The averages of g [length] and of n.
+    /// Averages of g [length] and of n.
     double               gap = 0.;
     dealii::Tensor<1, 3> normal;
-    /// That of slide(), where places are held.
+    /// Average of slide(), if reference points are held.
     dealii::Tensor<1, 3> slid;
-    /// Those of a node's function, psi_k n and psi_k (I - n n): the latter
-    /// applied to any tangent t is the weight of the slip along t, so no frame
-    /// is kept and none is preferred.
+    /// Averages of psi_k n and psi_k (I - n n) for a node. The latter applied
+    /// to any tangent t is the weight of the slip along t, so no frame is
+    /// stored.
     struct OfNode
     {
       dealii::Tensor<1, 3>          normal;
@@ -43,30 +43,31 @@ namespace lamella
     boost::container::flat_map<unsigned int, OfNode> carrying, opposing;
   };
 
-  /// What decides on the place opposite of a material point.
+  /// Determination of the place opposite a material point.
   enum class Feet
   {
-    kept, ///< the place that it was paired with; n is the averaged normal
-    found ///< the foot on the other side where that stands (find_foot())
+    kept, ///< the paired place; n is the averaged normal
+    found ///< current closest-point projection (find_foot())
   };
 
   /**
-   * The integrals of the @p n_rows rows of a contact whose gaps are measured at
-   * @p points, on the surfaces where @p sides stand; the carrying one is the
-   * second if @p on_second. @p functions are those of the rows, null where row
-   * k is point k.
+   * Returns the integrals of the @p n_rows rows of a contact with the gap
+   * points @p points, on the current surfaces @p sides; the slave is the second
+   * if @p on_second. @p functions are those of the rows, null if row k is point
+   * k.
    *
-   * With Feet::found the places opposite in @p points become the feet, at most
-   * @p reach [length] away, and points without any are left out. The gap of a
-   * foot is g = n_2 . (x_1 - x_2) and its gradient n . (delta x_2 - delta x_1),
-   * n = -n_2, exactly; the average of these is the gradient of the averaged
-   * gap, since what points weigh does not change.
+   * Feet::found replaces the opposite places in @p points by projections within
+   * @p reach [length], and omits points without one. The gap is g = n_2 . (x_1
+   * - x_2) with the exact gradient n . (delta x_2 - delta x_1), n = -n_2; its
+   * average is the gradient of the averaged gap, since the weights are
+   * constant.
    *
-   * With places @p held since a step began there is what points have slid
-   * since. One that comes to face something is held from there on.
+   * If reference points @p held since the beginning of a step are given, the
+   * slips of the points are included. Points that newly face the surface are
+   * added.
    *
-   * With Feet::kept n = (n_1 - n_2) / |n_1 - n_2| and g = n . (x_2 - x_1), of
-   * which that is the gradient as long as x_2 - x_1 is along n.
+   * Feet::kept uses n = (n_1 - n_2) / |n_1 - n_2| and g = n . (x_2 - x_1),
+   * whose gradient this is if x_2 - x_1 is along n.
    */
   std::vector<GapIntegrals>
   integrate_gaps(const ContactSides    &sides,
@@ -78,8 +79,8 @@ namespace lamella
                  std::vector<GapPoint> &points,
                  HeldPlaces            *held = nullptr);
 
-  /// Where each of @p points, which become the feet, faces something where @p
-  /// sides stand: held_place(). Arguments are those of integrate_gaps().
+  /// Returns the held_place() of each of @p points, which become the
+  /// projections, on @p sides. Arguments as in integrate_gaps().
   HeldPlaces
   held_places(const ContactSides    &sides,
               const bool             on_second,
@@ -87,8 +88,9 @@ namespace lamella
               const double           reach,
               std::vector<GapPoint> &points);
 
-  /// The rows that @p point, the one with the number @p number, is part of, and
-  /// what it weighs in each, a_q phi_i(X_q); @p functions as above.
+  /// Returns the rows to which @p point, with number @p number, contributes,
+  /// and its weight a_q phi_i(X_q) in each; @p functions as in
+  /// integrate_gaps().
   std::vector<std::pair<unsigned int, double>>
   shares_of(const CarryingSurface *functions,
             const unsigned int     number,

@@ -14,13 +14,11 @@
 namespace lamella
 {
   /**
-   * The hat functions on the grid of the carrying side's nodes, and what they
-   * gather of the gap: the integrals of weighted_gaps(). The grid's cells are
-   * those between Gauss-Lobatto points, each a part of a facet; phi_i is
-   * bilinear in the facet's (s, t) on each.
+   * Hat functions on the grid of the slave nodes, and their integrals for
+   * weighted_gaps(). Grid cells lie between Gauss-Lobatto points, each within a
+   * facet; phi_i is bilinear in (s, t) on each.
    *
-   * Cells are taken one after the other: add() for each point of one, then
-   * close().
+   * Process one cell at a time: add() for each of its points, then close().
    */
   class HatFunctions
   {
@@ -53,35 +51,35 @@ namespace lamella
     void
     add_full_areas(const Cell &cell);
 
-    /// Adds what a point of @p cell at @p st has with its part @p weight of the
-    /// area, @p opposite to it.
+    /// Adds the contribution of the point @p st of @p cell with its area
+    /// @p weight and the place @p opposite.
     void
     add(const Cell             &cell,
         const dealii::Point<2> &st,
         const double            weight,
         const Opposition       &opposite);
 
-    /// No more points of @p cell.
+    /// Completes @p cell; no more points may be added.
     void
     close(const Cell &cell);
 
-    /// The averages, in the order of the grid's nodes; fills all of @p result
-    /// but its points. @p parts are, of each facet, what faces the other side,
-    /// in its unit square. To be called once.
+    /// Computes the averages in the order of the grid nodes and fills all of
+    /// @p result but its points. @p parts are the parts of each facet, in its
+    /// unit square, that face the other side. Call once.
     void
     finish(std::vector<std::vector<Polygon>> parts, Gaps &result);
 
   private:
-    /// What a hat function gathers.
+    /// Sums of a hat function.
     struct Node
     {
       WeightedGap sums;
-      /// The largest value of the hat function where the other side was met:
-      /// that place stands for what the node faces.
+      /// Largest value of the hat function where it faces the other side; that
+      /// place represents what the node faces.
       double nearest = 0.;
-      /// The integral over all of its cells, whatever they face.
+      /// Integral over all of its cells, whatever they face.
       double full_area = 0.;
-      /// The rows that the function belongs to, and its share in them.
+      /// Rows to which the function contributes, with its shares.
       std::vector<std::pair<unsigned int, double>> rows;
     };
 
@@ -107,8 +105,8 @@ namespace lamella
     std::vector<Cell>  grid;
     std::vector<Node>  nodes;
 
-    /// Of the current cell: integrals of hat times trace function times n,
-    /// those of the opposing side for one facet at a time.
+    /// Integrals of hat times trace function times n on the current cell; on
+    /// the opposing side for one facet at a time.
     std::vector<dealii::Tensor<1, 3>> carrying_sums, opposing_sums;
     unsigned int                      opposing_facet;
     std::vector<double>               trace;

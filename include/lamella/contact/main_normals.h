@@ -9,8 +9,8 @@
 
 namespace lamella
 {
-  /// A row of a contact, by its number, with the way along which its contact
-  /// acts there as a whole: a unit vector.
+  /// Row number of a contact, with the main direction of the contact there: a
+  /// unit vector.
   struct MainNormal
   {
     unsigned int         row = 0;

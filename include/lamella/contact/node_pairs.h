@@ -8,16 +8,15 @@
 
 namespace lamella
 {
-  /// The discretisation of a contact on these bodies: where it is `automatic`,
-  /// node to node if every node that faces the other surface within @p reach
-  /// [length] faces one of its nodes, else surface to surface.
+  /// Returns the discretization of a contact. `automatic`: node to node if
+  /// every node that faces the other surface within @p reach [length] faces one
+  /// of its nodes, else surface to surface.
   Discretisation
   decided(const ContactSides &sides, const double reach);
 
-  /// Pairs of nodes (pair_node_to_node()) in the form of weighted gaps: one
-  /// place a side, w = v = n, and the smaller one of both tributary areas. What
-  /// finds no partner is counted in @p interface, with a note if it faces the
-  /// other surface all the same.
+  /// Returns node pairs (pair_node_to_node()) as weighted gaps: one place per
+  /// side, w = v = n, and the smaller tributary area. Nodes without a partner
+  /// are counted in @p interface, with a note if they face the other surface.
   Gaps
   node_to_node(const ContactSides &sides,
                const double        reach,

@@ -15,17 +15,15 @@
 namespace lamella
 {
   /**
-   * A rigid body of a simple shape that others may touch: a floor (the half
-   * space behind a plane) or a roller (a circular cylinder without ends). It
-   * has no DoFs; its motion is prescribed.
+   * A rigid obstacle: a floor (the half space behind a plane) or a roller (a
+   * circular cylinder without ends), without DoFs and with prescribed motion.
    *
-   * Contact treats it as the second side: it carries no points and no weights,
-   * and a row against it has the body's part alone. A pure description, which a
-   * scene makes and the contacts on it share.
+   * It is the second side of a contact, without points and weights; a row
+   * against it has only the part of the body. Contacts share it with the scene.
    */
   struct Obstacle
   {
-    /// `undefined` fails an assertion in meet().
+    /// Shape; `undefined` fails an assertion in meet().
     enum class Shape
     {
       undefined,
@@ -33,30 +31,30 @@ namespace lamella
       cylinder
     };
 
-    /// As in `subsection Obstacle NAME`, and in the `Second` of contacts.
+    /// Name in `subsection Obstacle NAME`, and in the `Second` of contacts.
     std::string name;
     Shape       shape = Shape::undefined;
-    /// A point of the plane, or of the cylinder's axis. Before it moves; scene
+    /// Initial position of a point of the plane or of the cylinder axis, scene
     /// axes.
     dealii::Point<3> point;
-    /// The unit normal that points away from the half space, or the unit
-    /// direction of the cylinder's axis.
+    /// Unit normal pointing out of the half space, or unit direction of the
+    /// cylinder axis.
     dealii::Tensor<1, 3> direction;
-    /// Of the cylinder [length]; unused by a plane.
+    /// Radius of the cylinder [length]; unused by a plane.
     double radius = 0.;
-    /// The prescribed translation at load factor 1 [length], scene axes.
+    /// Prescribed translation at load factor 1 [length], scene axes.
     dealii::Tensor<1, 3> displacement;
-    /// Of its load factors (LoadFactor::of()).
+    /// Load history of the displacement (LoadFactor::of()).
     unsigned int history = 0;
 
-    /// That at load factor @p factor.
+    /// Returns the displacement at load factor @p factor.
     dealii::Tensor<1, 3>
     displacement_at(const LoadFactor &factor) const
     {
       return factor.of(history) * displacement;
     }
 
-    /// How deep places may be in it that the same surface is nearest to.
+    /// Returns the largest depth at which the same surface is still nearest
     /// [length]; infinity behind a plane.
     double
     depth() const
@@ -65,7 +63,7 @@ namespace lamella
                                      radius;
     }
 
-    /// What @p v has across the cylinder's axis.
+    /// Returns the part of @p v normal to the cylinder axis.
     dealii::Tensor<1, 3>
     across_axis(const dealii::Tensor<1, 3> &v) const
     {
@@ -81,37 +79,34 @@ namespace lamella
       {Obstacle::Shape::cylinder, "cylinder"}};
   };
 
-  /// Where a ray meets a surface, with the surface's outward unit normal there.
+  /// Intersection of a ray with a surface, with the outward unit normal there.
   struct Hit
   {
     dealii::Point<3>     position;
     dealii::Tensor<1, 3> normal;
-    /// Along the ray [length], negative behind its origin: the gap, if the ray
-    /// starts at X_1 along n.
+    /// Distance along the ray [length], negative behind its origin: the gap, if
+    /// the ray starts at X_1 along n.
     double distance = 0.;
   };
 
   /**
-   * The place nearest to @p x, ahead or behind, where the line x + t d, d a
-   * unit vector, meets the surface of @p obstacle with d against its outward
-   * normal,
+   * Returns the nearest intersection, in either direction, of the line x + t d,
+   * with unit d, and the surface of @p obstacle, entered against its outward
+   * normal:
    *   plane:     t = (p - x) . N / (d . N),
    *   cylinder:  |r + t e| = R, the smaller root t,
-   * with p, N, R the obstacle's point, direction and radius and r, e what x - p
-   * and d have across the axis. So a line enters the obstacle there and never
-   * leaves it.
-   *
-   * Nothing where the line runs along the plane or the axis, leads out of the
-   * half space, or passes the cylinder by. The obstacle is where it stands
-   * before it moves.
+   * with point p, direction N and radius R of the obstacle, and the parts r and
+   * e of x - p and d normal to the axis. Empty if the line is parallel to the
+   * plane or axis, leaves the half space, or misses the cylinder. The obstacle
+   * is at its initial position.
    */
   std::optional<Hit>
   meet(const Obstacle             &obstacle,
        const dealii::Point<3>     &x,
        const dealii::Tensor<1, 3> &d);
 
-  /// Whether @p x lies inside of @p obstacle, not on its surface, before it
-  /// moves.
+  /// Returns true if @p x is inside @p obstacle at its initial position, not on
+  /// its surface.
   bool
   contains(const Obstacle &obstacle, const dealii::Point<3> &x);
 } // namespace lamella

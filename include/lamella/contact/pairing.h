@@ -14,48 +14,44 @@
 
 namespace lamella
 {
-  /// Two points that face each other, numbers in the lists of surface points. A
-  /// node-to-node pair as in the paper's Sec. 3.3, with its kinematics.
+  /// A node-to-node pair of surface points (Sec. 3.3 of the paper): indices
+  /// into the lists of points, with its kinematics.
   struct PointPair
   {
     unsigned int first = 0, second = 0;
     /// n = (n_1 - n_2) / |n_1 - n_2|, and g_init = (X_2 - X_1) . n [length]:
-    /// Eq. 17 with the averaged normal in the place of n_1. Negative: an
-    /// overlap.
+    /// Eq. 17 with the averaged normal in place of n_1. Negative for overlap.
     dealii::Tensor<1, 3> normal;
     double               initial_gap = 0.;
   };
 
-  /// The result of pair_node_to_node().
+  /// Result of pair_node_to_node().
   struct Pairing
   {
-    /// By ascending first.
+    /// Pairs by ascending first.
     std::vector<PointPair> pairs;
-    /// Points of either surface that face no point of the other.
+    /// Number of points of either surface that face no point of the other.
     unsigned int unpaired = 0, unpaired_second = 0;
-    /// The smallest distance between the two sets of points, whatever they
-    /// face, and the smallest sideways offset: what to tell if nothing pairs.
-    /// [length]; the offset only of points whose normals are opposed to 60
-    /// degrees. The largest double if there are none.
+    /// Smallest distance between the two sets of points, and smallest
+    /// tangential offset of points with normals opposed to 60 degrees [length],
+    /// for a message if nothing pairs. The largest double if undefined.
     double nearest_distance = 0., smallest_offset = 0.;
   };
 
   /**
-   * Node-to-node pairs: points that lie along the average of both normals from
-   * each other (sideways offset below @p tolerance times the square root of the
-   * tributary area, the smaller one) and at most @p reach apart. Each point is
-   * in one pair at most, the nearest ones go first; swapping the two sets swaps
-   * the pairs and turns the normals, nothing else.
+   * Returns node-to-node pairs: points aligned along the average of both
+   * normals and at most @p reach apart. Each point is in at most one pair,
+   * nearest first; swapping the two sets only swaps the pairs and reverses the
+   * normals.
    *
-   * What makes a pair of the points a and b, d = X_b - X_a and n as above:
+   * Points a and b pair, with d = X_b - X_a and n as in PointPair, if
    *   |d - (d . n) n| <= tolerance sqrt(min(A_a, A_b)),  |d| <= reach,
-   * and normals that oppose each other: to 60 degrees where the points touch,
-   * less strictly (|n_a - n_b| > 0.2) where they are apart along n.
+   * and their normals oppose each other: to 60 degrees if the points touch,
+   * less strictly (|n_a - n_b| > 0.2) if they are apart along n.
    *
-   * The three nearest points are tried first, by an R-tree; a point that faces
+   * The three nearest points from an R-tree are tried first; a point that faces
    * none of these is tried against all, which costs the product of both numbers
-   * where nothing touches. Nothing is thrown: an empty result is judged by the
-   * caller.
+   * without contact. Throws nothing; an empty result is possible.
    */
   Pairing
   pair_node_to_node(
@@ -65,142 +61,132 @@ namespace lamella
     const double reach = std::numeric_limits<double>::infinity());
 
   /**
-   * The geometry of a gap row,
+   * Geometry of a gap row,
    *   g(u) = sum_k v_k . u_2(X_k) - sum_j w_j . u_1(X_j) + gap,
-   * where 1 is the side whose points carry the rows. For a pair of points v = w
-   * = n; for a weighted gap both sum to the mean normal.
-   *
-   * All three discretisations come down to this; make_interface() turns it into
-   * a GapRow with the signs of First and Second.
+   * with the slave side 1. For a pair of points v = w = n; for a weighted gap
+   * both sum to the mean normal. Common to all discretizations;
+   * make_interface() converts it to a GapRow with the signs of First and
+   * Second.
    */
   struct WeightedGap
   {
-    /// The point that carries the row, and the place opposite.
+    /// Point of the row, and the place opposite.
     dealii::Point<3> position, opposite;
-    /// The point as a place of the carrying body.
+    /// Location of the point in the slave body.
     Location node;
-    /// n, outwards from the carrying side; of a weighted gap its mean, which is
-    /// shorter than 1 where the surfaces are curved: the force of the row is
-    /// lambda times it.
+    /// Normal n, outward from the slave side; for a weighted gap its mean,
+    /// shorter than 1 on curved surfaces: the row force is lambda times it.
     dealii::Tensor<1, 3> normal;
-    /// The tributary area [length^2], and g_init or its average over the area
+    /// Tributary area [length^2], and g_init or its average over the area
     /// [length].
     double area = 0., gap = 0.;
-    /// As in ContactInterface::Point.
+    /// Point spacing as in ContactInterface::Point.
     double spacing = 0.;
-    /// Between n_1 and -n_2 at the point, in rad.
+    /// Angle between n_1 and -n_2 at the point [rad].
     double angle = 0.;
-    /// What the automatic penalty is made of; of an obstacle the carrying
-    /// side's.
+    /// Stiffnesses for the automatic penalty; for an obstacle that of the slave
+    /// side.
     LocalStiffness carrying, opposing;
-    /// w_j and v_k by numbers of locations in Gaps. None opposing if that is an
-    /// obstacle. Without sign: both along n.
+    /// Weights w_j and v_k by numbers of locations in Gaps, both along n. The
+    /// opposing ones are empty for an obstacle.
     RowGeometry::Weights carrying_weights, opposing_weights;
   };
 
-  /// A place further behind the other surface than the cells there are deep. It
-  /// makes no row. Either the surfaces look away from each other there or the
-  /// bodies lie in each other: check in make_interface().
+  /// A point farther behind the other surface than the depth of the cells
+  /// there. It has no row: either the surfaces face away from each other or the
+  /// bodies overlap, see make_interface().
   struct DeepPlace
   {
     dealii::Point<3> position, opposite;
-    /// How far, positive [length].
+    /// Distance behind the surface, positive [length].
     double behind = 0.;
   };
 
-  /**
-   * A material point of the carrying side at which a gap is measured, and where
-   * it faces the other side. A row is the average of the gaps at such points,
-   *   g_i = sum_q a_q phi_i(X_q) g_q / sum_q a_q phi_i(X_q);
-   * where bodies move, the points and what they weigh stay, and their feet on
-   * the other side wander.
-   */
+  /// A material point of the slave side at which a gap is measured, with its
+  /// projection. A row is the average over such points,
+  ///   g_i = sum_q a_q phi_i(X_q) g_q / sum_q a_q phi_i(X_q).
+  /// In motion the points and weights are constant, and the projections move.
   struct GapPoint
   {
-    /// Numbers of facets are those of MeshSurface.
+    /// Slave point; facet numbers of MeshSurface.
     MeshSurface::FacetPlace carrying;
-    /// invalid_unsigned_int as facet if that is an obstacle.
+    /// Opposite point; its facet is invalid_unsigned_int for an obstacle.
     MeshSurface::FacetPlace opposing;
-    /// a_q: the area that the point stands for [length^2]; 1 where one point is
-    /// a row.
+    /// Area a_q of the point [length^2]; 1 for one-point rows.
     double area = 1.;
-    /// The number of the facet in the CarryingSurface whose functions phi_i
-    /// are; unused where one point is a row.
+    /// Number of the facet in the CarryingSurface with the functions phi_i;
+    /// unused for one-point rows.
     unsigned int part = 0;
   };
 
-  /// What two sides have in common. The result of each discretisation, before
-  /// signs, penalties and DoFs.
+  /// Result of each discretization, before signs, penalties and DoFs.
   struct Gaps
   {
     std::vector<WeightedGap> gaps;
-    /// What the weights refer to. Locations in the cells of either body; none
-    /// opposing if that is an obstacle.
+    /// Locations, in the cells of either body, to which the weights refer; no
+    /// opposing ones for an obstacle.
     std::vector<Location> carrying, opposing;
-    /// Points of the carrying side that face nothing. Points that are too deep
-    /// are not among them.
+    /// Number of slave points that face nothing, excluding those that are too
+    /// deep.
     unsigned int           unpaired = 0;
     std::vector<DeepPlace> too_deep;
-    /// What carries the gaps if their functions are hats; null if each is that
-    /// of its node.
+    /// Surface of the hat functions; null for nodal functions.
     std::shared_ptr<const CarryingSurface> surface = {};
-    /// Where the gaps are averaged if their functions are hats.
+    /// Integration points of the gaps for hat functions.
     std::vector<GapPoint> points = {};
   };
 
-  /// The side that a discretisation puts its points on, and the one that it
-  /// holds them against: a mesh, or an obstacle if opposing_mesh is null. In
-  /// the words of mortar methods the slave and the master. Refers to surfaces
-  /// that have to live longer.
+  /// Slave and master side of a discretization. The master is a mesh, or an
+  /// obstacle if opposing_mesh is null. Refers to the surfaces, which must
+  /// outlive it.
   struct Sides
   {
     const MeshSurface     *carrying      = nullptr;
     const OpposingSurface *opposing      = nullptr;
     const MeshSurface     *opposing_mesh = nullptr;
-    /// Places further apart do not face each other. Along the averaged normal
-    /// [length].
+    /// Search radius along the averaged normal [length].
     double reach = 0.;
-    /// Whether the points are those of edges, which face the nearest places of
+    /// Edge contact: points are projected onto the nearest places of
     /// opposing_mesh, along the normals there (find_foot()).
     bool of_edges = false;
-    /// How deep in an obstacle places may be, whatever the cells are [length]:
-    /// what has moved in has to come out again.
+    /// Permitted depth in an obstacle for any cell depth [length], so that
+    /// penetrating points can be pushed out.
     double inside_obstacle = 0.;
   };
 
-  /// Whether @p gap is so negative that the places lie behind each other by
-  /// more than the cells are deep. -gap > min(depth_1, depth_2), all lengths.
+  /// Returns true if @p gap is an overlap beyond the depth of the cells, -gap >
+  /// min(depth_1, depth_2) [length].
   bool
   is_too_deep(const double gap, const double depth_1, const double depth_2);
 
-  /// The same at @p hit of the opposing side, with the @p depth of the carrying
-  /// one; in an obstacle -gap > max(depth, Sides::inside_obstacle).
+  /// Returns true if the gap at @p hit is too deep for the slave @p depth and
+  /// that of the master; in an obstacle if -gap > max(depth,
+  /// Sides::inside_obstacle).
   bool
   is_too_deep(const Sides &sides, const SurfaceHit &hit, const double depth);
 
   /**
-   * Node to surface: the points @p points of the carrying side against the
-   * places that they face, each with its tributary area.
-   * A single-pass method: nothing keeps the nodes of the opposing side out of
-   * the carrying one, and a uniform pressure is not passed on exactly
-   * (doc/contact.md). Each row has v = w = n at one place a side. Rows are in
-   * the order of @p points.
+   * Returns node-to-surface gaps: the slave points @p points against the places
+   * that they face, each with its tributary area. A single-pass method: master
+   * nodes may penetrate the slave side, and a uniform pressure is not
+   * transmitted exactly (doc/contact.md). v = w = n at one place per side; rows
+   * are in the order of @p points.
    */
   Gaps
   pair_node_to_surface(const Sides                     &sides,
                        const std::vector<SurfacePoint> &points);
 
-  /// Nodes of the grid of @p a that face no place of @p b. Within @p reach
-  /// [length]; all places of the grid nodes are looked up.
+  /// Returns the number of grid nodes of @p a that face no place of @p b within
+  /// @p reach [length], searching for each.
   unsigned int
   nodes_facing_nothing(const MeshSurface     &a,
                        const OpposingSurface &b,
                        const double           reach);
 
-  /// Grid cells (degree_s x degree_t a facet) of @p a that face @p b, parts of
-  /// facets counted by area. Facets are cut as plane quadrilaterals with those
-  /// opposite (cut()); of facets of @p b behind each other the area counts up
-  /// to that of the facet. Decides PointsOn::automatic.
+  /// Returns the number of grid cells (degree_s x degree_t per facet) of @p a
+  /// that face @p b, parts of facets by area, for PointsOn::automatic. Facets
+  /// are cut as plane quadrilaterals with those opposite (cut()); the area of
+  /// overlapping facets of @p b counts up to that of the facet.
   double
   cells_facing(const MeshSurface &a, const MeshSurface &b, const double reach);
 } // namespace lamella

@@ -8,21 +8,18 @@
 
 namespace lamella
 {
-  /// Throws InputError of a contact nothing of which faces the other side
-  /// within @p reach [length]; the message gives the nearest distance of nodes,
-  /// and of pairs of nodes the best sideways offset.
+  /// Throws InputError of a contact without any pair within @p reach [length];
+  /// the message gives the nearest distance of nodes, and for node pairs the
+  /// smallest tangential offset.
   [[noreturn]] void
   fail_without_pairs(const ContactPair &contact,
                      const Bodies      &bodies,
                      const double       reach);
 
-  /**
-   * Throws InputError if a place of @p gaps that lies far behind the other side
-   * is inside of the other body, or if there is none but such places. Places
-   * far behind each other either look away from each other through their own
-   * bodies, and then do not pair, or the bodies lie in each other. The second
-   * side carries the points if @p on_second. Undeformed.
-   */
+  /// Throws InputError if a point of @p gaps that is too deep lies inside the
+  /// other body, or if all points are too deep. Such points either face away
+  /// from each other through their own bodies, and are not paired, or the
+  /// bodies overlap. The second side is the slave if @p on_second. Undeformed.
   void
   check_not_passed(const ContactPair &contact,
                    const Bodies      &bodies,

@@ -12,30 +12,26 @@
 
 namespace lamella
 {
-  /// Obstacles in the order of the scene's list. None of them is null; contacts
-  /// share them.
+  /// Obstacles in the order of the scene, none null; shared with contacts.
   using Obstacles = std::vector<std::shared_ptr<const Obstacle>>;
 
-  /// The entries of a `subsection Contact NAME`: the two surfaces, the
-  /// discretisation and the side of its points, the search distance,
-  /// overclosure, enforcement and penalty, the tolerance of facing nodes, and
-  /// friction.
+  /// Entries of a `subsection Contact NAME`: surfaces, discretization and slave
+  /// side, search distance, overclosure, enforcement and penalty, tolerance of
+  /// facing nodes, and friction.
   struct ContactParameters
   {
-    /// Declares them with their defaults, patterns and what they mean.
+    /// Declares the entries with their defaults, patterns and documentation.
     static void
     declare(dealii::ParameterHandler &prm);
 
     /**
-     * The contact @p name of bodies with the names @p bodies, or of one and an
-     * obstacle, which must be among @p obstacles. Throws InputError, also for
-     * what an obstacle does not have; surfaces are not known yet and are
-     * checked by make_interface().
+     * Reads the contact @p name between bodies with the names @p bodies, or a
+     * body and one of @p obstacles. Surfaces are checked later by
+     * make_interface(). `Penalty = auto` becomes 1e6 times the local stiffness.
      *
-     * `Penalty = auto` becomes 1e6 times the local stiffness. Refused are an
-     * obstacle in First, two surfaces of one body, an obstacle with `node to
-     * node` or with the points on its side, a Tolerance of 0.5 or more, and a
-     * Friction below 0 or above 10.
+     * Throws InputError, among others for an obstacle in First, two surfaces of
+     * one body, an obstacle with `node to node` or with the points on its side,
+     * a Tolerance of 0.5 or more, and a Friction below 0 or above 10.
      */
     static ContactPair
     parse(const Entries                  &in,
@@ -44,18 +40,18 @@ namespace lamella
           const Obstacles                &obstacles);
   };
 
-  /// The entries of a `subsection Obstacle NAME`: Shape, Through, Normal, Axis,
+  /// Entries of a `subsection Obstacle NAME`: Shape, Through, Normal, Axis,
   /// Radius [length] and the displacement u [length].
   struct ObstacleParameters
   {
-    /// As that of a contact.
+    /// Declares the entries with their defaults, patterns and documentation.
     static void
     declare(dealii::ParameterHandler &prm);
 
-    /// The obstacle @p name, its direction a unit vector. Throws InputError.
-    /// Refused are no shape, a direction of no length, a cylinder without a
+    /// Reads the obstacle @p name, with a unit direction; never null. Throws
+    /// InputError without a shape, for a zero direction, a cylinder without a
     /// positive radius and a plane with one. Normal of a cylinder and Axis of a
-    /// plane are not read. Never null.
+    /// plane are not read.
     static std::shared_ptr<Obstacle>
     parse(const Entries &in, const std::string &name);
   };

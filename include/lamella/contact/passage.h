@@ -17,35 +17,35 @@ namespace lamella
   };
 
   /**
-   * Whether a surface has gone through a cylinder between two states, so that
-   * the later one has nothing that touches and no gap that says so: whether at
-   * any place of the surface the axis, with r from it to the place and n the
-   * outward normal,
+   * Returns true if a surface passed through a cylinder between two states, so
+   * that the later one has neither contact nor a negative gap: at some place of
+   * the surface, with r from the axis to the place and the outward normal n,
+   * the axis
    *   was ahead (r . n < 0) and is behind (r . n > 0),
-   * while the chord of r across the axis comes within the radius. Places are
-   * half a radius apart, or a fortieth of a facet where that is more. A surface
-   * that slides over a roller, or is rolled around it, has the axis ahead.
+   * and the chord of r normal to the axis comes within the radius. Places are
+   * half a radius apart, or a fortieth of a facet if that is more. A surface
+   * that slides or rolls around a roller has the axis ahead.
    *
-   * The same facets in both. False for a plane, behind which gaps are negative.
+   * Both states must have the same facets. False for a plane, behind which gaps
+   * are negative.
    */
   bool
   goes_through(const BesideRoller &before, const BesideRoller &after);
 
   /**
-   * Whether one of two bodies has gone through the other between two states:
-   * whether a node of either surface that was ahead of the other one, or in it
-   * by no more than the cells there are deep, is behind by more, where pairing
-   * looks for nothing (is_too_deep()). A node that came around an end is taken
-   * for one that went through, if it had its foot before and after: a shorter
-   * step tells.
-   *
-   * Feet are sought as far as the two surfaces move towards each other.
+   * Returns true if one of two bodies passed through the other between two
+   * states: a node of either surface that was ahead of the other, or overlapped
+   * by at most the depth of the cells, overlaps by more, where pairing does not
+   * search (is_too_deep()). A node that moved around an end also counts if it
+   * had a projection before and after; shorter steps distinguish it.
+   * Projections are searched within the distance by which the surfaces approach
+   * each other, plus the largest depth of the cells.
    */
   bool
   goes_through(const ContactSides &before, const ContactSides &after);
 
-  /// Whether the two surfaces move towards each other by as much as a cell is
-  /// deep at least: nothing goes through else.
+  /// Returns true if the two surfaces approach each other by at least the depth
+  /// of a cell, which goes_through() requires.
   bool
   may_go_through(const ContactSides &before, const ContactSides &after);
 } // namespace lamella

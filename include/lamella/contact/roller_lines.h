@@ -55,30 +55,29 @@ namespace lamella
               const std::vector<unsigned int> &active);
 
   /**
-   * Where a roller touches the surface of a beam that goes over it: material
-   * lines of the surface along the beam, one at each station along the roller's
-   * axis, and on each the point that is nearest to that axis, which wanders as
-   * the beam bends. There the gap
-   *   g = |r| - R,   r what x - c has across the axis through c,
-   * is stationary along the line, so that its gradient has no part of the
-   * wandering. A material point at a distance d from there would have a normal
-   * that is d / R off, and the force with it.
+   * Contact lines between a beam and a roller: material lines of the surface
+   * along the beam, one at each station along the roller axis, with the point
+   * nearest to that axis, which moves as the beam bends. There the gap
+   *   g = |r| - R,   r the part of x - c normal to the axis through c,
+   * is stationary along the line, so the motion of the point does not enter its
+   * gradient. At a fixed material point at a distance d from there, normal and
+   * force direction would be off by d / R.
    */
   class RollerLines
   {
   public:
-    /// Through the points of @p interface, whose rows are those of nodes of
-    /// @p surface, undeformed, against @p roller: of the rows of each line one
-    /// is kept, the one nearest to the roller.
+    /// Creates the lines through the points of @p interface, whose rows are
+    /// those of nodes of @p surface, undeformed, against @p roller. Keeps one
+    /// row per line, the one nearest to the roller.
     RollerLines(const MeshSurface &surface,
                 const Obstacle    &roller,
                 ContactInterface  &interface);
 
-    /// Puts the carrying places of @p points, one a line, where the lines of
-    /// the surface, as it is @p now, are nearest to the axis of @p roller, as
-    /// it stands now. A place stays on its facet until it is 5 % of its length
-    /// beyond a side where another goes on. Where a line ends before it is
-    /// nearest that is its end.
+    /// Moves the slave places of @p points, one per line, to the points of the
+    /// surface @p now nearest to the axis of @p roller, both in their current
+    /// positions. A place remains on its facet up to 5 % of its length beyond a
+    /// side with an adjacent facet. The end of a line is used if no point is
+    /// stationary.
     void
     follow(const MeshSurface     &now,
            const Obstacle        &roller,
@@ -95,17 +94,17 @@ namespace lamella
               const MeshSurface                   &now,
               const std::vector<dealii::Point<3>> &places);
 
-    /// The deepest place in @p roller, where it stands, of the lines through
-    /// all nodes of @p surface, as it is @p now, at which the axis is ahead.
-    /// Points of a surface see it only if they are near. None where nothing is
-    /// inside, and where the roller lies along the body.
+    /// Returns the deepest place in @p roller, at its position, on the lines
+    /// through all nodes of @p surface, currently @p now, with the axis ahead.
+    /// Contact points detect a roller only nearby. Empty without penetration,
+    /// and if the roller is along the body.
     static std::optional<SunkPlace>
     deepest_in(const Obstacle    &roller,
                const MeshSurface &surface,
                const MeshSurface &now);
 
   private:
-    /// A facet that a line goes through, along t, at this s.
+    /// A facet crossed by a line, along t, at this s.
     struct Piece
     {
       unsigned int facet;
@@ -113,14 +112,14 @@ namespace lamella
     };
     using Line = std::vector<Piece>;
 
-    /// The pieces of @p surface at @p station of the axis of @p roller.
+    /// Returns the pieces of @p surface at @p station of the axis of @p roller.
     static Line
     line_at(const MeshSurface &surface,
             const Obstacle    &roller,
             const double       station);
 
-    /// The place of @p line that is nearest to the axis of @p roller, where it
-    /// was at @p last.
+    /// Returns the place of @p line nearest to the axis of @p roller; @p last
+    /// is the previous one.
     static MeshSurface::FacetPlace
     nearest_place(const Line                    &line,
                   const MeshSurface             &now,

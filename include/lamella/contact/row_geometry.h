@@ -12,38 +12,36 @@
 namespace lamella
 {
   /**
-   * The geometry of the gap rows on one side of a contact, free of any
-   * discretisation of the body: row r is
+   * Geometry of the gap rows on one side of a contact, independent of the
+   * discretization of the body: row r is
    *   sum_k w_rk . u(X_k)
-   * over the places X_k, for whatever displacement field u the body has. A gap
-   * function needs no more of a body than that; B of the DoFs is W times the
-   * displacement rows of Body::rows(). So the same body in another
-   * discretisation can be given the same gaps, and be loaded with the same
-   * contact forces; a body that has moved, gaps about where it is now.
+   * over the places X_k, for any displacement field u. B is W times the
+   * displacement rows of Body::rows(), so another discretization of the same
+   * body can use the same gaps and contact forces, as can a displaced body.
    *
-   * For pairs of points a row has one place and its weight is -n on First or n
+   * For pairs of points a row has one place, with the weight -n on First or n
    * on Second; for weighted gaps the places are the trace nodes of the facets
-   * around, and the weights 1/A_i int phi_i psi_k n dA, psi_k the trace
-   * functions.
+   * around, with the weights 1/A_i int phi_i psi_k n dA and the trace functions
+   * psi_k.
    */
   struct RowGeometry
   {
-    /// Of one row: pairs of k and w_rk (no unit, scene axes).
+    /// Pairs of k and w_rk of one row (no unit, scene axes).
     using Weights = std::vector<std::pair<unsigned int, dealii::Tensor<1, 3>>>;
 
-    /// The X_k, in cells of the body that the contact was made from.
+    /// Places X_k, in cells of the body that the contact was made from.
     std::vector<Location> places;
-    /// Of each row, by numbers of places. As many as rows, in their order; none
-    /// on an obstacle's side.
+    /// Weights of each row, by numbers of places; empty for an obstacle.
     std::vector<Weights> weights;
   };
 
   /**
-   * The rows of @p side as functionals of the DoFs of the body number @p index,
+   * Returns the rows of @p side as functionals of the DoFs of body number
+   * @p index,
    *   B = W R,  row r: sum_k sum_c w_rk,c R_kc,
-   * with @p at the three displacement rows R_k of each place, as Body::rows()
-   * gives them: of the body that the contact was made from, or of the same body
-   * in another discretisation. As many as side.weights.
+   * with the three displacement rows R_k of each place in @p at, from
+   * Body::rows() of the body that the contact was made from or another
+   * discretization of it. As many as side.weights.
    */
   std::vector<BodyRow>
   body_rows(const unsigned int                   index,

@@ -13,16 +13,16 @@
 
 namespace lamella
 {
-  /// Nearest-neighbour search in a fixed set of points, by Boost's R-tree,
-  /// packed at once: O(n log n) to make, O(log n) a query as a rule. The points
-  /// are copied. Numbers are places in the list that the set was made from.
+  /// Nearest-neighbor search in a fixed set of points with Boost's packed
+  /// R-tree: O(n log n) to create, typically O(log n) per query. Copies the
+  /// points; numbers are indices in their list.
   class PointSearch
   {
   public:
     explicit PointSearch(const std::vector<dealii::Point<3>> &points);
 
-    /// Numbers of the @p n nearest points of the set, nearest first. Fewer if
-    /// the set has fewer. Equally near ones come in no certain order.
+    /// Returns the numbers of the @p n nearest points, nearest first, or all if
+    /// there are fewer. The order of equally near ones is unspecified.
     std::vector<unsigned int>
     nearest(const dealii::Point<3> &x, const unsigned int n) const;
 
@@ -31,24 +31,23 @@ namespace lamella
     dealii::RTree<Numbered> tree;
   };
 
-  /// Finds the axis-parallel boxes of a fixed set that meet a given one, or the
-  /// nearest one, by Boost's R-tree, packed at once. The boxes are copied. This
-  /// is the coarse phase of contact search; rays are met with the facets
-  /// themselves in MeshSurface.
+  /// Search in a fixed set of axis-parallel boxes, with Boost's packed R-tree,
+  /// for those that meet a given box, or the nearest one: the coarse phase of
+  /// contact search. Copies the boxes.
   class BoxSearch
   {
   public:
-    /// No boxes; nearest() must not be called then.
+    /// Creates an empty set; nearest() must not be called then.
     BoxSearch() = default;
     explicit BoxSearch(const std::vector<dealii::BoundingBox<3>> &boxes);
 
-    /// Numbers of the boxes that meet @p box, ascending. Boxes that only touch
-    /// count. Ascending, so results do not depend on the tree.
+    /// Returns the numbers of the boxes that meet or touch @p box, ascending,
+    /// so that results do not depend on the tree.
     std::vector<unsigned int>
     meeting(const dealii::BoundingBox<3> &box) const;
 
-    /// The number of the box nearest to @p x. Distance 0 if @p x is in it; of
-    /// several any.
+    /// Returns the number of a box nearest to @p x, at distance 0 if it
+    /// contains @p x.
     unsigned int
     nearest(const dealii::Point<3> &x) const;
 

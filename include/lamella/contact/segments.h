@@ -11,55 +11,51 @@
 
 namespace lamella
 {
-  /**
-   * A quadrilateral piece of a surface, in the plane of its chords, with axes
-   * along its first side and across.
-   *
-   * The plane through the first corner along both diagonals, in which mortar
-   * segments are cut: straight sides make polygons of what are curved patches.
-   */
+  /// Chord plane of a quadrilateral piece of a surface, with axes along its
+  /// first side and normal to it: the plane through the first corner along both
+  /// diagonals. Mortar segments are cut there; curved patches become polygons.
   struct ChordPlane
   {
-    /// @p corners at (0, 0), (1, 0), (0, 1), (1, 1) of a facet or of a part of
-    /// it; @p outward tells the side that the normal is to look to. The piece
-    /// must not be degenerate: its diagonals span the plane.
+    /// Creates the plane of @p corners at (0, 0), (1, 0), (0, 1), (1, 1) of a
+    /// facet or of a part of it; @p outward determines the sign of the normal.
+    /// The diagonals must span a plane.
     ChordPlane(const std::array<dealii::Point<3>, 4> &corners,
                const dealii::Tensor<1, 3>            &outward);
 
-    /// The place of @p x in the plane, moved along @p direction. Coordinates
-    /// along e1 and e2 from the origin [length]. @p direction must not lie in
-    /// the plane; its length does not matter.
+    /// Returns the projection of @p x along @p direction: coordinates along e1
+    /// and e2 from the origin [length]. @p direction must not lie in the plane;
+    /// its length is irrelevant.
     dealii::Point<2>
     project(const dealii::Point<3>     &x,
             const dealii::Tensor<1, 3> &direction) const;
 
-    /// The first corner; an orthonormal right-handed frame with the normal
-    /// outwards. Scene axes.
+    /// First corner, and an orthonormal right-handed frame with outward normal,
+    /// in scene axes.
     dealii::Point<3>     origin;
     dealii::Tensor<1, 3> e1, e2, normal;
-    /// The corners projected along the normal, and the area of that [length^2].
+    /// Corners projected along the normal, and the area of that [length^2].
     Polygon outline;
     double  area = 0.;
   };
 
-  /// What a piece of a surface and one facet of another have in common, in the
-  /// piece's chord plane. A mortar segment: on it no integrand has a kink.
+  /// A mortar segment: the intersection of a piece of a surface and one facet
+  /// of another, in the chord plane of the piece. Integrands are smooth on it.
   struct Segment
   {
-    /// Of the other surface; polygon and area [length^2] in the chord plane.
+    /// Facet of the other surface; polygon and area [length^2] in the chord
+    /// plane.
     unsigned int facet = 0;
     Polygon      polygon;
     double       area = 0.;
   };
 
   /**
-   * Cuts the piece @p plane with the facets of @p other that lie within
-   * @p reach, projected along @p direction (the averaged normal in the middle
-   * of the piece). Slivers below 1e-11 of the piece's area are left out.
-   *
-   * Facets that are seen from the side, their normal within a cosine of 0.1 of
-   * square to @p direction or turned away, are left out as well. Segments of
-   * facets that lie behind each other overlap. By ascending facets.
+   * Returns the segments of the piece @p plane with the facets of @p other
+   * within @p reach, projected along @p direction (the averaged normal at the
+   * center of the piece), by ascending facets. Omits segments below 1e-11 of
+   * the area of the piece, and facets seen from the side (normal within a
+   * cosine of 0.1 of perpendicular to @p direction) or from behind. Segments of
+   * facets behind each other overlap.
    */
   std::vector<Segment>
   cut(const ChordPlane           &plane,

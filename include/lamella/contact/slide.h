@@ -13,56 +13,55 @@
 
 namespace lamella
 {
-  /// t_1 and t_2 of a contact's rows, unit vectors that make with its normal a
-  /// right-handed frame n, t_1, t_2.
+  /// Unit tangents t_1 and t_2 of a contact row, a right-handed frame n, t_1,
+  /// t_2 with its normal.
   using Tangents = std::array<dealii::Tensor<1, 3>, 2>;
 
-  /// Those across @p n, the first one as near to the scene's y axis as that
-  /// allows (to its x axis, where n is within 5 degrees of y).
+  /// Returns the tangents for @p n, the first one closest to the scene's y axis
+  /// (or x axis, if n is within 5 degrees of y).
   Tangents
   tangents_of(const dealii::Tensor<1, 3> &n);
 
-  /// Those across @p n at the place @p st of a facet that has moved from
-  /// @p before to @p now: the first one is what was tangents_of() the facet
-  /// there, moved along and projected. So a frame turns with the body and not
-  /// on its own.
+  /// Returns the tangents for @p n at the point @p st of a facet displaced from
+  /// @p before to @p now: the first one is that of tangents_of() before,
+  /// convected and projected, so that the frame rotates with the body only.
   Tangents
   carried_tangents(const FacetMap             &before,
                    const FacetMap             &now,
                    const dealii::Point<2>     &st,
                    const dealii::Tensor<1, 3> &n);
 
-  /// Where a point of a contact and what it faced were as a load step began:
-  /// what its slip in the step is measured from.
+  /// Reference of the slip of a contact point in a load step: the point and
+  /// what it faced at the beginning.
   struct HeldPlace
   {
-    /// Material places of both bodies.
+    /// Material points of both bodies.
     GapPoint point;
-    /// Of an obstacle the place that was faced, from Obstacle::point [length],
-    /// and the unit normal there.
+    /// Facing place on an obstacle relative to Obstacle::point [length], and
+    /// the unit normal there.
     dealii::Tensor<1, 3> on_obstacle, normal;
   };
 
-  /// Those of a contact, a place for each of its points; nothing of points that
-  /// have faced nothing yet.
+  /// Slip references of a contact, one per point; empty for points that have
+  /// faced nothing yet.
   using HeldPlaces = std::vector<std::optional<HeldPlace>>;
 
-  /// That of @p point, which faces @p at where @p sides stand.
+  /// Returns the slip reference of @p point, which faces @p at on @p sides.
   HeldPlace
   held_place(const ContactSides &sides,
              const GapPoint     &point,
              const Opposition   &at);
 
   /**
-   * By how far the surface that @p now faces at @p at has slid along that of
-   * the point since both were at @p then, where @p sides stand [length], a
-   * vector across the normal:
+   * Returns the slip of the surface that @p now faces at @p at relative to that
+   * of the point, since both were at @p then, on @p sides [length], a vector
+   * normal to n:
    *   s = P (x_c(C) - x_c(C_0)) - P (x_o(O) - x_o(O_0)),   P = I - n n,
-   * C and O the material places on the carrying and the opposing surface that
-   * touch now, C_0 and O_0 those that did. C is C_0 but on the line to a
-   * roller. Around a roller the second term is the arc. No rigid motion of both
-   * bodies changes s, nor do rotations of n; what chords are short of arcs on
-   * curved bodies is of third order in the slide.
+   * with the material points C and O on the slave and master surface in contact
+   * now, and C_0 and O_0 before. C is C_0 except on the line to a roller.
+   * Around a roller the second term is the arc. s is invariant to rigid motions
+   * of both bodies and to rotations of n; the difference of chord and arc on
+   * curved bodies is of third order in the slip.
    */
   dealii::Tensor<1, 3>
   slide(const ContactSides &sides,

@@ -12,10 +12,10 @@ namespace lamella
   /// Node of a body behind the surface of the other body.
   struct SunkEnd
   {
-    /// Whether it is of the second side.
+    /// True if the node is on the second side.
     bool second = false;
-    /// How deep it is [length], and the depth of the cell below the place that
-    /// it faces.
+    /// Penetration [length], and the depth of the cell below the place that it
+    /// faces.
     double depth = 0., cell = 0.;
     /// Closest-point projection of the node.
     MeshSurface::FacetPlace at = {};

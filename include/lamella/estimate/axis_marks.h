@@ -11,18 +11,17 @@
 
 namespace lamella
 {
-  /// @p scene with the elements @p marked of its beams bisected. Their axes
-  /// have to be made; bodies whose nodes a contact pairs (node to node) want
-  /// all of their elements marked or none.
+  /// Returns @p scene with the elements @p marked of its beams bisected. The
+  /// axes have to be made (grade_axes()). Bodies whose nodes a contact pairs
+  /// (node to node) need all of their elements marked or none.
   Scene
   bisected(Scene scene, const std::vector<ElementError> &marked);
 
-  /**
-   * Which elements to bisect for @p goals: of each those with the largest
-   * |error| per DoF until what all others do is below @p left of the tolerance,
-   * and no less than @p share of the sum. None if a goal has no LocalErrors, or
-   * a contact pairs nodes: then all elements are to be halved.
-   */
+  /// Returns the elements to bisect for @p goals. For each goal they are the
+  /// elements with the largest |error| per DoF: at least @p share of the sum of
+  /// |error|, and as many as leave at most @p left of the tolerance to all
+  /// others. Returns nothing if a goal has no LocalErrors or a contact pairs
+  /// nodes: all elements are to be halved then.
   std::optional<std::vector<ElementError>>
   marked_elements(const Scene                   &scene,
                   const std::vector<GoalResult> &goals,
@@ -30,17 +29,18 @@ namespace lamella
                   const double                   share);
 
   /**
-   * @p scene with elements of its beams merged that do nothing to any of
-   * @p goals: of two neighbours with the lengths h_1, h_2 and the degree p
-   * along the axis the error is expected to be
+   * Returns @p scene with elements merged that contribute little to the error
+   * of any of @p goals. A merged pair of neighbors with lengths h_1, h_2 and
+   * degree p along the axis is expected to have the error of a smooth
+   * solution,
    *   (|e_1| + |e_2|) ((h_1 + h_2) / min(h_1, h_2))^(2 p),
-   * what a smooth solution makes of it (e is 2^(-2 p) of what is known of
-   * pairs), and pairs are merged, also ones that
-   * are merged already, the least error first, while all of them together are
-   * below @p left of each tolerance. Ends of elements at @p kept, of each body,
-   * stay. Nothing is merged where a goal has no LocalErrors, where these are
-   * not told element by element (contact, remainder) up to @p left of the
-   * tolerance, or where a contact pairs nodes.
+   * where e is multiplied by 2^(-2 p) if only errors of pairs are known
+   * (LocalErrors::of_pairs). Pairs, also of merged elements, are merged in
+   * order of increasing error while the sum is below @p left of each
+   * tolerance. Element ends at @p kept (one list per body) stay. Nothing is
+   * merged if a contact pairs nodes, if a goal has no LocalErrors, or if their
+   * parts without an element (contact, remainder) exceed @p left of the
+   * tolerance.
    */
   Scene
   merged(Scene                                   scene,

@@ -13,54 +13,54 @@
 
 namespace lamella
 {
-  /// What bars by source are made by.
+  /// Constants of BarsBySource.
   struct SourceRules
   {
-    /// Of what a model is poorer in: wave numbers.
+    /// Number of wave numbers that the model with poorer fields lacks.
     unsigned int fewer_waves = 3;
-    /// Of the section: with tolerances lower ones are compared with richer
-    /// ones, since order 1 says nothing of 2.
+    /// Section order below which runs with tolerances are compared with a
+    /// richer section: a comparison with order 1 does not bound the error of
+    /// order 2.
     unsigned int least_order = 3;
-    /// What the error is held to be at most, of the change that poorer fields
-    /// and sections make; halves of the elements, which divide it by two at
-    /// least, also beside corners; and richer fields and axes.
+    /// Factors from a change to a bar: for poorer fields and sections; for
+    /// halved axes, whose error falls by two or more per halving, also at
+    /// corners; for richer models.
     double of_fields = 2., of_axis = 1., of_richer = 2.;
-    /// No bar where all three change a goal by more than this share of the
-    /// scale.
+    /// Largest sum of |changes|, as a share of the scale, that has a bar.
     double most_changed = 0.1;
   };
 
   /**
-   * The errors of the goals of a run with bodies of SV-N, from three models
-   * each of which differs from it in one source. They share its end fields,
-   * which most of its seconds go into:
-   *   axis      half of the elements; where goals have tolerances, twice as
-   *             many
+   * Error bars of the goals of a run with bodies of SV-N, from three models
+   * that differ from the run in one source each and share its end fields,
+   * which dominate the cost:
+   *   axis      half of the elements; with tolerances twice as many
    *   fields    three wave numbers less; with tolerances four more
-   *   section   one order or degree less; with tolerances one more where the
-   *             order is below least_order.
-   * A bar sums the sizes of what they change, by SourceRules: where fields
-   * settle fast that of richer models is far shorter, which a tolerance is met
-   * by, and poorer ones cost half of them. Richer ones are the estimate, with
-   * what penalties and load steps do; of poorer ones nobody has looked at how
-   * much is left. Penalties: as in BarsFromBelow.
+   *   section   one order or degree less; with tolerances one more if the
+   *             order is below SourceRules::least_order.
+   * A bar is the sum of |change| times the factor in SourceRules. Richer
+   * models give much shorter bars where fields converge fast; poorer ones cost
+   * half as much. The estimate sums the changes by richer models only.
+   * Penalties and load steps: see ContactShares.
    */
   class BarsBySource
   {
   public:
-    /// Why there are none of @p run: a sentence without a full stop; empty if
-    /// there are.
+    /// Returns why @p run has no such bars, as a sentence without a full stop;
+    /// empty if it has.
     static std::string
     reason_for_none(const Simulation &run);
 
-    /// As BarsFromBelow().
+    /// Solves the other models; arguments, exceptions and collectivity are
+    /// those of BarsFromBelow().
     BarsBySource(const Simulation &run, std::ostream &out, ModelCache &cache);
 
     std::vector<GoalResult>
     goals() const;
 
   private:
-    /// A model that differs in one source, and what its change counts in a bar.
+    /// Numbers of a model that differs in one source, and the factor of its
+    /// change in the bar.
     struct Other
     {
       Source        source;
@@ -75,7 +75,8 @@ namespace lamella
     compare_with_richer(OtherModels &models, const Scene &scene);
     void
     compare_sections(OtherModels &models, const Scene &scene);
-    /// Of @p goal what @p other changes, the richer less the poorer one.
+    /// Returns the change of @p goal between the run and @p other: richer less
+    /// poorer.
     double
     change_by(const Other &other, const NamedQuantity &goal) const;
     ErrorBar
@@ -88,8 +89,8 @@ namespace lamella
     RunGoals           of_run;
     ContactShares      of_contact;
     std::vector<Other> others;
-    /// Of each of the quantities, from the model with shorter elements; empty
-    /// where nobody asks where errors are.
+    /// Local errors of each quantity, from the model with more elements; empty
+    /// without tolerances.
     std::vector<std::optional<LocalErrors>> local;
   };
 } // namespace lamella

@@ -18,69 +18,72 @@
 
 namespace lamella
 {
-  /// What bars from below are made by.
+  /// Constants of BarsFromBelow.
   struct BelowRules
   {
-    /// Of the section's expansion: LE-1 to LE-2 says nothing of LE-2.
+    /// Least degree N of LE-N that has bars: the change from LE-1 to LE-2 does
+    /// not bound the error of LE-2.
     unsigned int least_degree = 3;
-    /// Of the change before: what the last change is taken for where it is
-    /// small by accident, as of odd and even degrees.
+    /// Least value of the last change, as a share of the change before: it may
+    /// be small by accident, as between odd and even degrees.
     double least_of_before = 1. / 8.;
-    /// Of the sizes by nodes, which may cancel.
+    /// Least error, as a share of the sum of |contributions| of nodes, which
+    /// may cancel.
     double least_of_sizes = 1. / 4.;
   };
 
   /**
-   * The errors of a run's goals from what is poorer than the run.
+   * Error bars of a run's goals from models that are poorer than the run.
    *
-   * Where no bodies may touch, of goals with a derivative: what the run's
-   * highest functions do to a goal, seen through the dual on its own factor
-   * (Surpluses), is about the change from the poorer model, and two such levels
-   * of section and axis make a bar (error_bar_from_below(), BelowRules).
+   * Goals with a derivative in scenes without contacts: the surpluses of the
+   * run's highest functions (Surpluses) approximate the change from a poorer
+   * model; two levels of section and axis give the bar
+   * (error_bar_from_below(), BelowRules).
    *
-   * Else from two poorer models, on half of the elements with one degree less
-   * and on a quarter with two: with the run's J_0 and theirs, J_1 and J_2, and
-   * the surpluses s of the goals that have any,
+   * All others: the goals J_1 on half of the elements with one degree less and
+   * J_2 on a quarter with two less. With J_0 of the run and the surpluses s of
+   * goals that have any,
    *   d = max(|s_section| + |s_axis|, |J_0 - J_1|)
-   * and e likewise of the levels before; d is at least |J_1 - J_2| / 8.
-   * Each has gap rows of its own mesh and its own active set: what the run's
-   * frozen one cannot see, that it is wrong, these see.
+   * and e likewise for the levels before; the error is at least |J_1 - J_2| /
+   * 8. Each model has gap rows of its own mesh and its own active set, so
+   * errors of the run's active set are included.
    *
-   * What penalties and load steps change comes to them (ContactShares).
+   * ContactShares adds the effect of penalties and load steps.
    */
   class BarsFromBelow
   {
   public:
-    /// Why there are none of @p run: a sentence without a full stop; empty if
-    /// there are.
+    /// Returns why @p run has no such bars, as a sentence without a full stop;
+    /// empty if it has.
     static std::string
     reason_for_none(const Simulation &run);
 
-    /// @p run, whose last step is solved, is referred to. reason_for_none() has
-    /// to be empty. @p out is told of poorer models, a line each, which
-    /// @p cache keeps. Throws what Simulation throws. Collective, as is
-    /// goals().
+    /// Solves poorer models if goals need them. @p run is referred to; its last
+    /// step has to be solved and reason_for_none() empty. Prints a line per
+    /// model to @p out; @p cache keeps the models. Throws what Simulation
+    /// throws. Collective, as goals() is.
     BarsFromBelow(const Simulation &run, std::ostream &out, ModelCache &cache);
 
-    /// The goals of the scene with their bars.
+    /// Returns the goals of the scene with their bars.
     std::vector<GoalResult>
     goals() const;
 
   private:
-    /// Whether the goal @p number is compared with poorer models.
+    /// Returns whether the goal @p number is compared with poorer models.
     bool
     wants_models_of(const unsigned int number) const;
     void
     solve_poorer_models(std::ostream &out, ModelCache &cache);
-    /// The bar by surpluses alone.
+    /// Returns the bar by surpluses alone.
     ErrorBar
     by_surpluses(const NamedQuantity &goal, const SurplusBySource &own) const;
-    /// The bar by poorer models, and by surpluses where there are @p own.
+    /// Returns the bar by poorer models, and by the surpluses @p own if given.
     ErrorBar
     by_models(const NamedQuantity                  &goal,
               const std::optional<SurplusBySource> &own) const;
     using Shares = std::vector<std::pair<std::string, double>>;
-    /// What each source has of @p bar, with the sign of its last change.
+    /// Returns the part of each source in @p bar, with the sign of its last
+    /// change.
     Shares
     shares_of(const NamedQuantity                  &goal,
               const ErrorBar                       &bar,
@@ -93,11 +96,11 @@ namespace lamella
     RunGoals          of_run;
     GoalDual          dual;
     ContactShares     of_contact;
-    /// Of each goal, if it has one.
+    /// Derivative of each goal that has one.
     std::vector<std::optional<GoalDual::Pair>> derivatives;
-    /// Null where the run has none.
+    /// Surpluses of the run; null if it has none.
     std::unique_ptr<const Surpluses> surpluses;
-    /// On half and a quarter of the elements.
+    /// Numbers on half and on a quarter of the elements.
     std::optional<ResultNumbers> half, quarter;
   };
 } // namespace lamella

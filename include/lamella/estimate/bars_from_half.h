@@ -15,61 +15,63 @@
 
 namespace lamella
 {
-  /// What bars from models on half of the axis are made by.
+  /// Constants of BarsFromHalf.
   struct HalfRules
   {
-    /// A richer section that changes a goal by more than this share of what
-    /// the degree before did has no bar, where that is `small` of the scale or
-    /// more: it grows, or does not contract.
+    /// Bounds for a trusted bar: there is none if a richer section changes a
+    /// goal by more than `most_left` of the change by the degree before, and by
+    /// more than `small` of the scale.
     double most_left = 0.8, small = 1e-2;
-    /// Of the change before: what the error is held to be at least.
+    /// Least bar, as a share of the change by the degree before.
     double least_of_before = 1. / 8.;
-    /// Bars that nobody asks for may take this share of the run's
-    /// multiplications, or so many: about a second.
+    /// Cost limits of bars that are not asked for: a share of the run's
+    /// multiplications, and a number of them (about a second) that is always
+    /// free.
     double most_of_run = 0.5, free_operations = 5e9;
   };
 
-  /// The models that a run is compared with: elements along the axis halved so
-  /// often, and the degree of the LE that stands for theories without
-  /// responses; 0 if the section is not compared.
+  /// Models that a run is compared with: number of times that the axis is
+  /// halved, and degree of the LE that stands in for theories other than LE (0:
+  /// sections are not compared).
   struct HalfPlan
   {
     unsigned int times = 1, degree = 2;
   };
 
   /**
-   * The errors of a run's goals that has nothing poorer to tell them by: LE-1
-   * and LE-2, EBBT, TBT, TE-N and SV. Models on half of the elements (or a
-   * quarter: HalfPlan) have
-   *   H_p  the run's theories and degrees,
-   *   H_r  one degree more for LE, what enriched() has in mind for the fields
-   * of others (LE-2, or SV-6 and more), H_l  one degree less than H_p for LE;
-   * than H_r where that is LE, and with s = J(H_r) - J(H_p) the value of the
-   * run has the bar 2 |s| + |J(run) - J(H_p)|,   at least |J(H_p) - J(H_l)| /
-   * 8, or of others than LE |J(H_r) - J(H_l)|: their families are no levels of
-   * LE. The value plus s is the better number (the combination technique).
+   * Error bars of runs without poorer models of their own kind: LE-1 and LE-2,
+   * EBBT, TBT, TE-N and SV. The models have half of the elements (or a
+   * quarter: HalfPlan) and
+   *   H_p  the run's theories and degrees;
+   *   H_r  LE with one degree more, other theories replaced by
+   *        LE-HalfPlan::degree;
+   *   H_l  one degree less than H_p if all bodies are LE, else than H_r.
+   * With s = J(H_r) - J(H_p) the bar is
+   *   2 |s| + |J(run) - J(H_p)|,
+   * and at least |J(H_p) - J(H_l)| / 8 if all bodies are LE, else
+   * |J(H_r) - J(H_l)|. The estimate is s (combination technique).
    *
    * Without a richer section (degree 0) the bar is 2 |J(run) - J(H_p)|, the
-   * error of the axis, also if the errors of both models are alike and of one
-   * sign. Runs with large rotations have only this bar.
-   *
-   * Penalties: as in BarsFromBelow.
+   * error of the axis, which also holds if the errors of both models are of
+   * similar size and of one sign. Runs with large rotations have only this
+   * bar. Penalties and load steps: see ContactShares.
    */
   class BarsFromHalf
   {
   public:
-    /// Why there are none of @p run: a sentence without a full stop; empty if
-    /// there are.
+    /// Returns why @p run has no such bars, as a sentence without a full stop;
+    /// empty if it has.
     static std::string
     reason_for_none(const Simulation &run);
 
-    /// The best of the plans that costs at most @p most multiplications, if one
-    /// does; LE-1 stands for EBBT, TBT and TE-1 alone, since it is not richer
-    /// than others.
+    /// Returns the best plan that costs at most @p most multiplications, if
+    /// there is one. LE-1 stands in for EBBT, TBT and TE-1 only: it is not
+    /// richer than other theories.
     static std::optional<HalfPlan>
     plan(const Simulation &run, const double most);
 
-    /// As BarsFromBelow().
+    /// Solves the models of @p plan; other arguments, exceptions and
+    /// collectivity are those of BarsFromBelow().
     BarsFromHalf(const Simulation &run,
                  const HalfPlan   &plan,
                  std::ostream     &out,
@@ -79,8 +81,8 @@ namespace lamella
     goals() const;
 
   private:
-    /// What the models of @p plan take, about, in multiplications, of @p scene
-    /// whose bodies have @p sizes.
+    /// Returns the approximate multiplications of the models of @p plan, for
+    /// @p scene with bodies of @p sizes.
     static double
     operations(const Scene                 &scene,
                const std::vector<BodySize> &sizes,
@@ -97,9 +99,9 @@ namespace lamella
     HalfRules         rules;
     RunGoals          of_run;
     ContactShares     of_contact;
-    /// Whether all bodies are of LE.
+    /// True if all bodies are LE.
     bool layerwise = false;
-    /// H_p, H_r and H_l.
+    /// Numbers of H_p, H_r and H_l.
     ResultNumbers                half, richer;
     std::optional<ResultNumbers> lower;
   };

@@ -13,38 +13,37 @@
 
 namespace lamella
 {
-  /// How bars take what contact changes, by what was measured
+  /// Factors from a change by contact to a bar, from measurements
   /// (doc/friction.md).
   struct ContactShareRules
   {
-    /// Of the change by exact contact: nothing is left then, and twice for what
-    /// a poorer model is asked.
+    /// Factor of the change by exact contact: no error is left then; doubled
+    /// since a poorer model may give the change.
     double of_penalties = 2.;
-    /// Of the change by twice as many substeps. As much again is left of an
-    /// error of first order, 3.4 times as much of one of order 1/2, as where
-    /// contact grows.
+    /// Factor of the change by twice as many substeps: the error left is once
+    /// the change at first order, and 3.4 times at order 1/2, as where the
+    /// contact zone grows.
     double of_path = 4.;
-    /// The same of the estimate: of first order.
+    /// Factor of that change in the estimate: first order.
     double left_of_path = 2.;
   };
 
   /**
-   * What contact changes of a run's goals beside what the mesh does to it.
+   * Effects of penalties and load steps on a run's goals.
    *
-   * Penalties: the state of the last step is found again with exact rows in
-   * their place, on the stiffness that the run has factorised, and a goal
-   * changes by
+   * Penalties: the last state is solved again with exact rows, on the run's
+   * factorized stiffness and with an active set of its own. A goal changes by
    *   J'_u . (u_exact - u) + J'_lambda . (lambda_exact - lambda).
-   * Rows open and close as they have to. Of a goal without a derivative it is
-   * what exact contact changes in a poorer model (compare()). Nothing changes
-   * where no contact has a penalty.
+   * For a goal without a derivative, and with friction, it is the change by
+   * exact contact in a poorer model (compare()). Zero if no contact has a
+   * penalty.
    *
-   * Load steps, where a contact has friction: what twice as many substeps
-   * change in a poorer model. The law is integrated by backward Euler in the
-   * slip, of first order at most.
+   * Load steps, with friction: the change by twice as many substeps in a
+   * poorer model. The law is integrated by backward Euler in the slip, of
+   * first order at most.
    *
-   * Refers to the run. Throws NumericsError where the exact problem has no
-   * answer. Collective.
+   * Refers to the run. Throws NumericsError if the exact problem has no
+   * solution. Collective.
    */
   class ContactShares
   {
@@ -52,34 +51,34 @@ namespace lamella
     explicit ContactShares(const Simulation &run);
 
     /// Solves @p poorer, whose numbers are @p numbers, without penetration and
-    /// in twice as many substeps by means of @p others, as far as @p goals want
-    /// it.
+    /// in twice as many substeps, by means of @p others, as far as @p goals
+    /// need it.
     void
     compare(const std::vector<NamedQuantity> &goals,
             OtherModels                      &others,
             const Scene                      &poorer,
             const ResultNumbers              &numbers);
 
-    /// Adds to @p result, that of @p goal, one of those that were compared,
-    /// what there is, as ContactShareRules say: to the estimate as it is
-    /// signed, and to bar and shares.
+    /// Adds the effects to @p result, the result of @p goal, by
+    /// ContactShareRules: signed to the estimate, by size to the bar and the
+    /// shares. @p goal has to be one of those given to compare().
     void
     add_to(const NamedQuantity &goal, GoalResult &result) const;
 
   private:
-    /// exact - run.
+    /// Returns the change exact - run.
     double
     of_penalties(const NamedQuantity &goal) const;
 
     ContactShareRules rules;
     bool              any_penalty, any_friction;
-    /// exact - run of the last state; without friction.
+    /// Change exact - run of the last state; empty with friction.
     BlockVector         u;
     std::vector<double> force;
-    /// Of all rows that are active in either state.
+    /// Dual of all rows that are active in either state.
     std::unique_ptr<const GoalDual> dual;
-    /// Of the poorer model: as it is, without penetration, in twice as many
-    /// substeps.
+    /// Numbers of the poorer model: as it is, without penetration, and in twice
+    /// as many substeps.
     std::optional<ResultNumbers> poor, exact, shorter;
   };
 } // namespace lamella

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-// The room `estimate`: how far a run's numbers are off. It owns the surpluses
-// of a run and the richer models that it is compared with, the bars made of
-// them, and the loop that goes on until a tolerance is reached. It never makes
-// a factorisation of a body nor solves a model itself: a richer model is a
-// scene like any other, and Simulation solves it; duals (goal_dual.h) ask the
-// solver that this leaves behind.
+// The room `estimate`: errors of a run's numbers. It owns the surpluses of a
+// run, the models that it is compared with, the error bars made of them, and
+// the loop that refines until a tolerance is met. It never factorizes a body
+// or solves a model itself: other models are scenes that Simulation solves,
+// and duals (goal_dual.h) use the solver that the run leaves behind.
 
 #ifndef lamella_estimate_estimation_h
 #define lamella_estimate_estimation_h
@@ -25,92 +24,90 @@
 
 namespace lamella
 {
-  /// What of the steps of Estimation matters.
+  /// Thresholds of Estimation.
   struct EstimationRules
   {
-    /// A source does that has this share of a tolerance for some goal; or this
-    /// one of what all of them do, where there is none.
+    /// Least share of a tolerance with which a source matters, and without
+    /// tolerances least share of the sum of all shares.
     double least_of_tolerance = 0.1, least_of_all = 0.02;
   };
 
   /**
-   * The errors of a run's goals, from richer models of the same scene:
+   * Error bars of a run's goals from richer models of the same scene:
    *   M_0          the run
-   *   M_1 .. M_k   one source of error less each than a model before it: axis,
-   *                fields, section, contact, whichever the scene has
+   *   M_1 .. M_k   each with less of one source of error of the scene than a
+   *                model M_j before it: axis, fields, section, contact
    *   M_r          axis, fields and section enriched once more.
-   * The share of a source is the change of the goal from the model that M_i was
-   * made of, J(M_i) - J(M_j), and with the estimate of the first refinement,
-   * J_1 = J(M_0) + sum of shares, the bar is that of error_bar() with J_1 and
-   * J_1 + J(M_r) - J(M_j). Each is made of the last one before it, so the
-   * shares sum to J(M_k) - J(M_0); but where goals have tolerances of the last
-   * one whose share is a tenth of a tolerance or more for some goal, and M_r
-   * has less of the sources with such shares only, or of the one with the
-   * largest: what does not matter costs little.
+   * The share of a source is J(M_i) - J(M_j). With J_1 = J(M_0) + sum of
+   * shares the bar is error_bar() of J(M_0), J_1 and J_1 + J(M_r) - J(M_j).
+   * M_j is the model just before, so that the shares sum to J(M_k) - J(M_0).
+   * With tolerances it is the last one whose share is at least a tenth of a
+   * tolerance for some goal, and M_r enriches only such sources, or the one
+   * with the largest share: the others cost little then.
    *
-   * Each model is solved whole, with contact rows of its own mesh and its own
-   * active set: what a frozen active set cannot see, that it is wrong, this
-   * sees, and quantities need not be linear in the displacements. Of quantities
-   * that have a derivative the share of the axis is told element by element
-   * (Localisation).
+   * Each model has gap rows of its own mesh and its own active set, so errors
+   * of the run's active set are included and quantities may be nonlinear.
+   * Localisation gives the share of the axis by elements for goals with a
+   * derivative.
    *
    * Collective.
    */
   class Estimation
   {
   public:
-    /// @p run, whose last step is solved, @p out and @p cache are referred to.
-    /// @p out is told of each model, a line each.
+    /// Refers to @p run, whose last step is solved, @p out and @p cache. A line
+    /// per model is printed to @p out.
     Estimation(const Simulation &run, std::ostream &out, ModelCache &cache);
 
-    /// The goals of the scene with their bars. Where a richer model cannot be
-    /// solved, the goals say why there is no bar. Empty without goals, or where
-    /// ErrorBars::automatic would cost too much.
+    /// Returns the goals of the scene with their bars, or with the reason if a
+    /// richer model cannot be solved. Empty without goals, or if bars are
+    /// ErrorBars::automatic and cost too much.
     std::vector<GoalResult>
     goals();
 
-    /// Why goals() is empty: the scene wants no bars, or they cost too much. A
+    /// Returns why goals() is empty (no bars wanted, or too expensive), as a
     /// sentence without a full stop; empty if there are goals.
     std::string
     reason_for_none() const;
 
   private:
-    /// The run as the first model.
+    /// Returns the run as the first model.
     Model
     first_model() const;
-    /// One more model, with less of one source than another.
+    /// Model with less of one source than another one, by their numbers.
     struct Step
     {
       Source       source;
       unsigned int from = 0, to = 0;
     };
 
-    /// M_1 .. M_k, and M_r.
+    /// Solves M_1 .. M_k and M_r.
     void
     climb();
-    /// M_r: M_k, or the model after the one source that matters, with less of
-    /// sources_that_matter() once more.
+    /// Solves M_r: the model M_j, or the one after the only source that
+    /// matters, with less of sources_that_matter() once more.
     void
     climb_once_more();
     void
     add_step(const Source source);
-    /// The sources that M_r has less of: those with a weight of 1 or more, or
-    /// the heaviest. Contact has one step only.
+    /// Returns the sources that M_r enriches: those of weight 1 or more, or the
+    /// heaviest one; never contact, which has one step only.
     std::vector<Source>
     sources_that_matter() const;
-    /// The largest share of @p step in a goal, over what makes it matter: a
-    /// tenth of the tolerance, or a fiftieth of what all steps do together.
+    /// Returns the largest share of @p step in a goal over the threshold at
+    /// which it matters: a tenth of the tolerance, or a fiftieth of the sum of
+    /// all shares.
     double
     weight_of(const Step &step) const;
-    /// Of the goal @p quantity what the first refinement changes by @p step.
+    /// Returns the change of the goal @p quantity by @p step.
     double
     share_of(const Step &step, const NamedQuantity &quantity) const;
-    /// What the first refinement makes of @p quantity.
+    /// Returns the result of the first refinement of @p quantity.
     Refinements
     first_refinement(const NamedQuantity &quantity) const;
     ErrorBar
     bar_of(const NamedQuantity &quantity) const;
-    /// What the models say of it.
+    /// Returns the goal @p number, @p quantity, from all models.
     GoalResult
     goal(const NamedQuantity &quantity, const unsigned int number) const;
 
@@ -119,16 +116,17 @@ namespace lamella
     std::ostream         &out;
     ModelCache           &cache;
     OtherModels           others;
-    /// From goals() on.
+    /// Goals of the run; set by goals().
     std::unique_ptr<const RunGoals> of_run;
-    /// The run first, and M_r last if it was made.
+    /// Models, the run first, and M_r last if it was made.
     std::vector<Model> models;
     std::vector<Step>  steps;
-    /// The model that the next one is made of, and the one that M_r is.
+    /// Numbers of the model that the next one is made of, and of the one that
+    /// M_r is made of.
     unsigned int base = 0, before_richest = 0;
-    /// Of each of quantities(); empty where they are not known.
+    /// Local errors of each of quantities(); empty if unknown.
     std::vector<std::optional<LocalErrors>> local;
-    /// Why there is no richer model; empty if there is.
+    /// Reason why there is no richer model; empty if there is.
     std::string failure;
   };
 } // namespace lamella

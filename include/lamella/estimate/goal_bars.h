@@ -12,8 +12,8 @@
 
 namespace lamella
 {
-  /// The goals of a run with their bars, or why there are none: a sentence
-  /// without a full stop.
+  /// Goals of a run with their bars, or the reason why there are none: a
+  /// sentence without a full stop.
   struct GoalBars
   {
     std::vector<GoalResult> goals;
@@ -21,14 +21,13 @@ namespace lamella
   };
 
   /**
-   * The bars of @p run, whose last step is solved, as the scene wants them
-   * (ErrorBars): from what the run has (BarsFromBelow) where it has enough,
-   *   auto    with goals that have no derivative left without,
-   *   true    if all goals have one;
-   * else, and where they are to be `richer`, from richer models (Estimation).
-   * Bars at large rotations cover the axis alone (BarsFromHalf).
-   * Where goals have tolerances they are made whatever they cost. @p out is
-   * told of it, a line a model, which @p cache keeps. Collective.
+   * Returns the bars of @p run, whose last step is solved, as the scene wants
+   * them (ErrorBars): by BarsFromBelow, BarsBySource or BarsFromHalf, the
+   * first that is possible, or else, and for `richer`, by Estimation. The
+   * former are at least twice the change by missed_at_held_places(). Bars at
+   * large rotations cover the axis alone (BarsFromHalf). Goals with tolerances
+   * have bars at any cost. Prints a line per model to @p out; @p cache keeps
+   * the models. Collective.
    */
   GoalBars
   bars_of(const Simulation &run, std::ostream &out, ModelCache &cache);

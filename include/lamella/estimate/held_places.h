@@ -10,30 +10,30 @@
 
 namespace lamella
 {
-  /// What decides whether the elements at a held place are looked at, and how.
+  /// Constants of missed_at_held_places().
   struct HeldPlaceRules
   {
-    /// Elements longer than this share of the section's larger side carry what
-    /// a support disturbs over a length of their own: coarser axes do not see
-    /// it at all, finer ones do.
+    /// Element length, as a share of the section's larger side, above which an
+    /// element spreads the disturbance at a support over its own length.
     double longest = 0.5;
-    /// How often such an element is bisected, always the half with the place.
+    /// Number of bisections of such an element; the half with the place each
+    /// time.
     unsigned int times = 2;
   };
 
   /**
-   * What the goals of @p run change by when the elements at places that
-   * supports hold are short: points and lines that they hold within the length
-   * of a beam, and ends of beams that are warm. Both models are LE-1, on the
-   * axes of @p run and on these bisected at the places: near by, LE-1 does
-   * three quarters of what higher degrees do. (A line that a support holds
-   * gives way by log(1/h), without limit; a halving of an element is a finite
-   * change.)
+   * Returns the changes of the goals of @p run by short elements at supported
+   * places: at points and lines that supports hold within a beam, and at held
+   * ends of heated beams. Both models are LE-1, on the axes of @p run and on
+   * these bisected at the places; LE-1 shows three quarters of the local
+   * effect of higher degrees. (The displacement of a line support grows by
+   * log(1/h) without limit; each bisection is a finite change.)
    *
-   * Of each goal J(bisected) - J(LE-1), signed; empty if there are no such
-   * places, their elements are short already, or nodes are paired by a contact.
-   * The run is referred to, @p out told of the models, which @p cache keeps.
-   * Throws what Simulation throws. Collective.
+   * The result is J(bisected) - J(LE-1) for each goal, signed. It is empty if
+   * there are no such places, if their elements are short already, with
+   * node-dependent theories, or if a contact pairs nodes. Refers to the run,
+   * prints a line per model to @p out; @p cache keeps the models. Throws what
+   * Simulation throws. Collective.
    */
   std::vector<double>
   missed_at_held_places(const Simulation     &run,

@@ -10,16 +10,13 @@
 namespace lamella
 {
   /**
-   * What tells the model of @p scene from all others: the text of all entries
-   * as it was read (Scene::resolved), and of what a program may have changed
-   * since, every member: of the bodies theory, pieces, axis, refinement and
-   * stabilisation, how often sections are divided, and the law of each contact.
-   * Numbers have all of their digits. Two scenes with one key give the same
-   * numbers of their last load factor.
-   *
-   * A member that is added to one of these structures does not compile here
-   * before it is named, in the key or among those that nobody changes once the
-   * text is read.
+   * Returns a key of the model of @p scene: the text of all entries as read
+   * (Scene::resolved), and each member that a program may have changed since:
+   * theory, pieces, axis, refinement and stabilization of the bodies,
+   * divisions of sections, and the law of each contact, with all digits.
+   * Scenes with equal keys give equal numbers at their last load factor. A
+   * member that is added to one of these structures does not compile until the
+   * implementation names it.
    */
   std::string
   key_of(const Scene &scene);

@@ -8,23 +8,21 @@
 
 namespace lamella
 {
-  /// What @p run spent on its factors, in multiplications: of a factor with n
-  /// columns and z non-zeros at least z^2 / n, the sum of the squares of its
-  /// columns where these are alike. 0 where no factor was made (`cg`, the
+  /// Returns the multiplications that @p run spent on factorizations: at least
+  /// z^2 / n for a factor with n columns and z non-zeros, the sum of the
+  /// squares of its columns if these are alike. 0 without factorizations (`cg`,
   /// strategy `full`).
   double
   operations(const Simulation &run);
 
   /**
-   * What its richer models (Estimation) would take, as far as it can be counted
-   * before they are built (CostRules): of_block m^3 for each node of an axis,
-   * m = fields_of_responses, and the nodes of `axes` where SV-10 stands in for
-   * LE-N; the products and eigenvectors of the responses, two for each wave
-   * number and each load vector of what touches the body; and the pieces
-   * that its end fields take, as a share of the run's factor
-   * (nodes_of_pieces()). Infinite where
-   * it does not for some body: a richer model of the same kind always costs
-   * more than the run.
+   * Returns the estimated multiplications of the richer models of Estimation
+   * (CostRules): of_block m^3 per axis node with m = fields_of_responses, for
+   * `axes` times the nodes, where SV-10 replaces LE-N; products and
+   * eigenvectors of the responses, two per wave number and load vector on the
+   * body; and the pieces for its end fields, as a share of the run's
+   * factorization (nodes_of_pieces()). Infinite if SV-10 replaces LE-N in not
+   * every body: richer models of the same kind always cost more than the run.
    */
   double
   operations_of_bars(const Simulation &run,

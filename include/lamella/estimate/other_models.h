@@ -16,8 +16,7 @@
 
 namespace lamella
 {
-  /// A model that was solved: its scene, its numbers, and how large its bodies
-  /// are.
+  /// Scene, numbers and body sizes of a solved model.
   struct Model
   {
     Scene                 scene;
@@ -25,12 +24,11 @@ namespace lamella
     std::vector<BodySize> sizes;
   };
 
-  /// Models of one scene that were solved, by key_of() theirs: one that is
-  /// asked for again is known.
+  /// Solved models of one scene by key_of(), so that none is solved twice.
   class ModelCache
   {
   public:
-    /// That of @p scene, or null.
+    /// Returns the model of @p scene, or null.
     const Model *
     find(const Scene &scene) const;
     void
@@ -40,17 +38,18 @@ namespace lamella
     std::map<std::string, Model> models;
   };
 
-  /// Models of the scene of a run beside it, solved one after the other. The
-  /// run, the stream and the cache are referred to.
+  /// Solver of further models of the scene of a run, one after the other.
+  /// Refers to the run, the stream and the cache.
   class OtherModels
   {
   public:
-    /// @p out is told of each model, a line each.
+    /// Prints a line per model to @p out.
     OtherModels(const Simulation &run, std::ostream &out, ModelCache &cache);
 
-    /// Solves @p scene and tells @p what it is, unless it is known. What solved
-    /// it is handed to @p look before it goes; then it is solved in any case.
-    /// Throws what Simulation throws. Collective.
+    /// Returns the model of @p scene; solves it, with the line @p what, unless
+    /// it is known. The solved simulation is passed to @p look if given; the
+    /// model is solved in any case then. Throws what Simulation throws.
+    /// Collective.
     Model
     solved(const Scene                                   &scene,
            const std::string                             &what,

@@ -13,31 +13,32 @@
 
 namespace lamella
 {
-  /// How a run to a tolerance goes on.
+  /// Constants of a run to a tolerance.
   struct PassRules
   {
-    /// Sources stay as they are that together have less than this share of what
-    /// a goal may be off by.
+    /// Share of a goal's largest error that may be left to sources that are not
+    /// refined.
     double small_share = 0.5;
-    /// A goal leaves that has had no bar in so many passes one after the other
-    /// and still changes by more than its tolerance, or whose bar over
-    /// tolerance has not got better by this factor in so many.
+    /// Bounds for dropping a goal: `patience` passes in succession without a
+    /// bar while it still changes by more than its tolerance, or `slow_passes`
+    /// in which bar over tolerance did not fall by the factor `least_progress`.
     unsigned int patience = 2, slow_passes = 3;
     double       least_progress = 0.5;
-    /// What one degree more leaves of the section's share of a bar at most for
-    /// degrees to go on: a corner holds them back else.
+    /// Largest ratio of the section's shares from one degree to the next for
+    /// raising the degree further: with a higher one a corner limits
+    /// convergence.
     double most_of_degree = 0.5;
-    /// More are a sign that none would be enough.
+    /// Largest number of passes; more indicate that none would suffice.
     unsigned int most_passes = 8;
-    /// Of a tolerance: what elements may do to a goal that stay as they are,
-    /// and that become one; and what those that are bisected do at least of
-    /// all.
+    /// Shares of a tolerance for the errors of elements that stay and of
+    /// elements that are merged; least share of the total error for bisected
+    /// elements.
     double most_left = 0.25, most_merged = 0.05, least_done = 0.65;
-    /// Of their size: what loads may differ by from pass to pass.
+    /// Relative difference allowed between the loads of successive passes.
     double loads_agree = 1e-7;
   };
 
-  /// One model of a run to a tolerance, with its bars.
+  /// A model of a run to a tolerance, with its bars.
   struct Pass
   {
     unsigned int            dofs    = 0;
@@ -46,56 +47,53 @@ namespace lamella
     std::vector<GoalResult> goals;
   };
 
-  /// What a pass has less of than the one before.
+  /// Refinement of a pass relative to the one before.
   struct Refined
   {
     std::vector<Source> sources;
-    /// Where the axis is among them: its elements that are bisected; all of
-    /// them where this is empty.
+    /// Bisected elements if the axis is refined; empty: all elements.
     std::optional<std::vector<ElementError>> marked = {};
   };
 
-  /// A goal in three passes, one after the other, and in what the last two were
-  /// refined.
+  /// Results of a goal in the two passes before, and the refinements of the
+  /// last two passes.
   struct Course
   {
     const GoalResult &first, &before;
     const Refined    &then, &now;
   };
 
-  /**
-   * The bar of @p goal by what the last two passes have changed it by, d_1 and
-   * then d, if both were refined in the same sources R. With the bars P of the
-   * sources before, b = sum of P over R, and q the larger of d / b and d / d_1,
-   *   max(d, 2 d q / (1 - q), b / 8) + what elements do that were not bisected
-   *                                  + own bars of other sources,
-   * if that is shorter than its own and q at most 2/3: the bar that a pass has
-   * looks at poorer models, this at the passes themselves.
-   */
+  /// Shortens the bar of @p goal by the changes of the last two passes, d_1 and
+  /// then d, if both refined the same sources R and all bars are trusted. With
+  /// the shares P before the pass, b = sum of |P| over R, and q the larger of d
+  /// / b and d / d_1, the part of R becomes
+  ///   max(d, 2 d q / (1 - q), b / 8) + errors of elements not bisected
+  /// if that is less and q <= 2/3. The parts of other sources are added.
   void
   shorten(GoalResult &goal, const Course &course, const BarRules &rules = {});
 
-  /// Makes what @p source has of the bar of @p goal @p least, if it is less.
+  /// Raises the share of @p source in the bar of @p goal to @p least, if it is
+  /// less.
   void
   hold_share(GoalResult &goal, const Source source, const double least);
 
   /**
-   * The passes of a run to a tolerance, and what they say of the next one. Of
-   * the goals of the last pass
-   *   met     are those within their tolerances that have changed since the
-   *           pass before by no more than its bar said;
-   *   left    those that no pass is made for any more: a number that has no
-   *           limit, at a point load, say, keeps growing, and would take all
-   *           elements for itself (PassRules::patience, least_progress);
-   *   open    all others. The next pass is for those that have a bar, or where
-   *           none has one for all.
+   * Passes of a run to a tolerance, and the refinement that the next one
+   * needs. Goals of the last pass are
+   *   met     within their tolerance, and changed since the pass before by no
+   *           more than the bar of that pass;
+   *   left    not refined any further: a number without a limit, as at a point
+   *           load, grows forever and would take all elements
+   *           (PassRules::patience, least_progress);
+   *   open    all others. The next pass is for those with a bar, or for all if
+   *           none has one.
    */
   class Passes
   {
   public:
     explicit Passes(const PassRules &rules = {});
 
-    /// @p refined says in what; nothing of the first one.
+    /// Adds a pass; @p refined is its refinement, empty for the first one.
     void
     add(const Pass &pass, const Refined &refined = {});
 
@@ -114,47 +112,48 @@ namespace lamella
     bool
     all_met() const;
 
-    /// The goals that the next pass is for; none, if no goal is open.
+    /// Returns the goals that the next pass is for; none if no goal is open.
     std::vector<GoalResult>
     next_goals() const;
 
-    /// All goals but those that have left.
+    /// Returns the goals that have not left.
     std::vector<GoalResult>
     staying() const;
 
-    /// Those that have left in the last pass, a sentence each.
+    /// Returns a sentence for each goal that has left in the last pass.
     std::vector<std::string>
     farewells() const;
 
-    /// The sources of error that next_goals() want less of: the largest of each
-    /// goal, and others until the rest has half of its tolerance or less
-    /// (PassRules::small_share).
+    /// Returns the sources of error to refine for next_goals(): the largest of
+    /// each goal, and others until the rest is at most PassRules::small_share
+    /// of its tolerance.
     std::vector<Source>
     wanted() const;
 
-    /// Whether degrees do not contract: of one of next_goals() the section has
-    /// more left of its share, after a pass that was refined in it, than
-    /// PassRules::most_of_degree.
+    /// Returns whether raising degrees does not reduce the section's share: for
+    /// one of next_goals() the ratio of shares exceeds
+    /// PassRules::most_of_degree after a pass that refined the section.
     bool
     degrees_stall() const;
 
-    /// Whether goals may have lost this much, @p lost of each, beside all
-    /// other errors: at most PassRules::small_share of what those may be off by
-    /// that have not left.
+    /// Returns whether an additional error @p lost of each goal is acceptable:
+    /// at most PassRules::small_share of the largest error of each goal that
+    /// has not left.
     bool
     can_lose(const std::vector<double> &lost) const;
 
-    /// The plain mesh check: what the goals have changed by since the last
-    /// pass, the largest over its tolerance; 0 in the first pass.
+    /// Returns the largest change of a goal since the last pass, over its
+    /// tolerance (a plain mesh check); 0 in the first pass.
     double
     largest_change() const;
 
-    /// Why the passes themselves say that none is to follow; empty if one is.
+    /// Returns why no further pass is to follow; empty if one is.
     std::string
     reason_to_stop() const;
 
   private:
-    /// What the goal @p number has changed by since the last pass.
+    /// Returns the size of the change of the goal @p number since the last
+    /// pass.
     double
     change(const unsigned int number) const;
     bool
@@ -164,9 +163,9 @@ namespace lamella
 
     PassRules         rules;
     std::vector<Pass> made;
-    /// Of each pass.
+    /// Refinement of each pass.
     std::vector<Refined> refinements;
-    /// Of each goal the pass in which it has left, from 1 on; 0 of others.
+    /// Pass, from 1 on, in which each goal has left; 0 if it has not.
     std::vector<unsigned int> left_in;
   };
 } // namespace lamella

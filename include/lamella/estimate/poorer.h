@@ -11,31 +11,27 @@
 
 namespace lamella
 {
-  /**
-   * @p axis with about half as many elements, whose lengths are known (no
-   * fineness): neighbours become one, two by two from each end of a piece to
-   * the next; of an odd number three become one, the longest among them. Only
-   * an element alone between two such ends is kept.
-   * Where all pieces are one element, as on graded axes, those places are taken
-   * that elements get shorter to from both sides: what touches the axis is
-   * there. All ends are ends of elements of @p axis.
-   */
+  /// Returns @p axis with about half as many elements, of given lengths (no
+  /// fineness). Neighbors are merged two by two within each piece; of an odd
+  /// number, three at the longest element are merged. A single element in a
+  /// piece is kept. If all pieces are single elements, as on graded axes, the
+  /// piece ends are replaced by the places toward which elements get shorter
+  /// from both sides. All element ends are element ends of @p axis.
   AxisMesh
   halved(const AxisMesh &axis);
 
-  /// The elements of @p axis after it was halved() @p times (at least once),
-  /// with polynomials of its degree; of one less, but 1 at least, for each time
-  /// that they found no partner.
+  /// Returns the elements of @p axis after halving it @p times (at least once),
+  /// with polynomials of its degree, reduced by one (1 at least) for each time
+  /// that an element was not merged.
   std::vector<AxisSpan>
   coarser_spans(AxisMesh axis, const unsigned int times);
 
-  /// @p scene with the axes of its beams halved(). The axes have to be made
-  /// (grade_axes()).
+  /// Returns @p scene with the axes of its beams halved(). The axes have to be
+  /// made (grade_axes()).
   Scene
   on_half_the_axis(Scene scene);
 
-  /// @p scene with LE-(N-1) for LE-N in all bodies and pieces of them, N from 2
-  /// on.
+  /// Returns @p scene with LE-(N-1) for LE-N in all bodies and pieces, N >= 2.
   Scene
   of_one_degree_less(Scene scene);
 } // namespace lamella

@@ -12,13 +12,13 @@
 
 namespace lamella
 {
-  /// The goals of a run that is solved: their values, and what errors of them
-  /// are small against. Refers to the run.
+  /// Goals of a solved run: their values and the reference sizes of their
+  /// errors. Refers to the run.
   class RunGoals
   {
   public:
-    /// Why @p run has none that want bars: a sentence without a full stop;
-    /// empty if it has.
+    /// Returns why no goals of @p run need bars, as a sentence without a full
+    /// stop; empty if some do.
     static std::string
     reason_for_none(const Simulation &run);
 
@@ -28,7 +28,7 @@ namespace lamella
 
     explicit RunGoals(const Simulation &run, const GoalRules &rules = {});
 
-    /// The quantities of the scene, those of whole probes among them.
+    /// Returns the quantities of the scene, including those of whole probes.
     const std::vector<NamedQuantity> &
     quantities() const
     {
@@ -41,21 +41,21 @@ namespace lamella
       return values;
     }
 
-    /// Why @p quantity, a strain or a stress of a probe, has no limit at its
-    /// place (lamella::reason_for_no_limit()); empty of all others, of a
-    /// measure that of its terms. The mean over a box has one.
+    /// Returns why @p quantity, a strain or stress of a probe or a measure of
+    /// such, has no limit at its place (lamella::reason_for_no_limit()); empty
+    /// for all others. The mean over a box has a limit.
     std::string
     reason_for_no_limit(const NamedQuantity &quantity) const;
 
-    /// |value| of @p quantity, or where that is near zero the largest of its
-    /// kind, of strains and stresses that in its material
+    /// Returns |value| of @p quantity, or if it is near zero the largest of its
+    /// kind, of strains and stresses the largest in its material
     /// (ResultNumbers::largest_in_material()).
     double
     scale_of(const NamedQuantity &quantity) const;
 
-    /// What the arithmetic leaves open of @p quantity: the last correction of
-    /// the displacements, as a share of the largest of its kind,
-    /// in whatever material: stresses of all come from the same solution.
+    /// Returns the rounding error of @p quantity: the relative last correction
+    /// of the displacements times the largest value of its kind in all
+    /// materials.
     double
     rounding_of(const NamedQuantity &quantity) const;
 
@@ -64,8 +64,8 @@ namespace lamella
     GoalResult
     with_bar(const unsigned int number, const ErrorBar &bar) const;
 
-    /// Name, value, unit, scale and tolerance of the goal @p number, no bar,
-    /// and why there cannot be one if it has no limit.
+    /// Returns the goal @p number without a bar: name, value, unit, scale,
+    /// tolerance, and the reason if it has no limit.
     GoalResult
     bare(const unsigned int number) const;
 

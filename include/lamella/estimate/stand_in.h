@@ -11,14 +11,13 @@
 namespace lamella
 {
   /**
-   * What goals lose where the section's own fields stand in for all of them:
-   * of each goal of @p run the size of J(all fields) - J(own fields), both on
-   * the sections and axes of @p run. The bodies are those that are LE there and
-   * SV-N in @p next; empty if there are none. Poorer and richer models of SV-N
-   * do not tell it: what no wave number finds (the slow warping of thin walls
-   * beside a load that twists them, say) all of them are without. The
-   * run is referred to, @p out told of the model, which @p cache keeps. Throws
-   * what Simulation throws. Collective.
+   * Returns the errors of goals if the section's own fields (SV-N) replace all
+   * fields (LE): |J(all fields) - J(own fields)| for each goal of @p run, on
+   * its sections and axes, where the bodies are LE in @p run and SV-N in
+   * @p next. Empty if there are none. Comparisons of SV-N with other wave
+   * numbers miss this error: none of them has, say, the slow warping of thin
+   * walls beside a twisting load. Refers to the run, prints a line to @p out;
+   * @p cache keeps the model. Throws what Simulation throws. Collective.
    */
   std::vector<double>
   lost_by_stand_ins(const Simulation &run,

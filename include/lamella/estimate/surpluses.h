@@ -13,20 +13,20 @@
 
 namespace lamella
 {
-  /// About what a goal has changed by from poorer models to the run, in its
-  /// unit, signed.
+  /// Approximate change of a goal from poorer models to the run, in its unit,
+  /// signed.
   struct Surplus
   {
-    /// From what is poorer in this source to the run, and from what is poorer
-    /// still to that: one and two degrees less of the section, halves and
-    /// quarters of the elements along the axis (coarser_spans()).
+    /// Change from a model that is poorer in one source to the run, and from a
+    /// still poorer one to that: one and two degrees less of the section,
+    /// halves and quarters of the elements along the axis (coarser_spans()).
     double last = 0., before = 0.;
-    /// The sum over nodes and active rows of the size of what each has of
-    /// `last`: parts of the axis that cancel do not here.
+    /// Sum of the sizes of the contributions to `last` of nodes and active
+    /// rows, which do not cancel.
     double by_nodes = 0.;
   };
 
-  /// By source, and what the axis has of it by elements (`last`).
+  /// Surpluses by source, and those of the axis by elements (`last`).
   struct SurplusBySource
   {
     Surplus     section, axis;
@@ -34,45 +34,44 @@ namespace lamella
   };
 
   /**
-   * Surpluses of a run, without any model beside it. With z the dual of a goal
-   * on the run's own factor (GoalDual) and L the interpolation into a poorer
-   * space (BeamSurplus),
+   * Surpluses of a run: changes of its goals from poorer models, without
+   * solving these. With the dual z of a goal on the run's own factorization
+   * (GoalDual) and the interpolation L into a poorer space (BeamSurplus),
    *   J(u_p) - J(u_(p-1)) = a(u_p - u_(p-1), (1 - L) z_p)
    *                       ~ a((1 - L) u_p, (1 - L) z_p):
-   * the first by orthogonality, the second since the surplus of u is near to
-   * its change. For z = u it is an upper bound; otherwise the strengthened
-   * Cauchy inequality holds it within 1 / (1 - gamma^2) (Bank and Smith, SIAM
-   * J. Numer. Anal. 30 (1993) 921-935; Deuflhard, Leinen and Yserentant, IMPACT
-   * Comput. Sci. Eng. 1 (1989) 3-35).
+   * first by orthogonality, then since the surplus of u approximates its
+   * change. For z = u it is an upper bound; otherwise the strengthened Cauchy
+   * inequality bounds it by the factor 1 / (1 - gamma^2) (Bank and Smith, SIAM
+   * J. Numer. Anal. 30 (1993) 921-935; Deuflhard, Leinen and Yserentant,
+   * IMPACT Comput. Sci. Eng. 1 (1989) 3-35).
    *
-   * Where rows are active, (1 - L) u opens them by B (1 - L) u, which the
-   * change of u does not: rows B, their compliance C and softness a held, it
-   * answers with the forces phi = -(C + a)^-1 B (1 - L) u,   which adds   -phi
-   * . B (1 - L) z to the surplus: all that a force which two bodies exert on
-   * each other at a few places changes by.
+   * In active rows B the part (1 - L) u has the jump B (1 - L) u, which the
+   * change of u has not. The forces phi = -(C + a)^-1 B (1 - L) u, with the
+   * compliance C of the rows and of the law, a, remove it and add -phi . B
+   * (1 - L) z to the surplus.
    *
-   * Costs a solution with its refinement a goal; four solutions and products
-   * with the stiffness in all. The active set is the run's: that it is wrong is
-   * not seen. Refers to the run, whose last step is solved. Collective.
+   * Costs one solution with refinement per goal, and four solutions and
+   * products with the stiffness in all. The active set is the run's; its error
+   * is not included. Refers to the run, whose last step is solved. Collective.
    */
   class Surpluses
   {
   public:
-    /// Why there are none of @p run: a sentence without a full stop, empty if
-    /// there are. Every body has to be a beam of LE-N, N at least @p
-    /// least_degree and 2, with all fields of the section at all nodes.
+    /// Returns why @p run has no surpluses, as a sentence without a full stop;
+    /// empty if it has. Every body has to be a beam of LE-N, N >= 2 and
+    /// N >= @p least_degree, with all fields of the section at all nodes.
     static std::string
     reason_for_none(const Simulation &run, const unsigned int least_degree);
 
     explicit Surpluses(const Simulation &run);
 
-    /// Those of the goal with the dual @p z.
+    /// Returns the surpluses of the goal with the dual @p z.
     SurplusBySource
     of(const BlockVector &z) const;
 
   private:
-    /// What a vector has beyond the space of one degree less, and what of the
-    /// rest beyond that of two.
+    /// Parts of a vector: beyond the space of one degree less, and of the rest
+    /// beyond that of two.
     struct Parts
     {
       BlockVector section, section_before, axis, axis_before;
@@ -80,8 +79,8 @@ namespace lamella
     Parts
     parts_of(const BlockVector &v) const;
 
-    /// What answers a part of the displacements, v: K v in the bodies and phi
-    /// in the active rows.
+    /// Forces of a part v of the displacements: K v in the bodies and phi in
+    /// the active rows.
     struct Answer
     {
       BlockVector bodies;
@@ -89,29 +88,31 @@ namespace lamella
     };
     Answer
     answer_to(const BlockVector &v) const;
-    /// What @p answer does along @p z.
+    /// Returns the work of @p answer along @p z.
     double
     work(const Answer &answer, const BlockVector &z) const;
-    /// The same by the sizes of what nodes and rows have of it.
+    /// Returns the sum of the sizes of the contributions to work() of nodes and
+    /// rows.
     double
     sizes(const Answer &answer, const BlockVector &z) const;
-    /// work() by elements, which share what the span has that they are in.
+    /// Returns work() by elements, which share that of their span.
     LocalErrors
     by_elements(const Answer &answer, const BlockVector &z) const;
-    /// What the spans of @p body have of the products @p products of its DoFs.
+    /// Adds the parts of the spans of @p body in the products @p products of
+    /// its DoFs.
     void
     add_spans(const unsigned int body,
               const Vector      &products,
               LocalErrors       &result) const;
-    /// How far @p v opens the active rows.
+    /// Returns the jump of @p v in the active rows.
     Vector
     openings(const BlockVector &v) const;
 
     const Simulation &run;
-    /// A body each: its surplus, halves and quarters of its elements.
+    /// Surplus of each body, and the halves and quarters of its elements.
     std::vector<std::unique_ptr<const BeamSurplus>> of_beams;
     std::vector<std::vector<AxisSpan>>              halves, quarters;
-    /// To the parts of the displacements.
+    /// Forces of the parts of the displacements.
     std::unique_ptr<const Answer> section, section_before, axis, axis_before;
   };
 } // namespace lamella

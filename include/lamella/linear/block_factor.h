@@ -12,16 +12,14 @@
 
 namespace lamella
 {
-  /**
-   * The factor L of A = P^T L L^T P in the places of a BlockPattern: the
-   * numeric part of factorise_blocks(). A is added into the places of L, those
-   * on and below the diagonal, and factorised there, right-looking: a block
-   * that is done takes what it does to later ones out of them.
-   */
+  /// The factor L of A = P^T L L^T P with the sparsity of a BlockPattern: the
+  /// numeric part of factorise_blocks(). A is assembled into the entries of L
+  /// on and below the diagonal and factorized in place, right-looking: each
+  /// completed block updates the later ones.
   class BlockFactor
   {
   public:
-    /// Has no memory for entries yet.
+    /// Stores the pattern without allocating entries.
     explicit BlockFactor(BlockPattern pattern);
 
     const BlockPattern &
@@ -30,35 +28,36 @@ namespace lamella
       return pattern;
     }
 
-    /// All entries of A, zero. Throws std::bad_alloc.
+    /// Allocates the entries of A, zero. Throws std::bad_alloc.
     void
     allocate();
-    /// Where the entry of the DoF @p column of A in the rows of the block
-    /// number @p block would begin if that began with DoF 0; nullptr where it
-    /// is above the diagonal. The two must couple.
+    /// Returns the address at which the entries of column DoF @p column of A in
+    /// the rows of block @p block would begin if that began with DoF 0; nullptr
+    /// above the diagonal. The two must couple.
     double *
     begin_of(const DofIndex column, const unsigned int block);
     double &
     diagonal(const DofIndex dof);
 
-    /// Replaces A by L. Throws NotPositiveDefinite, in which @p what names A.
+    /// Replaces A by L. Throws NotPositiveDefinite; @p what names A in it.
     void
     factorise(const std::string &what);
-    /// The square of the ratio of the least to the largest pivot, an estimate.
+    /// Returns the square of the ratio of the smallest to the largest pivot, an
+    /// estimate.
     double
     reciprocal_condition() const
     {
       return reciprocal;
     }
 
-    /// x = L^-1 x and x = L^-T x of the @p count columns from @p x on, in the
-    /// order of L.
+    /// Computes x = L^-1 x or x = L^-T x for the @p count columns from @p x on,
+    /// in the order of L.
     void
     forward(double *const x, const dealii::types::blas_int count) const;
     void
     backward(double *const x, const dealii::types::blas_int count) const;
 
-    /// Refers to this.
+    /// Returns a view that refers to this object.
     SupernodalFactor
     view() const;
 
@@ -73,11 +72,11 @@ namespace lamella
     {
       return entry.data() + pattern.first_entry[s];
     }
-    /// The least and the largest pivot of the column @p s, which is done.
+    /// Returns the smallest and the largest pivot of the completed column @p s.
     /// Throws as factorise() does.
     std::pair<double, double>
     pivots(const unsigned int s, const std::string &what) const;
-    /// Takes what the column @p s of L does to later ones out of them.
+    /// Subtracts the contribution of column @p s of L from the later columns.
     void
     update(const unsigned int s);
     [[noreturn]] void

@@ -7,38 +7,37 @@
 
 namespace lamella
 {
-  /// Where a matrix has dense blocks: what a beam has whose nodes carry lists
-  /// of dense fields, a block for each pair of nodes of an element.
+  /// Dense blocks of a matrix, as for a beam whose nodes have lists of dense
+  /// fields: one block per pair of nodes of an element.
   struct DenseBlocks
   {
     /// Block g has the DoFs first[g] to first[g + 1] - 1; as many entries as
-    /// blocks and n_dofs at the end.
+    /// blocks, and n_dofs at the end.
     std::vector<DofIndex> first;
-    /// Sets of blocks that couple, each with each: the nodes of an element.
+    /// Sets of blocks that all couple with each other: the nodes of an element.
     std::vector<std::vector<unsigned int>> cliques;
   };
 
   /**
-   * Factorises the stiffness of @p terms, condensed by @p constraints
-   * (StiffnessMatrix), block by block: A = P^T L L^T P, where P numbers blocks
-   * and leaves the DoFs in each as they are.
+   * Factorizes the stiffness of @p terms, condensed by @p constraints
+   * (StiffnessMatrix), block by block: A = P^T L L^T P, where P permutes blocks
+   * and keeps the order of the DoFs within each.
    *
-   * There is no sparse matrix: the terms are added into the places of L (its
-   * lower triangle by supernodes, a block each; SupernodalFactor) and
-   * factorised there, by LAPACK's potrf and the BLAS's trsm, syrk and gemm
-   * between whole blocks. So it takes 8 bytes for each non-zero of L and
-   * nothing else, where a sparse matrix, its copy and its ordering take several
+   * There is no sparse matrix: terms are assembled into L (its lower triangle
+   * by supernodes, one per block; SupernodalFactor) and factorized there by
+   * LAPACK's potrf and the BLAS's trsm, syrk and gemm. Memory is 8 bytes per
+   * nonzero of L; a sparse matrix with its copy and ordering takes several
    * times as much. Springs and constraints may couple any blocks.
    *
    * Blocks of one clique (inner nodes of an element) are eliminated first, the
    * others by nested dissection along their numbers, the first and the last at
-   * the end (springs may tie both ends of a body): of a chain the fill is some
-   * blocks a node, and a half solved row passes through the logarithm of their
-   * number.
+   * the end (springs may connect both ends of a body). A chain then has a fill
+   * of a few blocks per node, and a half-solved row passes through a number of
+   * blocks logarithmic in theirs.
    *
-   * @p monitor is told the size before memory is spent, then that the matrix is
-   * assembled. Throws NotPositiveDefinite as factorise() does, with the same
-   * condition estimate, and NumericsError if there is no memory. Serial.
+   * @p monitor receives the size before memory is allocated, then the end of
+   * the assembly. Throws NotPositiveDefinite as factorise() does, with the same
+   * condition estimate, and NumericsError without enough memory. Serial.
    */
   std::unique_ptr<LinearSolver>
   factorise_blocks(const StiffnessTerms &terms,

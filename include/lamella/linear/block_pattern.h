@@ -13,24 +13,23 @@
 namespace lamella
 {
   /**
-   * Where the factor L of a matrix of dense blocks has entries: the symbolic
-   * part of factorise_blocks(), which says in which order blocks are
-   * eliminated. Each block is a supernode of L, its column the blocks that it
-   * couples with when it is eliminated; the arrays are those of
-   * SupernodalFactor. Blocks are named by their place in the order of
+   * Sparsity of the factor L of a matrix of dense blocks with the elimination
+   * order: the symbolic part of factorise_blocks(). Each block is a supernode
+   * of L; its column has the blocks with which it couples at its elimination.
+   * Arrays are those of SupernodalFactor. Blocks are numbered in the order of
    * elimination.
    */
   struct BlockPattern
   {
-    /// A block below the diagonal of a column of L: its place in the order,
-    /// and its first row in the column.
+    /// A block below the diagonal of a column of L: its number, and its first
+    /// row in the column.
     struct Part
     {
       unsigned int            block;
       dealii::types::blas_int row;
     };
 
-    /// Of the matrix that the terms make, condensed; constraints and springs
+    /// Analyzes the condensed matrix of @p terms; constraints and springs
     /// couple blocks, too.
     BlockPattern(const StiffnessTerms &terms,
                  const DenseBlocks    &blocks,
@@ -46,7 +45,7 @@ namespace lamella
     {
       return first_entry.back();
     }
-    /// The columns of L that block @p s has, and their rows.
+    /// Returns the number of columns of L of block @p s, and of their rows.
     dealii::types::blas_int
     width(const unsigned int s) const
     {
@@ -58,22 +57,22 @@ namespace lamella
       return first_row[s + 1] - first_row[s];
     }
 
-    /// Of each DoF its block and of each block its first DoF.
+    /// Block of each DoF, and first DoF of each block.
     std::vector<unsigned int> block_of;
     std::vector<DofIndex>     first_dof;
-    /// Of each block those below it, ascending.
+    /// Blocks below each block, ascending.
     std::vector<std::vector<Part>> parts;
-    /// See SupernodalFactor.
+    /// Arrays of SupernodalFactor.
     std::vector<std::int64_t> column, first_row, first_entry, row, permutation;
 
   private:
-    /// Groups of blocks that couple, by the numbers that they have in
-    /// @p blocks, as block_of must have them, too.
+    /// Returns the groups of coupled blocks by their numbers in @p blocks,
+    /// which block_of must have, too.
     std::vector<std::vector<unsigned int>>
     cliques_of(const StiffnessTerms &terms,
                const DenseBlocks    &blocks,
                const Constraints    &constraints) const;
-    /// Gives columns of L to the blocks in the @p order of their elimination.
+    /// Assigns columns of L to the blocks in the elimination @p order.
     void
     number_columns(const DenseBlocks               &blocks,
                    const std::vector<unsigned int> &order);

@@ -9,9 +9,10 @@
 
 namespace lamella
 {
-  /// A X for a sparse matrix A and many columns X: some of them at a time, side
-  /// by side in memory, so that an entry of A is read once for all of these.
-  /// Sums in the order of A's entries, as a product with one vector does.
+  /// Returns A X for a sparse matrix A and many columns X. Several columns are
+  /// processed together, adjacent in memory, so that an entry of A is read once
+  /// for all of them. Sums are in the order of the entries of A, as in a
+  /// product with one vector.
   dealii::LAPACKFullMatrix<double>
   times_columns(const Matrix &A, const dealii::LAPACKFullMatrix<double> &X);
 } // namespace lamella

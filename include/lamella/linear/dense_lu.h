@@ -7,16 +7,14 @@
 
 namespace lamella
 {
-  /// The factors P A = L U of a dense matrix, with partial pivoting, by LAPACK:
-  /// for the condensed systems of contact with friction, which are not
-  /// symmetric. 2 n^3 / 3 operations to factorise, 2 n^2 to solve, 8 n^2 bytes.
-  /// Serial.
+  /// The factors P A = L U of a dense matrix with partial pivoting, by LAPACK,
+  /// for the condensed systems of frictional contact, which are not symmetric.
+  /// 2 n^3 / 3 operations to factorize, 2 n^2 to solve, 8 n^2 bytes. Serial.
   class DenseLU
   {
   public:
-    /// Takes the matrix as @p n columns one after the other. Singular where a
-    /// pivot is zero. The n x n numbers are moved in and overwritten; n may be
-    /// zero.
+    /// Factorizes the matrix given as @p n consecutive columns. It is singular
+    /// if a pivot is zero. The n x n numbers are overwritten; n may be zero.
     DenseLU(std::vector<double> matrix, const unsigned int n);
 
     bool
@@ -25,16 +23,15 @@ namespace lamella
       return singular;
     }
 
-    /// The smallest over the largest pivot; 0 of a singular matrix.
+    /// Returns the smallest over the largest pivot; 0 if singular.
     double
     pivot_ratio() const;
 
-    /// x = A^-1 x. @p x has n numbers: the right-hand side, then the solution.
-    /// A must not be singular.
+    /// Computes x = A^-1 x; @p x has n entries. A must not be singular.
     void
     solve(std::vector<double> &x) const;
 
-    /// The sign of det A: 1 or -1, 0 of a singular matrix.
+    /// Returns the sign of det A: 1 or -1, 0 if singular.
     int
     sign_of_determinant() const;
 
@@ -45,13 +42,12 @@ namespace lamella
     bool                singular;
   };
 
-  /// x = A^-1 b; where rows depend on each other, the x of least norm, sum d_i
-  /// x_i^2, among those for which A x comes nearest to @p b, each row weighted
-  /// with 1 / sqrt d_i, the size d_i > 0 of its diagonal. @p matrix are n
-  /// columns one after the other. Rows depend on each other if a pivot of the
-  /// weighted matrix is below @p rounding of the largest; its singular values
-  /// below that share count as zero then (LAPACK's gesdd, some 20 n^3
-  /// operations).
+  /// Returns x = A^-1 b or, for dependent rows, the x of least norm sum d_i
+  /// x_i^2 among the minimizers of A x - @p b, each row weighted with 1 / sqrt
+  /// d_i, where d_i > 0 is the size of its diagonal. @p matrix has n
+  /// consecutive columns. Rows are dependent if a pivot of the weighted matrix
+  /// is below @p rounding times the largest; singular values below that share
+  /// are then zero (LAPACK's gesdd, about 20 n^3 operations).
   std::vector<double>
   solve_dependent(const std::vector<double> &matrix,
                   const std::vector<double> &d,

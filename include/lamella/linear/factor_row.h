@@ -11,19 +11,18 @@
 
 namespace lamella
 {
-  /// A row of the five matrices that are one factor of a beam's stiffness, of
-  /// the axis or of the section: its columns, ascending, and the entries
-  /// (p, q) = (0, 0), (0, 1), (1, 0), (1, 1) of each, the one of transverse
-  /// shear last.
+  /// A row of the five matrices that form one factor of a beam stiffness, of
+  /// the axis or of the section: its ascending columns, and the entries (p, q)
+  /// = (0, 0), (0, 1), (1, 0), (1, 1) of each, that of transverse shear last.
   struct FactorRow
   {
     std::vector<unsigned int>          columns;
     std::vector<std::array<double, 5>> entries;
   };
 
-  /// The row @p r of five matrices that share one pattern: @p matrix_number(m)
-  /// is a reference to number m. Columns of which @p wanted is not true are
-  /// left out.
+  /// Returns row @p r of five matrices with one pattern; @p matrix_number(m)
+  /// returns matrix m by reference. Columns for which @p wanted is false are
+  /// omitted.
   template <typename Factor, typename Wanted>
   FactorRow
   factor_row(const Factor      &matrix_number,

@@ -11,16 +11,16 @@
 namespace lamella
 {
   /**
-   * Solves (P + i Q) (x + i y) = f for each real right-hand side f, where
-   * P + i Q is Hermitian and positive definite: P = @p real symmetric,
-   * Q = @p imaginary antisymmetric, on the same sparsity pattern; of both the
-   * upper triangle is read. One supernodal Cholesky factorisation by CHOLMOD in
-   * complex numbers: half the work of the real symmetric form of twice the
-   * size, and a quarter of its analysis.
+   * Solves (P + i Q) (x + i y) = f for each real right-hand side f, where P + i
+   * Q is Hermitian and positive definite: P = @p real symmetric, Q =
+   * @p imaginary antisymmetric, with the same sparsity pattern; the upper
+   * triangles are read. One complex supernodal Cholesky factorization by
+   * CHOLMOD: half the work of the real symmetric form of twice the size, and a
+   * quarter of its analysis.
    *
    * Returns x of the first right-hand side, y of it, x of the second, and so
-   * on. Throws NumericsError if a pivot is not positive; @p what then names the
-   * matrix in the message. Serial.
+   * on. Throws NumericsError, naming the matrix @p what, if a pivot is not
+   * positive. Serial.
    */
   std::vector<Vector>
   solve_hermitian(const Matrix              &real,

@@ -16,15 +16,14 @@
 namespace lamella
 {
   /**
-   * Calls @p use(row, columns, values) with each row of @p matrix that this
-   * process keeps: a number, a vector of numbers and a pointer to as many
-   * values, which lives as long as the call. (deal.II's iterators copy a row
-   * for each entry.)
+   * Calls @p use(row, columns, values) for each row of @p matrix that this
+   * process owns: a number, a vector of numbers and a pointer to as many
+   * values, valid during the call. (deal.II's iterators copy a row for each
+   * entry.)
    *
-   * Columns are numbered as in the whole matrix, and come in the order in which
-   * Trilinos keeps them: not sorted. The matrix must be compressed. Nothing is
-   * communicated, so processes may call it or not; together they see each row
-   * once.
+   * Columns are numbered as in the whole matrix, in Trilinos' order, which is
+   * not sorted. The matrix must be compressed. Not collective; together the
+   * processes see each row once.
    */
   template <typename Use>
   void

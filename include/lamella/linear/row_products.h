@@ -8,35 +8,34 @@
 namespace lamella
 {
   /**
-   * Solved rows of a solver that has no halves: what is kept of A^-1 B^T is B
-   * A^-1 B^T alone, and a displacement is one more solution. By symmetry the
-   * columns that are solved for now give the products with all rows before, so
-   * that no column need be kept.
+   * Solved rows of a solver without half solutions: of A^-1 B^T only B A^-1 B^T
+   * is stored, and a displacement takes another solution. By symmetry, new
+   * columns give the products with all earlier rows, so no column is stored.
    *
-   * So m rows cost m solutions and m^2/2 numbers, 8 bytes each, on every
-   * process, where whole columns would take m times the DoFs. Used by MUMPS,
-   * which solves for many sparse right-hand sides at a time, and by conjugate
-   * gradients, which solve for one after the other.
+   * m rows cost m solutions and m^2/2 numbers, 8 bytes each, on every process,
+   * where whole columns would take m times the DoFs. Used by MUMPS, which
+   * solves for many sparse right-hand sides at a time, and by conjugate
+   * gradients, which solve for one at a time.
    */
   class RowProducts : public SolvedRows
   {
   public:
-    /// Returns b_j A^-1 b_i of all given rows j with the rows i from the number
-    /// on, at [(i - number) * number of rows + j]. Must be collective if the
-    /// solver is, and return the same on all processes.
+    /// Returns b_j A^-1 b_i of all given rows j with the rows i from @p first
+    /// on, at [(i - first) * number of rows + j]. Collective if the solver is,
+    /// with the same result on all processes.
     using Solve =
       std::function<std::vector<double>(const std::vector<Row> &rows,
                                         const unsigned int      first)>;
 
-    /// @p solver, of @p n_dofs unknowns, is referred to. @p solve usually
-    /// captures that solver, too.
+    /// Refers to @p solver, of @p n_dofs unknowns, which @p solve usually
+    /// captures.
     RowProducts(const LinearSolver &solver, const DofIndex n_dofs, Solve solve);
 
-    /// Calls Solve once, for all of @p rows together with those that are there.
+    /// Calls Solve once, for @p rows together with all earlier ones.
     void
     append(const std::vector<Row> &rows) override;
 
-    /// The number of rows appended so far.
+    /// Returns the number of rows appended so far.
     unsigned int
     size() const override
     {
@@ -46,20 +45,19 @@ namespace lamella
     std::vector<double>
     products(const unsigned int first) const override;
 
-    /// Costs one solution; exact as that solution is, whatever was kept.
+    /// Costs one solution, and is as accurate as that.
     Vector
     displacement(const std::vector<double> &lambda) const override;
 
   private:
-    /// Referred to: it outlives the rows that it hands out.
+    /// Solver, which outlives its rows.
     const LinearSolver &solver;
     DofIndex            n_dofs;
     Solve               solve;
-    /// All rows given, in their order.
+    /// Rows in the order of appending.
     std::vector<Row> rows;
-    /// Of each row with those that were there when it was appended. kept[i][j]
-    /// = b_j A^-1 b_i for all j up to the end of i's batch: the lower triangle,
-    /// and a little more within a batch.
+    /// Products of each row with those up to the end of its batch: kept[i][j] =
+    /// b_j A^-1 b_i, the lower triangle and a little more within a batch.
     std::vector<std::vector<double>> kept;
   };
 } // namespace lamella

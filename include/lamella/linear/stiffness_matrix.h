@@ -15,23 +15,22 @@
 
 namespace lamella
 {
-  /// Entries that add to a stiffness, between all @p rows and all @p columns.
-  /// Of a beam a block is one row of the Kronecker products of its axis and
-  /// section matrices, sums of the fundamental nuclei (Eq. 12) over what
-  /// couples with that DoF. Other bodies may hand over element matrices: what
-  /// the blocks are does not matter, only their sum.
+  /// Stiffness entries between all @p rows and all @p columns, to be added. A
+  /// beam block is one row of the Kronecker products of axis and section
+  /// matrices, sums of the fundamental nuclei (Eq. 12) over what couples with
+  /// that DoF. Other bodies may use element matrices; only the sum of all
+  /// blocks matters.
   struct StiffnessBlock
   {
-    /// DoFs of the body, before any constraint is applied. They may be named by
-    /// several blocks, whose values add up.
+    /// DoFs of the body before constraints. Values of common DoFs are summed.
     std::vector<DofIndex> rows, columns;
-    /// Whether @p columns is sorted, which spares a search.
+    /// True if @p columns is sorted, which saves a search.
     bool columns_ascend = false;
-    /// Row by row; empty where only the pattern is asked for. Value (i, j) at
-    /// [i * columns.size() + j]; force/length.
+    /// Values row by row, (i, j) at [i * columns.size() + j], force/length;
+    /// empty if only the pattern is requested.
     std::vector<double> values;
 
-    /// f += the block times @p w.
+    /// Adds the block times @p w to @p f.
     void
     add_product(const Vector &w, Vector &f) const
     {
@@ -41,89 +40,87 @@ namespace lamella
     }
   };
 
-  /// A term k r^T r of the stiffness: a spring k to the ground in what the row
-  /// r measures. The second is k, force/length where r is a length. The
-  /// constant part of r takes no part.
+  /// A stiffness term k r^T r: a spring to the ground along row r, with k in
+  /// force/length if r is a length. The constant part of r has no effect.
   using SpringTerm = std::pair<Row, double>;
 
-  /// What the stiffness of a body is assembled from. The matrix is the sum of
-  /// all blocks and of k r^T r over the springs, before it is condensed.
+  /// Terms of the stiffness of a body: the sum of all blocks and of k r^T r
+  /// over the springs, before condensation.
   struct StiffnessTerms
   {
-    /// Rows of the whole matrix, constrained ones included.
+    /// Number of rows of the whole matrix, constrained ones included.
     DofIndex n_dofs = 0;
-    /// The DoFs whose rows this process keeps; contiguous.
+    /// DoFs whose rows this process owns; contiguous.
     dealii::IndexSet owned;
-    /// Calls its second argument with block after block of the unconstrained
-    /// stiffness, with values if the first is true: all of them together, or
-    /// this process's share where several assemble. The assembly calls it
-    /// several times, for the pattern and for the values.
+    /// Calls its second argument with each block of the unconstrained
+    /// stiffness, with values if the first is true: all blocks, or this
+    /// process's share in a distributed assembly. Called several times, for the
+    /// pattern and for the values.
     std::function<void(const bool,
                        const std::function<void(const StiffnessBlock &)> &)>
       for_each_block;
-    /// All springs of the body, the same list on every process.
+    /// Springs of the body, the same list on every process.
     std::vector<SpringTerm> springs;
   };
 
   /**
    * The stiffness of a body, condensed by the homogeneous part of its
-   * constraints: constrained DoFs keep a positive diagonal and nothing else.
+   * constraints,
    *
    *   A = G^T K G, u = G v + u_p,
    *
-   * with the stiffness K of the terms and the unconstrained DoFs v. It keeps
-   * the numbering of all DoFs, so that vectors need no second map: rows and
-   * columns of constrained DoFs are empty but for the diagonal.
+   * with the stiffness K of the terms and the unconstrained DoFs v. All DoFs
+   * keep their numbers; rows and columns of constrained DoFs are empty except
+   * for a positive diagonal.
    */
   class StiffnessMatrix
   {
   public:
     virtual ~StiffnessMatrix() = default;
 
-    /// Calls @p use with row, column and value of the entries of those rows
-    /// that this process keeps. Both triangles, zeros of the pattern included.
-    /// A serial matrix keeps all rows.
+    /// Calls @p use with row, column and value of the entries in the rows owned
+    /// by this process (all rows if serial): both triangles, zeros of the
+    /// pattern included.
     virtual void
     for_each_entry(
       const std::function<void(DofIndex, DofIndex, double)> &use) const = 0;
 
-    /// The whole diagonal, on every process. Collective where several processes
+    /// Returns the whole diagonal on every process. Collective where processes
     /// share the matrix.
     virtual Vector
     diagonal() const = 0;
 
-    /// Makes the matrix ready to be solved with. Throws NumericsError if it is
-    /// not positive definite; @p what names it then. @p monitor is told how
-    /// large a factor becomes, if there is one. @p what as in `body 'upper'`.
-    /// Solving with the result needs this object no longer. CHOLMOD throws
-    /// NotPositiveDefinite, which tells the DoF. Collective where several
-    /// processes share the matrix.
+    /// Returns a solver, which does not refer to this object. Throws
+    /// NumericsError if the matrix is not positive definite, naming it by
+    /// @p what, such as `body 'upper'`; CHOLMOD throws NotPositiveDefinite with
+    /// the DoF. @p monitor receives the size of a factor, if there is one.
+    /// Collective where processes share the matrix.
     virtual std::unique_ptr<LinearSolver>
     factorise(const std::string   &what,
               const FactorMonitor &monitor = {}) const = 0;
 
-    /// Frees the entries where factorise() has copied them by the time that it
-    /// calls its monitor, which may call this: the factor then has their
-    /// memory. Elsewhere nothing.
+    /// Frees the entries if factorise() has copied them before it calls its
+    /// monitor, which may call this to make room for the factor. No effect
+    /// otherwise.
     virtual void
     release()
     {}
   };
 
-  /// In deal.II's SparseMatrix, for one process; factorised by CHOLMOD.
-  /// @p constraints must be closed; neither argument is referred to afterwards.
+  /// Assembles a deal.II SparseMatrix on one process, to be factorized by
+  /// CHOLMOD. @p constraints must be closed; neither argument is referred to
+  /// afterwards.
   std::unique_ptr<StiffnessMatrix>
   assemble_serial(const StiffnessTerms &terms, const Constraints &constraints);
 
   /**
-   * In Trilinos' sparse matrix, the rows terms.owned on each process; blocks
-   * may add to the rows of other processes. With @p kind = mumps it is
-   * factorised, with cg solved by conjugate gradients, preconditioned by
-   * smoothed aggregation (ML) that keeps the @p near_null_space: displacements
-   * that cost hardly any energy, the rigid motions. Collective. @p constraints
-   * must be closed and the same on all processes. Constrained DoFs get the mean
-   * diagonal of the others. Vectors of the near-null space are whole; they are
-   * copied, and set to zero in constrained DoFs.
+   * Assembles a Trilinos sparse matrix with the rows terms.owned on each
+   * process; blocks may add to rows of other processes. @p kind = mumps
+   * factorizes it; cg uses conjugate gradients, preconditioned by smoothed
+   * aggregation (ML) that preserves the @p near_null_space: displacements of
+   * almost no energy, the rigid motions. These whole vectors are copied and set
+   * to zero in constrained DoFs, whose diagonal becomes the mean of the others.
+   * @p constraints must be closed and the same on all processes. Collective.
    */
   std::unique_ptr<StiffnessMatrix>
   assemble_distributed(const StiffnessTerms      &terms,

@@ -12,19 +12,17 @@
 
 namespace lamella
 {
-  /// The names of the built-in materials. In the order of the library, for
-  /// messages and the documentation.
+  /// Returns the names of the built-in materials in the order of the library.
   std::vector<std::string>
   library_materials();
 
   /**
-   * The built-in material @p name in the stresses of @p units: the four of the
-   * paper (hertz-200, whose modulus has no unit, is not converted), plies, a
-   * fabric, metals and cores whose sources stand in doc/materials.md. Throws
-   * InputError with the nearest name if there is none; the second form takes
-   * the name from an entry and says which one it is. Moduli and strengths are
-   * multiplied with Units::pascal, densities with its square, ratios stay. What
-   * a source does not have the material does not have.
+   * Returns the built-in material @p name in the stresses of @p units, with
+   * sources in doc/materials.md. Moduli and strengths are multiplied by
+   * Units::pascal, densities by its square; hertz-200, whose modulus has no
+   * unit, is not converted. Data that a source lacks are empty. Throws
+   * InputError with the nearest name if there is none, and with the entry in
+   * the second form.
    */
   Material
   library_material(const std::string &name, const Units &units);

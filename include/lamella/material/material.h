@@ -17,13 +17,11 @@
 
 namespace lamella
 {
-  /// The strengths of an orthotropic material in its own axes, all positive,
-  /// stresses in the units of the scene: tension (t) and compression (c) along
-  /// 1, 2 and 3 as X, Y and Z, and shear. What a failure criterion compares
-  /// stresses in ply axes with. Xc is the size of the compressive strength and
-  /// so positive, too. `Strengths` of a `subsection Material` sets them; the
-  /// same nine, as strains, are its `Ultimate strains`, shear strains
-  /// engineering ones.
+  /// Strengths of an orthotropic material in its own axes, all positive, also
+  /// in compression, in the stress unit of the scene: tension (t) and
+  /// compression (c) along 1, 2 and 3 as X, Y and Z, and shear. Set by
+  /// `Strengths` of a `subsection Material`, or as strains (engineering shear
+  /// strains) by `Ultimate strains`.
   struct Strengths
   {
     /// Tension and compression along 1, 2 and 3 [force/length^2].
@@ -32,25 +30,25 @@ namespace lamella
     double S12 = 0., S13 = 0., S23 = 0.;
   };
 
-  /// What the core of a sandwich bears, in its own axes, 1 along the ribbon of
-  /// a honeycomb (L), 2 across it (W), 3 through the thickness; all positive.
+  /// Strengths of a sandwich core in its own axes: 1 along the ribbon of a
+  /// honeycomb (L), 2 across it (W), 3 through the thickness; all positive.
   struct CoreStrengths
   {
     /// Compression along 3, shear 13 and shear 23 [force/length^2].
     double crushing = 0., shear_13 = 0., shear_23 = 0.;
   };
 
-  /// The slopes p of Puck's fracture curves where the normal stress on the
-  /// fracture plane is zero, pure numbers: of shear along the fibre (l) and
-  /// across it (t), towards tension and towards compression. By default those
-  /// for carbon that Puck, Kopp and Knops (Compos. Sci. Technol. 62 (2002)
-  /// 371-378) recommend, of the range for pt the lower end.
+  /// Slopes p of Puck's fracture curves at zero normal stress on the fracture
+  /// plane, dimensionless: of shear along the fiber (l) and across it (t),
+  /// towards tension and compression. The defaults are those for carbon of
+  /// Puck, Kopp and Knops (Compos. Sci. Technol. 62 (2002) 371-378), the lower
+  /// end of the range for pt.
   struct PuckInclinations
   {
     double pl_tension = 0.35, pl_compression = 0.3;
     double pt_tension = 0.25, pt_compression = 0.25;
 
-    /// Those for glass of the same source.
+    /// Returns the values for glass of that source.
     static PuckInclinations
     glass()
     {
@@ -58,62 +56,51 @@ namespace lamella
     }
   };
 
-  /**
-   * A material, in its own axes and the units of the scene: the elastic
-   * constants, which every one has, and what only some scenes ask for. What is
-   * optional is empty where nobody has said it, and never a default that
-   * somebody might mistake for a measurement. Materials are plain values,
-   * copied into each ply that is made of them.
-   */
+  /// A material in its own axes and the units of the scene. Optional data are
+  /// empty if not given. A plain value, copied into each ply.
   struct Material
   {
     Material() = default;
 
-    /// One of which nothing but its elasticity is known. Implicit on purpose:
-    /// such constants are a material.
+    /// Converts elastic constants, implicitly, to a material without other
+    /// data.
     Material(const EngineeringConstants &elastic)
       : elastic(elastic)
     {}
 
-    /// Zero, and so no material, until set.
+    /// Elastic constants; zero, which is invalid, until set.
     EngineeringConstants elastic;
-    /// Mass per volume, in the mass that force and length make:
-    /// [force s^2 / length^4], kg/m^3 of m and N, t/mm^3 of mm and N.
+    /// Mass per volume [force s^2 / length^4]: kg/m^3 for m and N, t/mm^3 for
+    /// mm and N.
     std::optional<double> density;
-    /// alpha_1, alpha_2, alpha_3: strain per kelvin. In the material's own
-    /// axes.
+    /// Thermal expansion alpha_1, alpha_2, alpha_3 in the material's own axes
+    /// [1/K].
     std::optional<dealii::Tensor<1, 3>> expansion;
-    /// Stresses, and strains, at which it fails.
+    /// Stresses and strains at failure.
     std::optional<Strengths> strengths, ultimate_strains;
-    /// Of an isotropic material the stress at which it yields in tension
-    /// [force/length^2].
+    /// Tensile yield stress of an isotropic material [force/length^2].
     std::optional<double> yield;
-    /// What makes it the core of a sandwich to the failure criteria.
+    /// Core strengths, which make it a sandwich core in the failure criteria.
     std::optional<CoreStrengths> core;
     PuckInclinations             inclinations;
   };
 
-  /// Name in the scene -> material. Sorted by name.
+  /// Materials by name in the scene, sorted.
   using Materials = std::map<std::string, Material>;
 
   /**
-   * sigma = C (epsilon - epsilon_0) (Eq. 6 with an initial strain, which
-   * nothing causes but the material itself: heat, cure). Everything that turns
-   * strains into stresses asks one of these, so that no stress, force or energy
-   * forgets what another remembers.
-   *
-   *   sigma = C (epsilon - epsilon_0)
+   * Linear elasticity with an initial strain epsilon_0 (heat, cure), the only
+   * conversion of strains to stresses in the program (Eq. 6 extended),
+   *   sigma = C (epsilon - epsilon_0) = dW/depsilon
    *   W     = 1/2 (epsilon - epsilon_0) . C (epsilon - epsilon_0)
-   *
-   * so that sigma = dW/depsilon. Strains are Voigt vectors with engineering
-   * shear strains (Eq. 4), and C is symmetric positive definite. The part -C
-   * epsilon_0 is what makes stress rows affine (Row::constant()) and what loads
-   * a body without any force from outside. 42 numbers, copied freely.
+   * with engineering shear strains (Eq. 4) and symmetric positive definite C.
+   * The part -C epsilon_0 makes stress rows affine (Row::constant()) and loads
+   * a body without external forces.
    */
   class ElasticLaw
   {
   public:
-    /// C and epsilon_0 in the same axes. Of a section these are the body's axes
+    /// Stores C and epsilon_0 in the same axes, of a section the body's
     /// (Ply::stiffness()). Nothing is checked.
     explicit ElasticLaw(const ElasticTensor &stiffness,
                         const Voigt         &initial_strain = Voigt())
@@ -121,31 +108,30 @@ namespace lamella
       , initial(initial_strain)
     {}
 
-    /// C, 6 x 6 [force/length^2].
+    /// Returns C, 6 x 6 [force/length^2].
     const ElasticTensor &
     stiffness() const
     {
       return C;
     }
 
-    /// epsilon_0; zero if nothing strains the material but stress.
+    /// Returns epsilon_0, the strain without stress.
     const Voigt &
     initial_strain() const
     {
       return initial;
     }
 
-    /// C (@p strain - epsilon_0). @p strain is the whole strain D u (Eq. 5), in
-    /// the law's axes; the result is in the same axes and in the order of Eq. 4
-    /// [force/length^2].
+    /// Returns C (@p strain - epsilon_0) [force/length^2], for the total strain
+    /// D u (Eq. 5) in the law's axes, in the order of Eq. 4.
     Voigt
     stress(const Voigt &strain) const
     {
       return C * (strain - initial);
     }
 
-    /// (@p strain - epsilon_0) . C (@p strain - epsilon_0) / 2. Energy per
-    /// volume [force/length^2]: zero where the strain is the initial one.
+    /// Returns (@p strain - epsilon_0) . C (@p strain - epsilon_0) / 2, energy
+    /// per volume [force/length^2].
     double
     energy_density(const Voigt &strain) const
     {
@@ -153,7 +139,7 @@ namespace lamella
     }
 
   private:
-    /// In the same axes as the initial strain.
+    /// Stiffness and initial strain in the same axes.
     ElasticTensor C;
     Voigt         initial;
   };

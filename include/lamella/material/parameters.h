@@ -11,22 +11,21 @@
 
 namespace lamella
 {
-  /// The entries of a `subsection Material NAME`. `Library`, `Engineering
-  /// constants` (nine) or `Isotropic` (E, nu), one of the three; moduli in the
-  /// scene's unit of stress. What it bears, all optional: `Strengths` (nine,
-  /// which take the place of those of the library), `Ultimate strains` (nine),
-  /// `Yield`, `Core strengths` (three), `Puck inclinations`.
+  /// The entries of a `subsection Material NAME`: one of `Library`,
+  /// `Engineering constants` (nine) and `Isotropic` (E, nu), moduli in the
+  /// scene's unit of stress; optionally `Strengths` (nine, which replace the
+  /// library's), `Ultimate strains` (nine), `Yield`, `Core strengths` (three),
+  /// `Puck inclinations`.
   struct MaterialParameters
   {
-    /// Declares them in the subsection that @p prm is in.
+    /// Declares the entries in the subsection that @p prm is in.
     static void
     declare(dealii::ParameterHandler &prm);
 
-    /// The material in the stresses of @p units. Throws InputError unless
-    /// exactly one entry is given and the constants are positive definite. It
-    /// also refuses a material of the library, whose constants have units, in a
-    /// scene without units, but for hertz-200; nu outside of (-1, 1/2); and any
-    /// number of constants but nine or two.
+    /// Returns the material in the stresses of @p units. Throws InputError
+    /// unless exactly one of the three entries is given, with nine or two
+    /// constants, positive definite, nu in (-1, 1/2); and for a library
+    /// material, except hertz-200, in a scene without units.
     static Material
     parse(const Entries &in, const Units &units);
   };

@@ -11,34 +11,32 @@
 
 namespace lamella
 {
-  /// Points of a body with their weights, which sum to 1: of a function its
-  /// mean is sum w f(X).
+  /// Points of a body with weights that sum to 1. The mean of f is sum w f(X).
   using BoxPoints = std::vector<std::pair<double, Location>>;
 
-  /// The eight corners of the box with the edges @p edges along the scene's
-  /// axes around @p middle; of edges that are zero some of them coincide.
+  /// Returns the eight corners of the box around @p middle with the edges
+  /// @p edges along the scene's axes. Corners coincide if an edge is zero.
   std::vector<dealii::Point<3>>
   box_corners(const dealii::Point<3>     &middle,
               const dealii::Tensor<1, 3> &edges);
 
   /**
-   * The points of the mean over a box in @p body,
-   *   1/V int f dV = sum_q w_q f(X_q),
-   * of a box without thickness over its area, its length, or at the point
-   * itself. Integrals are iterated, x, then y, then z; each is cut where its
-   * lines pass from element to element (Body::line_breaks()), so that kinks
-   * and the jumps at ply interfaces are between pieces, and a piece has Gauss
-   * points for the displacements' degree p along it: p / 2 + 2 of them, exact
-   * to degree p + 2. Where elements are bricks along the box's edges the means
-   * of displacements, strains and stresses are exact. Where they are askew
-   * pieces are divided in four, and what is left is the rule's error at the
-   * sides of elements that run through pieces.
+   * Returns the quadrature points of the mean over a box in @p body,
+   *   1/V int f dV = sum_q w_q f(X_q).
+   * A box without thickness is averaged over its area, its length, or at its
+   * point. Integrals are iterated over x, y and z. Each is split where its
+   * lines pass from element to element (Body::line_breaks()), so kinks and
+   * jumps at ply interfaces lie between pieces. A piece has p / 2 + 2 Gauss
+   * points along displacements of degree p (exact to degree p + 2). Means of
+   * displacements, strains and stresses are exact if the elements are bricks
+   * along the box's edges. Pieces of skewed elements are divided into four; the
+   * quadrature error at element sides that cross a piece remains.
    *
-   * One list of points; two of a box without thickness in a ply interface, of
-   * which the first is in the lower ply, or of a point there (one a ply).
+   * Returns one list of points. A box without thickness in a ply interface, or
+   * a point there, has two lists, the lower ply first.
    *
-   * Throws InputError, under the path @p path, if a corner or one of the points
-   * is not in the body, or for more than 200,000 points. Communicates nothing.
+   * Throws InputError, under the path @p path, if a corner or a point is not in
+   * the body, or for more than 200,000 points. Not collective.
    */
   std::vector<BoxPoints>
   box_points(const Body                 &body,

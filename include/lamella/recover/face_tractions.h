@@ -16,65 +16,67 @@
 namespace lamella
 {
   /**
-   * What acts on the plane faces of bodies in a state, as a traction t per
-   * area: t = factor sum_loads t_load - p n + q, of all loads on surfaces and
-   * of the contact pressure p and the shear q of friction there. Loads along
-   * lines and at points have no traction and are left out, and so are the
-   * forces of supports, which are known as resultants only.
+   * Tractions t on plane faces of bodies in one state [force/length^2]:
+   *   t = factor sum_loads t_load - p n + q,
+   * with the surface loads t_load, the contact pressure p and the friction
+   * traction q. Loads on lines and points have no traction and are left out, as
+   * are the forces of supports, of which only resultants are known.
    *
-   * *Contact.* A contact that has points on the face presses and rubs it with
-   * the values of its ContactTraction on the line through the place along the
-   * normal of the face, whichever side carries the points.
+   * A contact with points on the face contributes the values of its
+   * ContactTraction on the line through the point along the face normal,
+   * whichever side carries the contact points.
    */
   class FaceTractions
   {
   public:
-    /// Nothing acts anywhere.
+    /// Constructs a state without tractions.
     FaceTractions() = default;
 
-    /// @p loads at load factor @p factor, and what @p supports hold, with
-    /// forces that are not known. Throws InputError for expressions that do not
-    /// parse.
+    /// Stores @p loads at load factor @p factor, and the regions of
+    /// @p supports, whose forces are unknown. Throws InputError for expressions
+    /// that do not parse.
     FaceTractions(const std::vector<Load>    &loads,
                   const LoadFactor           &factor,
                   const std::vector<Support> &supports = {});
 
-    /// The traction of @p contact, which is referred to, with the @p forces in
-    /// its rows and, with friction, @p shears.
+    /// Adds the traction of @p contact, to which a reference is kept, with the
+    /// @p forces in its rows and, with friction, the @p shears.
     void
     add_contact(const ContactInterface                              &contact,
                 const dealii::ArrayView<const double>               &forces,
                 const dealii::ArrayView<const dealii::Tensor<1, 3>> &shears);
 
-    /// A plane face of a body: its name there, a point of it, its outward unit
-    /// normal, scene axes.
+    /// A plane face of a body: its name, one of its points, and its outward
+    /// unit normal in scene axes.
     struct Face
     {
       unsigned int         body = 0;
       std::string          surface;
       dealii::Point<3>     origin;
       dealii::Tensor<1, 3> normal;
-      /// Points closer than this to its plane lie on it [length].
+      /// Distance from the plane below which points lie on it [length].
       double tolerance = 0.;
     };
 
-    /// Whether nothing is on any part of @p face of @p body: no load on a
-    /// surface, support of a surface or of all the body, nor contact.
+    /// Returns whether no part of @p face of @p body has a surface load, a
+    /// support of a surface or of the whole body, or a contact.
     bool
     is_free(const Body &body, const Face &face) const;
 
-    /// The traction at points of one face. Refers to the tractions it is of.
+    /// The traction at points of one face. Keeps a reference to its
+    /// FaceTractions.
     class OnFace
     {
     public:
       /// Finds the points of contacts that lie on @p face.
       OnFace(const FaceTractions &all, const Face &face);
 
-      /// Scene components [force/length^2]. @p x a point of the face.
+      /// Returns the traction at the point @p x of the face, scene components
+      /// [force/length^2].
       dealii::Tensor<1, 3>
       operator()(const dealii::Point<3> &x) const;
 
-      /// Whether a contact has points on the face.
+      /// Returns whether a contact has points on the face.
       bool
       has_contacts() const
       {
@@ -82,8 +84,8 @@ namespace lamella
       }
 
     private:
-      /// A contact that has points on the face, how far its two sides are
-      /// apart at these [length], and 1 on its second side, -1 on its first.
+      /// A contact with points on the face: the distance of its two sides there
+      /// [length], and its side (1: second, -1: first).
       struct Pressing
       {
         const ContactTraction *traction;

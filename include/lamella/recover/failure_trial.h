@@ -12,28 +12,28 @@
 
 namespace lamella
 {
-  /// A load factor that was looked at for the first failure.
+  /// A load factor that was examined for first failure.
   struct FailureTrial
   {
     double load_factor = 0.;
-    /// The smallest of all plies; none where no factor brings failure.
+    /// Smallest reserve factor of all plies; none if no factor brings failure.
     std::optional<double> reserve;
     Checks                checks;
-    /// As in StepResults.
+    /// Rows of the probes, as in StepResults.
     std::vector<std::vector<FieldRow>> probes;
   };
 
-  /// What a search for the load at which the smallest reserve factor is 1 has
-  /// found.
+  /// Result of the search for the load at which the smallest reserve factor is
+  /// 1.
   struct FirstFailure
   {
-    /// No ply fails at the first load factor, and one does at the second, if
-    /// any was seen to fail.
+    /// Bracket of load factors: no ply fails at `safe`, one fails at `failing`,
+    /// if a failure was found.
     double safe = 0., failing = 0.;
-    /// What fails, at `failing`; none if nothing was seen to fail.
+    /// The ply that fails at `failing`; none if no failure was found.
     std::optional<PlyReserve> where;
-    /// In the order in which they were looked at; neither load steps nor load
-    /// factors without a state are among them.
+    /// Trials in the order in which they were examined, without load steps and
+    /// without load factors that have no state.
     std::vector<FailureTrial> trials;
     /// Warnings about the state at `failing`, as for a load step.
     std::vector<std::string> warnings;

@@ -11,60 +11,59 @@
 
 namespace lamella
 {
-  /// One less than 0: tables, which count plies from 1, have 0 there.
+  /// Ply number of a mean over several plies. It is -1, which tables, counting
+  /// plies from 1, show as 0.
   constexpr unsigned int several_plies = dealii::numbers::invalid_unsigned_int;
 
   /// The fields at a point of a body, on one side of its ply interfaces: a row
   /// of the tables of probes, lines and cuts.
   struct FieldRow
   {
-    /// Its name.
+    /// Name of the body.
     std::string body;
-    /// From 0 at the bottom; tables count from 1. `several_plies` of a mean
-    /// over a box that reaches into more than one.
+    /// Ply, from 0 at the bottom (tables count from 1), or `several_plies`.
     unsigned int ply = 0;
-    /// Undeformed, in the scene; the middle of a box.
+    /// Undeformed position in the scene; the center of a box.
     dealii::Point<3> position;
     /// Displacement, strains and stresses, scene axes and ply axes.
     FieldSample sample;
   };
 
-  /// A row of a line, with the arc length from its start.
+  /// A row of a line.
   struct LineRow
   {
-    /// A length; both sides of a ply interface have the same.
+    /// Arc length from the start. Both sides of a ply interface have the same.
     double   s = 0.;
     FieldRow fields;
   };
 
-  /// A row of a cut: point (i, j) of the grid on the cell number @p cell of the
-  /// section, each from 0. Cells have grids of their own, so points on their
-  /// common sides stand there once a cell.
+  /// A row of a cut: point (i, j) of the grid on cell @p cell of the section,
+  /// from 0. Points on a side between two cells occur once per cell.
   struct CutRow
   {
     unsigned int cell = 0, i = 0, j = 0;
     FieldRow     fields;
   };
 
-  /// What a line meets at the ply interfaces that it crosses.
+  /// Jumps of the traction at the ply interfaces that a line crosses.
   struct InterfaceJump
   {
-    /// 0: it crosses none.
+    /// Number of interfaces that the line crosses.
     unsigned int interfaces = 0;
-    /// The largest jump of the traction sigma . d, d the line's direction,
-    /// over the largest stress component on the line: what the jump is to the
-    /// body. Equilibrium makes it zero where the line is normal to the plies;
-    /// what is left is the section's mesh.
+    /// Largest jump of the traction sigma . d, d the line's direction, over the
+    /// largest stress component on the line. Equilibrium makes it zero where
+    /// the line is normal to the plies; the rest is discretization error of the
+    /// section.
     double of_stress = 0.;
-    /// The same over the largest traction on the line: what it is to the
-    /// transverse stresses. 0 where these are rounding.
+    /// Largest jump over the largest traction on the line: the error relative
+    /// to the transverse stresses. 0 if these are rounding.
     double of_traction = 0.;
   };
 
-  /// What the integration of equilibrium leaves in the columns of each probe,
-  /// line and cut whose stresses come of it: the largest difference from the
-  /// traction on the upper face over the largest transverse stress, before it
-  /// is distributed (recover/interlaminar.h). None for all others.
+  /// Relative closure errors of stresses by equilibrium for each probe, line
+  /// and cut: the largest difference from the traction on the upper face over
+  /// the largest transverse stress, before it is distributed
+  /// (recover/interlaminar.h). None for other stresses.
   struct Closures
   {
     std::vector<std::optional<double>> probes, lines, cuts;

@@ -11,89 +11,88 @@
 
 namespace lamella
 {
-  /// What an element along a beam does to the error of a goal.
+  /// Contribution of an element along a beam to the error of a goal.
   struct ElementError
   {
-    /// Its number in the scene, and the element from the start of its axis
-    /// [length].
+    /// Number of the body in the scene, and the ends of the element, from the
+    /// start of the axis [length].
     unsigned int body  = 0;
     double       begin = 0., end = 0.;
-    /// In the unit of the goal, signed.
+    /// Signed contribution, in the unit of the goal.
     double error = 0.;
-    /// Of the nodes of the element, those that it shares among them.
+    /// DoFs of the element's nodes, shared nodes included.
     unsigned int dofs = 0;
   };
 
-  /// The change of a goal from one model to a finer one, by where it comes
-  /// from: elements, contact and remainder sum to it.
+  /// Change of a goal from one model to a finer one, by source. Elements,
+  /// contact and remainder sum to it.
   struct LocalErrors
   {
     std::vector<ElementError> elements;
-    /// Whether the run is the finer one: what pairs of its elements would do as
-    /// one, half of that to each.
+    /// True if the run is the finer model. If so, each element has half the
+    /// contribution of its pair merged into one.
     bool of_pairs = false;
-    /// What the gap rows of the finer model find between the surfaces of the
-    /// coarser one, and its forces that they do not have.
+    /// Contribution of contact: gaps of the finer model's active rows at the
+    /// coarser displacements, and the difference of the models' contact forces.
     double contact = 0.;
-    /// What neither says: zero to rounding where all displacements of the
-    /// coarser model are among those of the finer one, under one law.
+    /// Rest of the change. Zero to rounding if the finer model contains all
+    /// displacements of the coarser one, under the same material law.
     double remainder = 0.;
   };
 
-  /// What a number may be off by, as a scene says it.
+  /// The tolerance of a number in a scene.
   struct Tolerance
   {
-    /// Above 0: a share of the scale of the number, or in its unit.
+    /// Positive: a share of the scale of the number, or a value in its unit.
     double size        = 0.;
     bool   is_absolute = false;
   };
 
-  /// A number that a run was made for, and what is held of its error. In the
-  /// unit of the quantity.
+  /// A goal of a run with its error estimate, in the unit of the quantity.
   struct GoalResult
   {
-    /// As the scene says it: `tip: uz`.
+    /// Name in the scene: `tip: uz`.
     std::string name;
     double      value = 0.;
-    /// NamedQuantity::unit(): a label, empty where it has none.
+    /// Label of the unit (NamedQuantity::unit()); empty if it has none.
     std::string unit = {};
-    /// The estimated error, to be added to the value, and what bounds it.
+    /// Estimated error, to be added to the value, and the error bound.
     double estimate = 0., bar = 0.;
-    /// What the bar is not to be taken below, however passes contract.
+    /// Lower limit of the bar, however fast passes converge.
     double least = 0.;
-    /// Whether the bar can be held to; if not, why.
+    /// True if the bar is reliable; if not, `why` is the reason.
     bool        trusted = false;
     std::string why;
-    /// Whether richer models could come to one: not so of stresses at an edge
-    /// of a clamp, say (reason_for_no_limit()).
+    /// True if refinement converges to a limit. False for, say, stresses at an
+    /// edge of a clamp (reason_for_no_limit()).
     bool has_limit = true;
-    /// What per cent are of: |value|, or where that is near zero the largest
-    /// of its kind (RunGoals::scale_of()).
+    /// Reference of percentages: |value|, or if that is near zero the largest
+    /// value of its kind (RunGoals::scale_of()).
     double scale = 0.;
-    /// If one was asked for.
+    /// Tolerance, if the scene has one.
     std::optional<Tolerance> tolerance;
-    /// By the source of the error: what each has of the bar, with the sign of
-    /// the change that it is made of; of bars from richer models what the
-    /// estimate is the sum of.
+    /// Shares of the bar by source of the error, signed as the change behind
+    /// them. With richer models, they sum to the estimate.
     std::vector<std::pair<std::string, double>> shares;
-    /// The share of the axis, by elements; none where that is not known.
+    /// Share of the axis, by elements; none if it is not known.
     std::optional<LocalErrors> local;
 
-    /// Whether per cent are of something else than the value.
+    /// Returns whether percentages refer to something else than the value.
     bool
     is_near_zero() const
     {
       return scale != std::abs(value);
     }
 
-    /// What it may be off by, in its unit. There must be a tolerance.
+    /// Returns the largest admissible error in the unit of the goal. Requires a
+    /// tolerance.
     double
     most_error() const
     {
       return tolerance->size * (tolerance->is_absolute ? 1. : scale);
     }
 
-    /// Whether the bar can be held to and is within the tolerance.
+    /// Returns whether the bar is reliable and within the tolerance.
     bool
     met() const
     {

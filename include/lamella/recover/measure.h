@@ -16,26 +16,23 @@ namespace lamella
   /// The entries of a `subsection Measure NAME`: Of, Over, References.
   struct MeasureParameters
   {
-    /// Declares them with their defaults, patterns and what they mean.
+    /// Declares the entries with defaults, patterns and descriptions.
     static void
     declare(dealii::ParameterHandler &prm);
 
-    /**
-     * The measure @p name of columns of @p probes: Of says PROBE[/PLY]: COLUMN
-     * - PROBE[/PLY]: COLUMN, Over a number or `distance`. Throws InputError for
-     * anything else, for columns of different kinds (a displacement less a
-     * stress), for a difference that is zero whatever happens, and where Over
-     * is zero or the distance of two probes at one place.
-     */
+    /// Returns the measure @p name of columns of @p probes. Of is PROBE[/PLY]:
+    /// COLUMN - PROBE[/PLY]: COLUMN, Over a number or `distance`. Throws
+    /// InputError for other forms, for columns of different kinds, for a
+    /// difference that is always zero, and if Over is zero or the distance of
+    /// coincident probes.
     static Measure
     parse(const Entries            &in,
           const std::string        &name,
           const std::vector<Probe> &probes);
   };
 
-  /// Throws InputError of the list `Measures` if one of the measures of
-  /// @p names is called as a probe, a support or a contact is: nobody could
-  /// tell them apart.
+  /// Throws InputError of the list `Measures` if a measure in @p names has the
+  /// name of a probe, a support or a contact.
   void
   check_names_of_measures(const QuantityNames &names);
 } // namespace lamella

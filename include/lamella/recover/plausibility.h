@@ -42,7 +42,7 @@ namespace lamella
     doubts(const BlockVector &u, const Checks &checks, const bool last);
 
   private:
-    /// Largest of some values, and its place.
+    /// The largest of some values, and its place.
     struct Extreme
     {
       double           value = 0.;

@@ -10,40 +10,40 @@
 
 namespace lamella
 {
-  /// How near a ply of a body is to failure by one criterion, at the place that
-  /// is nearest to it (doc/strength.md).
+  /// Reserve factor of a ply by one criterion, at its critical point
+  /// (doc/strength.md).
   struct PlyReserve
   {
-    /// The body's number in the scene; the ply from 0 at the bottom.
+    /// Number of the body in the scene; ply from 0 at the bottom.
     unsigned int body = 0, ply = 0;
-    /// As the scene writes it, and what fails.
+    /// Criterion as in the scene, and failure mode.
     std::string criterion, mode;
-    /// What loads may be multiplied with, stresses growing with them; none
-    /// where no factor brings failure.
+    /// Factor on the loads at which the ply fails, stresses being proportional
+    /// to them; none if no factor causes failure.
     std::optional<double> reserve;
-    /// The criterion's value: 1 at failure.
+    /// Value of the criterion: 1 at failure.
     double index = 0.;
-    /// Undeformed, in the scene.
+    /// Undeformed position in the scene.
     dealii::Point<3> position;
-    /// From the axis 2 of the ply to the normal of the fracture plane, positive
-    /// towards 3, in degrees, where the criterion has such a plane.
+    /// Angle from axis 2 of the ply to the normal of the fracture plane,
+    /// positive towards 3 [degrees], if the criterion has such a plane.
     std::optional<double> angle;
-    /// |element's stress - recovered stress| / |recovered stress| there: what
-    /// the mesh leaves open. Large where stress is singular.
+    /// |element stress - recovered stress| / |recovered stress| at the point:
+    /// the discretization error. Large where stress is singular.
     double doubt = 0.;
   };
 
-  /// The nearest to failure that a ply comes at a station of a beam's axis, by
-  /// any criterion and anywhere across the section.
+  /// Smallest reserve factor of a ply at a station of a beam's axis, over all
+  /// criteria and the whole section.
   struct ReserveAlong
   {
-    /// The body's number in the scene; the ply from 0 at the bottom.
+    /// Number of the body in the scene; ply from 0 at the bottom.
     unsigned int body = 0, ply = 0;
-    /// The distance from the axis' start, and the place in the scene.
+    /// Distance from the axis' start, and the position in the scene.
     double           s = 0.;
     dealii::Point<3> position;
-    /// The largest 1/R of the elements' own stresses; 0 where no R is finite,
-    /// none where all of the station is left out.
+    /// Largest 1/R of the elements' own stresses: 0 if no R is finite, none if
+    /// the whole station is left out.
     std::optional<double> inverse_reserve;
   };
 } // namespace lamella

@@ -20,10 +20,9 @@
 
 namespace lamella
 {
-  /// Which strains and stresses are reported where elements of one ply meet.
-  /// Elements are those of the beam's axis times the section's cells, or
-  /// hexahedra. Across ply interfaces nothing is ever joined. `undefined` fails
-  /// an assertion.
+  /// Kind of strains and stresses reported where elements of one ply meet.
+  /// Elements are axis elements times section cells, or hexahedra. Values are
+  /// never averaged across ply interfaces. `undefined` fails an assertion.
   enum class StressValues
   {
     undefined,
@@ -44,140 +43,129 @@ namespace lamella
   };
 
   /**
-   * Strains and stresses that are continuous within a ply, from those of the
-   * elements, which are not. Only elements of one ply are joined, so nothing is
-   * smoothed across an interface. Displacements and FieldSample::jump stay
-   * those of the elements.
+   * Strains and stresses that are continuous within a ply, from the
+   * discontinuous ones of the elements. Interfaces are not smoothed.
+   * Displacements and FieldSample::jump stay those of the elements.
    *
    * `nodal`: the mean over the elements that share a node, interpolated over
-   * the nodes of each element (Gauss-Lobatto points of the displacements'
-   * degree p). At a surface it is one-sided and converges as the elements do,
-   * with h^p.
+   * each element's nodes (Gauss-Lobatto points of the displacements' degree p).
+   * At a surface it is one-sided and converges with h^p.
    *
    * `recovered`: superconvergent patch recovery (Zienkiewicz and Zhu, Int. J.
    * Numer. Meth. Eng. 33 (1992) 1331-1364). In the patch of all elements at a
-   * corner v a polynomial P_v of degree p in each local coordinate is fitted to
-   * the values at the reduced Gauss points, p a coordinate, which converge with
-   * h^(p+1). Within an element
+   * corner v, a polynomial P_v of degree p in each local coordinate is fitted
+   * to the values at the reduced Gauss points (p per coordinate), which
+   * converge with h^(p+1). Within an element
    *   sigma(X) = sum_v N_v(X) P_v(X),   N_v trilinear, v its corners,
-   * which gives a node in the middle of an edge the mean of its two patches, is
-   * continuous, and reproduces what the fits reproduce (Blacker and Belytschko,
-   * Int. J. Numer. Meth. Eng. 37 (1994) 517-536).
-   * - A corner whose patch fixes fewer terms than that of another corner of the
-   *   same elements, as on a surface, takes the polynomial of the latter that
+   * which is continuous and reproduces what the fits reproduce (Blacker and
+   * Belytschko, Int. J. Numer. Meth. Eng. 37 (1994) 517-536).
+   * - A corner whose patch determines fewer terms than another corner of the
+   *   same elements, as on a surface, takes the polynomial of the one that
    *   shares most of its elements.
-   * - A ply of one element through its thickness fixes degree p - 1 there:
-   *   values are extrapolated from the reduced Gauss points. Where p = 1 these
-   *   would be the middle alone, which knows no bending: two points are taken,
-   *   along any coordinate with one element, and what the element locks by.
-   * - A corner on the edge of a larger element takes what that one has there.
-   * - Where degrees differ from element to element (nodes of LE-1 beside LE-2)
-   *   each has its own Gauss points, and a patch the least degree of its
-   *   elements.
-   * - Along coordinates in which Body::recovery_degrees() is zero values are
-   *   those at the point itself: Taylor theories are recovered along the axis
-   *   only.
+   * - A ply of one element through its thickness determines degree p - 1:
+   *   values are extrapolated from the reduced Gauss points. If p = 1, two
+   *   points are used along any coordinate with one element, since the center
+   *   alone misses bending; locking errors are then included.
+   * - A corner on the edge of a larger element takes the larger one's values.
+   * - If degrees differ between elements (LE-1 beside LE-2), each has its own
+   *   Gauss points, and the patch has the least degree.
+   * - Along coordinates with zero Body::recovery_degrees(), values are those at
+   *   the point: Taylor theories are recovered along the axis only.
    *
-   * Only the patches that requests need are fitted, each once.
-   *
-   * One object is the recovery of one state of one body: what it has fitted it
-   * keeps, by the first of the places that meet at a corner, and nothing tells
-   * it that @p u has changed. A patch of eight brick elements of degree p has 8
-   * p^3 Gauss points, each of which costs a Body::sample().
+   * Patches are fitted on demand, each once. An object belongs to one state of
+   * one body; its cache does not notice changes of @p u. A patch of eight
+   * bricks of degree p takes 8 p^3 Body::sample().
    */
   class StressRecovery
   {
   public:
-    /// @p body and the displacements @p u are referred to and have to stay as
-    /// they are. Nothing is computed yet. @p values are not `equilibrium`,
-    /// which is EquilibriumStress.
+    /// Stores references to @p body and the displacements @p u, which must not
+    /// change. @p values must not be `equilibrium` (see EquilibriumStress).
     StressRecovery(const Body        &body,
                    const Vector      &u,
                    const StressValues values);
 
-    /// All fields at @p location, in scene axes and in ply axes as
-    /// Body::sample() gives them, strains and stresses replaced by those of the
-    /// chosen kind. Fits what has not been fitted yet, so it is not const.
+    /// Returns all fields at @p location, in scene and ply axes as
+    /// Body::sample(), with strains and stresses of the chosen kind. Fits
+    /// missing patches, so it is not const.
     FieldSample
     sample(const Location &location);
 
   private:
     using Place = Location::Place;
 
-    /// A place without the rounding of its unit coordinates. The cell, and unit
-    /// coordinates to 1e-9. Places of one point in different cells have
-    /// different keys; the one with the smallest cell stands for them.
+    /// Cell and unit coordinates of a place, rounded to 1e-9. A point in
+    /// several cells has several keys; the smallest cell's represents them.
     using Key = std::pair<unsigned int, std::array<long, 3>>;
 
-    /// What a node takes its values from: a weighted sum of fits. The weights
-    /// sum to 1; the fits belong to this object.
+    /// Weighted sum of fits that gives a node's values. Weights sum to 1; the
+    /// fits belong to this object.
     using Source = std::vector<std::pair<double, const PatchFit *>>;
 
     static Key
     key_of(const Place &place);
 
-    /// The element's own strains and stresses at @p place.
+    /// Returns the element's own strains and stresses at @p place.
     FieldValues
     element_values(const unsigned int ply, const Place &place) const;
 
-    /// The continuous field in the element of @p place. sum_v N_v(X) P_v(X)
-    /// above, or of `nodal` the interpolation of the nodes' means.
+    /// Returns the continuous field in the element of @p place: sum_v N_v P_v,
+    /// or for `nodal` the interpolated means.
     FieldValues
     field(const unsigned int ply, const Place &place);
 
-    /// The nodes of the element of @p place with their shape functions there;
-    /// along coordinates without recovery they stay at @p place. Of `recovered`
-    /// the corners (trilinear N_v), of `nodal` the Gauss-Lobatto points of the
-    /// displacements' degrees. They sum to 1.
+    /// Returns the nodes of the element of @p place with their shape functions
+    /// there, which sum to 1: for `recovered` the corners (trilinear N_v), for
+    /// `nodal` the Gauss-Lobatto points. Nodes keep the coordinates of @p place
+    /// that are not recovered.
     std::vector<std::pair<Place, double>>
     nodes(const Place &place) const;
 
-    /// Whether @p place is at a node of its element. To 1e-4 of the element: on
-    /// the edge of a larger element a corner of a smaller one is none.
+    /// Returns whether @p place is at a node of its element, to 1e-4 of the
+    /// element. A smaller element's corner on the edge of a larger one is none.
     bool
     is_node(const Place &place) const;
 
-    /// Where @p place is in each element of the ply that holds the point. By
-    /// ascending cells, @p place itself among them: the patch of a corner.
+    /// Returns @p place in each element of the ply that contains the point, by
+    /// ascending cells: the patch of a corner.
     const std::vector<Place> &
     meeting(const unsigned int ply, const Place &place);
 
-    /// What the field takes at @p node, the same from all elements that share
-    /// it: that makes it continuous.
+    /// Returns the source of the field at @p node, the same for all elements
+    /// that share it.
     const Source &
     source(const unsigned int ply, const Place &node);
 
-    /// The fit of the patch at @p node, whatever its neighbours have. Of
-    /// `nodal` the constant mean of the elements there.
+    /// Returns the fit of the patch at @p node itself; for `nodal` the mean of
+    /// its elements.
     const PatchFit &
     own_fit(const unsigned int ply, const Place &node);
 
-    /// The degrees of a patch's fit: the least of its @p elements
+    /// Returns the degrees of a patch's fit: the least of its @p elements
     /// (Body::recovery_degrees_of()).
     std::array<unsigned int, 3>
     degrees_of(const std::vector<Place> &elements) const;
 
-    /// The fits that @p node takes, as above. Its own where that fixes all
-    /// terms; else the richest, and of those the ones that share most elements,
-    /// their mean where several do.
+    /// Returns the fits used at @p node: its own if that determines all terms;
+    /// else the richest of its elements' corners that share most elements,
+    /// averaged if there are several.
     Source
     best_fits(const unsigned int ply, const Place &node);
 
-    /// Whether @p element, linear along its coordinate @p d, has no neighbour
-    /// there in its ply.
+    /// Returns whether @p element, linear along its coordinate @p d, has no
+    /// neighbor there in its ply.
     bool
     is_one_linear_layer(const unsigned int ply,
                         Place              element,
                         const unsigned int d);
 
-    /// The values at the reduced Gauss points of @p elements: as many a
-    /// coordinate as its degree, the superconvergent points.
+    /// Returns the values at the reduced Gauss points of @p elements (degree
+    /// points per coordinate), where they are superconvergent.
     std::vector<PatchPoint>
     patch_points(const unsigned int ply, const std::vector<Place> &elements);
 
-    /// The different directions of edges in a patch. The mean edges of each
-    /// element, in columns; frames whose columns have the same directions in
-    /// any order count once.
+    /// Returns the distinct frames of mean element edges in a patch, in
+    /// columns. Frames with the same directions in any order count once.
     std::vector<dealii::Tensor<2, 3>>
     frames(const std::vector<Place> &elements) const;
 
@@ -186,12 +174,11 @@ namespace lamella
     const StressValues kind;
     /// Body::recovery_degrees(): 0 along coordinates without recovery.
     const std::array<unsigned int, 3> degrees;
-    /// Unit coordinates of an element's nodes along each coordinate. From 0 to
-    /// 1; empty along coordinates without recovery.
+    /// Unit coordinates, in [0, 1], of an element's nodes along each
+    /// coordinate; empty without recovery.
     std::array<std::vector<double>, 3> node_coordinates;
 
-    /// What is known so far: patches of corners, values at the Gauss points of
-    /// elements, fits and sources.
+    /// Caches: patches of corners, values at Gauss points, fits and sources.
     std::map<Key, std::vector<Place>>              meetings;
     std::map<Key, std::vector<PatchPoint>>         gauss_points;
     std::map<Key, std::unique_ptr<const PatchFit>> fits;

@@ -18,22 +18,21 @@
 
 namespace lamella
 {
-  /// One pair of a contact at the end of a load step: a gap row with its
+  /// A pair of a contact at the end of a load step: a gap row with its
   /// geometry.
   struct ContactRow
   {
-    /// The places, the normal and the area of the pair.
+    /// Positions, normal and area of the pair.
     ContactInterface::Point point;
-    /// g_init of Eq. 17 and g of Eq. 16, lengths, negative in penetration; of
-    /// an average over an area (surface to surface) these averages.
+    /// g_init of Eq. 17 and g of Eq. 16 [length], negative in penetration;
+    /// surface to surface, their means over the area.
     double initial_gap = 0., gap = 0.;
-    /// lambda, positive in compression: over the area of the pair the mean
-    /// pressure there.
+    /// lambda, positive in compression; over the pair's area the mean pressure.
     double force = 0.;
-    /// What that is on the second side, friction with it.
+    /// Resultant on the second side, friction included.
     Wrench on_second = {};
-    /// With friction: lambda_t on the second side; whether the pair slips; the
-    /// length of its slip and what that has dissipated, so far.
+    /// Friction: lambda_t on the second side, whether the pair slips, and the
+    /// accumulated slip length and dissipation.
     struct Friction
     {
       dealii::Tensor<1, 3> shear;
@@ -50,171 +49,163 @@ namespace lamella
     }
   };
 
-  /// How many pairs of a contact began and ceased to touch in a load step, the
-  /// first against no contact.
+  /// Numbers of contact pairs that closed and opened in a load step. The first
+  /// step is compared with no contact.
   struct StatusChanges
   {
     unsigned int closed = 0, opened = 0;
   };
 
-  /**
-   * What one load step came to. Vectors over probes, lines, cuts and contacts
-   * are in the order of the names in Results; resultants are in `checks`.
-   */
+  /// Results of one load step. Probes, lines, cuts and contacts are in the
+  /// order of the names in Results; resultants are in `checks`.
   struct StepResults
   {
-    /// From 1.
+    /// Number of the step, from 1.
     unsigned int step = 0;
-    /// t: what multiplies loads and prescribed displacements.
+    /// t, the factor on loads and prescribed displacements.
     LoadFactor load_factor;
-    /// Displacements, contact forces and how they were found.
+    /// Displacements, contact forces and their solution history.
     State  state;
     Checks checks;
     /// SolvedStep::substeps and change.
     unsigned int          substeps = 1;
     std::optional<double> change   = {};
-    /// How often Newton's method halved the step (SolvedStep::cuts).
+    /// Number of times that Newton's method halved the step (SolvedStep::cuts).
     unsigned int halvings = 0;
-    /// What the strategy had learnt when the step ended.
+    /// Memory of the strategy at the end of the step.
     StrategyMemory memory;
 
-    /// Of each probe a row a ply that it touches, from the bottom.
+    /// Rows of each probe, one per ply that it touches, from the bottom.
     std::vector<std::vector<FieldRow>> probes;
     std::vector<std::vector<LineRow>>  lines;
     std::vector<std::vector<CutRow>>   cuts;
-    /// Of each line.
+    /// Interface jumps of each line.
     std::vector<InterfaceJump> jumps;
-    /// Of each measure its value.
+    /// Value of each measure.
     std::vector<double> measures;
     Closures            closures;
-    /// Of each contact its pairs, in the order of its rows.
+    /// Pairs of each contact, in the order of its rows.
     std::vector<std::vector<ContactRow>> contacts;
-    /// Of each contact.
+    /// Status changes of each contact.
     std::vector<StatusChanges> changes;
-    /// Of each ply of the swept bodies a row a criterion, in the order of
-    /// bodies, plies and criteria; without any that the criterion has no point
-    /// of (an interlaminar one of a single ply).
+    /// Rows of each ply of the swept bodies, by body, ply and criterion,
+    /// without criteria that have no point (an interlaminar one of a single
+    /// ply).
     std::vector<PlyReserve> plies;
-    /// Of each ply of the swept bodies that are beams, by body, ply and s.
+    /// Rows of each ply of the swept beams, by body, ply and s.
     std::vector<ReserveAlong> plies_along;
 
-    /// What the user should know of this step, a sentence each.
+    /// Warnings about this step, a sentence each.
     std::vector<std::string> warnings;
 
-    /// Drops the state's vectors, the strategy's memory and all rows (those of
-    /// the checks, too), which is nearly all of its memory. What stays: number,
+    /// Drops the state's vectors, the strategy's memory and all rows (also
+    /// those of the checks), which are nearly all of its memory. Keeps number,
     /// load factor, iterations, checks, jumps, measures, closures, changes,
-    /// reserve
-    /// factors of plies and warnings.
+    /// reserve factors of plies and warnings.
     void
     drop_fields();
   };
 
-  /// What a body is to those who read results.
+  /// Facts about a body in the results.
   struct BodyFacts
   {
-    /// As the scene says them: `upper`, `LE-2`.
+    /// Name and theory as in the scene: `upper`, `LE-2`.
     std::string name, theory;
-    /// Those that supports prescribe among them.
+    /// Number of DoFs, including prescribed ones.
     unsigned int dofs = 0;
-    /// What solving it took; nothing under the `full` strategy.
+    /// Statistics of the solver; none under the `full` strategy.
     std::optional<SolverStatistics> solver;
-    /// Of each ply the name of its material.
+    /// Name of each ply's material.
     std::vector<std::string> materials = {};
   };
 
-  /// What a contact is to those who read results.
+  /// Facts about a contact in the results.
   struct ContactFacts
   {
-    /// Of the contact, and of the body or obstacle on its second side.
+    /// Names of the contact and of its second body or obstacle.
     std::string    name, second_name;
     Discretisation discretisation = Discretisation::undefined;
     Enforcement    enforcement    = Enforcement::undefined;
-    /// Its gap rows, and the nodes of either side that face nothing of the
-    /// other.
+    /// Numbers of gap rows, and of unpaired nodes on either side.
     unsigned int rows = 0, unpaired = 0, unpaired_second = 0;
-    /// The range of g_init over its rows, a length.
+    /// Range of g_init over the rows [length].
     double initial_gap_min = 0., initial_gap_max = 0.;
-    /// Coulomb's coefficient.
+    /// Friction coefficient of Coulomb's law.
     double friction = 0.;
-    /// What carries its rows; null if that is not known.
+    /// Surface that carries the rows; null if unknown.
     std::shared_ptr<const CarryingSurface> surface = {};
   };
 
-  /**
-   * Everything that a run has found out, free of what it was found with: no
-   * file, no reference to a scene, a body or a solver. Console, tables, JSON
-   * and pictures are made from it.
-   */
+  /// Results of a run, without references to a scene, body or solver. Console,
+  /// tables, JSON and pictures are made from it.
   struct Results
   {
-    /// Of the scene; units are labels only, numbers are as the scene's.
+    /// Title of the scene; units are labels, numbers are as in the scene.
     std::string title;
     Units       units;
-    /// In the order of the scene, as are all names here.
+    /// Bodies and names, in the order of the scene.
     std::vector<BodyFacts>    bodies;
     std::vector<ContactFacts> contacts;
     std::vector<std::string>  supports, probes, lines, cuts, measures;
-    /// Of each load, at load factor 1.
+    /// Resultant of each load at load factor 1.
     std::vector<LoadResultant> loads;
-    /// The diagonal of the box around all bodies.
+    /// Diagonal of the bounding box of all bodies.
     double size = 0.;
 
-    /// Those that were solved, in the order of their load factors.
+    /// Solved steps, in the order of their load factors.
     std::vector<StepResults> steps;
-    /// How many the scene asks for, and whether all of them were solved.
+    /// Number of steps in the scene, and whether all were solved.
     unsigned int load_steps = 0;
     bool         converged  = false;
-    /// What the user should know of the scene as a whole, said before and
-    /// after what the steps say.
+    /// Notes about the scene, printed before and after those of the steps.
     std::vector<std::string> notes, endnotes;
-    /// Where the scene asks for such a search.
+    /// First failure, if the scene requests its search.
     std::optional<FirstFailure> first_failure;
-    /// The numbers that it was made for, of the last step; none where no errors
-    /// were estimated.
+    /// Goals of the last step; none if no errors were estimated.
     std::vector<GoalResult> goals;
-    /// Why there are none; empty if there are.
+    /// Reason why there are no goals; empty if there are.
     std::string why_no_goals;
-    /// Of the condensed stiffnesses, the largest of all bodies; a lower bound,
-    /// 0 if unknown (only CHOLMOD knows one).
+    /// Condition number of the condensed stiffnesses, the largest of all
+    /// bodies; a lower bound, 0 if unknown (only CHOLMOD estimates it).
     double condition_estimate = 0.;
 
-    /// Phase (phase_names(), `total`) -> wall seconds. `total` is more than
-    /// their sum by what belongs to none.
+    /// Wall seconds by phase (phase_names(), `total`). `total` includes time
+    /// outside of all phases.
     std::map<std::string, double> seconds;
-    /// MPI processes of the run.
+    /// Number of MPI processes of the run.
     unsigned int processes = 1;
-    /// In bytes: of the process that took most, and of all.
+    /// Peak memory in bytes: of the largest process, and of all.
     double peak_memory = 0., peak_memory_of_all = 0.;
 
-    /// DoFs of all bodies.
+    /// Returns the number of DoFs of all bodies.
     unsigned int
     n_dofs() const;
 
     /// Returns notes, the warnings of all steps, and endnotes: a sentence each,
-    /// without a full stop. Warnings have their steps if there are several, or
-    /// that of first failure. Warnings that differ by numbers only are merged,
-    /// with the numbers of the largest load factor. So are those that differ by
-    /// the name of a contact or body, with all names.
+    /// without a full stop. Warnings name their step if there are several, or
+    /// first failure. Warnings that differ by numbers only are merged, with the
+    /// numbers of the largest load factor; those that differ by the name of a
+    /// contact or body are merged with all names.
     std::vector<std::string>
     all_warnings() const;
 
-    /// Of all steps the largest stiffening and the smallest buckling factor.
+    /// Returns the largest stiffening and smallest buckling factor of all
+    /// steps.
     BeyondLinear
     worst_beyond() const;
 
-    /// The last step that was solved. Throws InputError if none was.
+    /// Returns the last solved step. Throws InputError if there is none.
     const StepResults &
     last() const;
 
-    /// The row of the probe @p name in the last step: that of @p ply (from 1 at
-    /// the bottom), or of 0 the first. Throws InputError for a name or a ply
-    /// that is not there.
+    /// Returns the row of the probe @p name in the last step: of @p ply (from 1
+    /// at the bottom), or the first if 0. Throws InputError if it does not
+    /// exist.
     const FieldRow &
     probe(const std::string &name, const unsigned int ply = 0) const;
 
-    /// The force of the support or the contact @p name in the last step, with
-    /// its moment. Throws InputError for a name that is not there.
+    /// Returns the force and moment of the support or contact @p name in the
+    /// last step. Throws InputError for an unknown name.
     const Resultant &
     support(const std::string &name) const;
     const KuhnTucker &

@@ -14,24 +14,19 @@
 
 namespace lamella
 {
-  /**
-   * The mesh that the points of a contact form: the cells of the grids of what
-   * carries them (CarryingSurface) that have points at all four corners. Points
-   * in none (with no paired neighbours) stand alone.
-   *
-   * It is a picture only, and nothing is computed from it. The neighbours are
-   * searched for once, the surface is drawn in each load step.
-   */
+  /// Mesh of the points of a contact, for pictures only: the grid cells of its
+  /// CarryingSurface whose four corners have points. Other points stand alone.
+  /// The cells are found once and drawn in each load step.
   class ContactSurface
   {
   public:
     using Quadrilateral = std::array<unsigned int, 4>;
 
-    /// Both are referred to and must outlive it; the bodies of @p structure are
-    /// those that @p contact was made on.
+    /// Refers to both arguments; @p contact was made on the bodies of
+    /// @p structure.
     ContactSurface(const ContactInterface &contact, const Structure &structure);
 
-    /// Numbers of points in the contact, corners in a ring.
+    /// Numbers of the contact's points, with the corners in cyclic order.
     const std::vector<Quadrilateral> &
     quadrilaterals() const
     {
@@ -45,19 +40,18 @@ namespace lamella
       return alone;
     }
 
-    /// The surface on the displaced first body (subtract `displacement` for
-    /// the undeformed one) with the columns of contact_NAME.csv at its points
-    /// (`active` as `status`), and `separation`, the vector to the displaced
-    /// partner: gap times normal where that is on a rigid obstacle. @p rows are
-    /// the contact's in a load step and @p u the displacements there, of the
-    /// scene. Numbers are doubles.
+    /// Returns the surface on the displaced first body (subtract `displacement`
+    /// for the undeformed one). It has the columns of contact_NAME.csv at its
+    /// points (`active` as `status`) and `separation`, the vector to the
+    /// displaced partner (gap times normal for a rigid obstacle). @p rows are
+    /// the contact's in a load step and @p u the displacements of the scene.
+    /// Numbers are doubles.
     VtuGrid
     grid(const BlockVector &u, const std::vector<ContactRow> &rows) const;
 
-    /// Writes grid() of the load step number @p step as
-    /// @p directory/contact_NAME_STEP.vtu for ParaView. Returns the file's name
-    /// without the folder. Throws InputError if it cannot be written. One
-    /// process calls it.
+    /// Writes grid() of load step @p step as @p directory/contact_NAME_STEP.vtu
+    /// for ParaView. Returns the file's name without the folder. Throws
+    /// InputError if it cannot be written. Called by one process.
     std::string
     write_vtu(const std::string             &directory,
               const unsigned int             step,
@@ -65,7 +59,7 @@ namespace lamella
               const std::vector<ContactRow> &rows) const;
 
   private:
-    /// Of each point its place on the body that carries it.
+    /// Returns the location of each point on the slave body.
     std::vector<Location>
     places_of_points() const;
 
@@ -74,7 +68,7 @@ namespace lamella
     /// quadrilaterals() and lone_points().
     std::vector<Quadrilateral> quads;
     std::vector<unsigned int>  alone;
-    /// Of the points on the first body, and of those on the second if that
+    /// Locations of the points on the first body, and on the second if it
     /// deforms.
     std::vector<Location> first_places, second_places;
   };

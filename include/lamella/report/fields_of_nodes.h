@@ -9,14 +9,11 @@
 
 namespace lamella
 {
-  /**
-   * The file fields.csv: how many fields of its section each node of a beam's
-   * axis carries, a line a node, in the order of the axis:
-   *   body, node (from 1), s (the distance from the first node, a length), x,
-   *   y, z (the node in the undeformed scene), fields.
-   * They sum to Body::n_dofs(). Of nodal bodies (solids), whose nodes are no
-   * places of an axis, there are no lines. Communicates nothing.
-   */
+  /// Returns the file fields.csv: the number of section fields at each node of
+  /// the beam axes, a line per node in the order of the axis:
+  ///   body, node (from 1), s (distance from the first node, a length), x, y, z
+  ///   (the node in the undeformed scene), fields.
+  /// The fields sum to Body::n_dofs(). Solids have no lines. Not collective.
   std::string
   fields_of_nodes(const Bodies &bodies);
 } // namespace lamella

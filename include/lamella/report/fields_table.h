@@ -9,18 +9,17 @@
 
 namespace lamella
 {
-  /// `body,ply,x,y,z` and the field names (field_names()), without the end of a
-  /// line: the columns that probes, lines and cuts have in common.
+  /// Returns the common columns of probes, lines and cuts, `body,ply,x,y,z` and
+  /// field_names(), without an end of line.
   std::string
   fields_header();
 
-  /// The line of a CSV file that belongs to fields_header(); plies are counted
-  /// from 1 at the bottom. Numbers carry 15 digits; no end of a line.
+  /// Returns a line for the columns fields_header(), without an end of line,
+  /// with 15 digits and plies counted from 1 at the bottom.
   std::string
   fields_line(const FieldRow &row);
 
-  /// @p value with 15 significant digits, as short as these allow, whatever the
-  /// language of the system.
+  /// Returns @p value with at most 15 significant digits, in any locale.
   std::string
   csv(const double value);
 } // namespace lamella

@@ -10,37 +10,37 @@
 
 namespace lamella
 {
-  /// The file goals.csv, a line each: goal, value, estimate, corrected, bar,
-  /// trusted, tolerance, met, the shares of axis, fields, section and contact,
-  /// stiffening, buckling_factor, scale, why. In the units of the quantities;
-  /// trusted and met are 0 or 1; tolerance is a length of the bar, empty if
-  /// none was asked for, and so is the bar if there is none. Stiffening and
-  /// buckling factor (empty if there is none) are those of the last step
-  /// (BeyondLinear): what no refinement shows.
+  /**
+   * Returns the file goals.csv, with the columns goal, value, estimate,
+   * corrected, bar, trusted, tolerance, met, the shares of axis, fields,
+   * section and contact, stiffening, buckling_factor, scale, why. Units are
+   * those of the quantities; trusted and met are 0 or 1; the tolerance is a
+   * length of the bar. Bar, tolerance and buckling factor are empty if there
+   * are none. Stiffening and buckling factor are those of the last step
+   * (BeyondLinear), which refinement does not show.
+   */
   std::string
   goals_csv(const Results &results);
 
-  /// The file indicators.csv: what each element along a beam does to the share
-  /// of the axis in a goal's error, a line each (goal, body, begin and end
-  /// along its axis, error), then what contact and a remainder do
-  /// (LocalErrors). With bars from richer models the errors of a goal sum to
-  /// its share `axis`.
+  /// Returns the file indicators.csv: the error of each element along a beam in
+  /// the axis share of a goal (goal, body, begin and end along its axis,
+  /// error), then the parts of contact and remainder (LocalErrors). With bars
+  /// from richer models the errors of a goal sum to its share `axis`.
   std::string
   indicators_csv(const Results &results);
 
-  /// Prints the goals with their bars and, where a share of the error is large,
-  /// what it comes from and what mends it, and what no refinement shows where
-  /// that is more than the bars. Nothing without any.
+  /// Prints the goals with their bars, the source and remedy of large shares,
+  /// and nonlinear effects that exceed the bars. Prints nothing without goals.
   void
   print_goals(std::ostream &out, const Results &results);
 
-  /// @p value over the scale of @p goal, as in "0.12 %"; with the value itself
-  /// where the goal is near zero, as in "0.0011 MPa (0.5 %)", and that alone
-  /// where all of its kind are zero.
+  /// Returns @p value over the scale of @p goal, as "0.12 %"; with the value if
+  /// the goal is near zero, as "0.0011 MPa (0.5 %)"; the value alone if all of
+  /// its kind are zero.
   std::string
   share_text(const GoalResult &goal, const double value);
 
-  /// The share of @p goal that is largest, or "" if there is none.
+  /// Returns the name of the largest share of @p goal, or "" if there is none.
   std::string
   largest_share(const GoalResult &goal);
 } // namespace lamella

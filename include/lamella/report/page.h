@@ -8,19 +8,17 @@
 namespace lamella
 {
   /**
-   * `lamella report DIR`: what the run in @p folder left behind as one
-   * self-contained HTML file @p target. The page is the work of a Python
-   * program, scripts/report.py with its templates (doc/report.md), which this
-   * process becomes: the message and the exit status are its own.
+   * Implements `lamella report DIR`: makes one self-contained HTML file
+   * @p target of the results in @p folder. It replaces this process by
+   * scripts/report.py (doc/report.md), which then determines messages and exit
+   * status.
    *
-   * The program is sought beside this one as it is installed
-   * (`../share/lamella/scripts`), then in the tree that this one was built
-   * from. It reads the folder's files; what only this program knows it is told:
-   * the version, and the constants of the built-in materials
+   * The script is searched for in `../share/lamella/scripts` beside this
+   * program, then in its source tree. It reads the files of the folder, and is
+   * passed the version and the constants of the built-in materials
    * (library_material()) in Pa and in MPa.
    *
-   * Throws InputError if it is in neither place, or if there is no python3 with
-   * Jinja2.
+   * Throws InputError if the script, or python3 with Jinja2, is not found.
    */
   [[noreturn]] void
   make_page(const std::string &folder, const std::string &target);

@@ -9,9 +9,10 @@
 
 namespace lamella
 {
-  /// Prints displacements and stresses of all probes of the last load step, in
-  /// the scene's axes, behind a number that is a goal with a bar its bar in per
-  /// cent; of many probes the first ones. Nothing without any.
+  /// Prints displacements and stresses of the probes in the last load step, in
+  /// the scene's axes, and the bar in per cent after a number that is a goal
+  /// with a bar. If there are many probes, prints the first ones; without
+  /// probes nothing.
   void
   print_probes(std::ostream &out, const Results &results);
 } // namespace lamella

@@ -11,51 +11,44 @@
 
 namespace lamella
 {
-  /// Name of a collection (`solution`, `contact_NAME`) -> its load steps with
-  /// their VTU files.
-  /// The steps ascend; a VTU file is named without the folder.
+  /// VTU files by collection (`solution`, `contact_NAME`), with their load
+  /// steps, ascending. Names are without the folder.
   using VtuFiles =
     std::map<std::string, std::vector<std::pair<double, std::string>>>;
 
   /**
-   * Where a run stands after a whole load step: what it takes to go on, kept in
-   * the file `restart` of its folder. A file of doubles as they are in memory:
-   * a run that goes on from it does what the uninterrupted one would have done.
-   * It is for the same program on the same kind of machine, not for exchange.
+   * State of a run after a completed load step, stored in the file `restart`
+   * of its folder. Doubles are stored as in memory, so that a resumed run
+   * gives the results of an uninterrupted one; the file is for the same
+   * program on the same kind of machine.
    *
-   * Files of tables only grow, so their sizes tell which rows belong to whole
-   * steps: what is beyond them is cut off before the run goes on.
+   * Tables only grow: rows beyond the stored sizes belong to incomplete steps
+   * and are cut off before a run is resumed.
    */
   struct Restart
   {
-    /// The program's version and the resolved scene that the run is of.
+    /// Version of the program and resolved scene.
     std::string version, scene;
-    /// Whether all load steps are done. Then nothing else but version and scene
-    /// is kept.
+    /// True if all load steps are done; only version and scene are stored then.
     bool finished = false;
-    /// The steps so far: their numbers, load factors, iterations, changes,
-    /// reserve factors of plies and warnings; of the last one the whole state
-    /// and what the strategy had learnt. Neither checks nor rows of tables:
-    /// those stand in the files.
+    /// Completed steps: numbers, load factors, iterations, changes, reserve
+    /// factors of plies and warnings; for the last one also the whole state and
+    /// the data of the strategy. Checks and table rows are in the files only.
     std::vector<StepResults> steps;
-    /// Bytes of each table, by its name in the folder.
+    /// Size in bytes of each table, by its name in the folder.
     std::map<std::string, std::uint64_t> sizes;
-    /// What the collections list so far.
+    /// Files of the collections so far.
     VtuFiles vtu_files;
   };
 
-  /// Keeps @p restart in the folder @p directory, in the place of an earlier
-  /// one: the whole file or nothing. Throws InputError if it cannot. One
-  /// process calls it.
+  /// Stores @p restart in the folder @p directory and replaces an earlier one
+  /// atomically. Throws InputError if it cannot. Called by one process.
   void
   write_restart(const Restart &restart, const std::string &directory);
 
-  /**
-   * What the run in @p directory left. Throws InputError if there is none, if
-   * the file is damaged, if it is of another version of the program or of
-   * another scene than @p scene, resolved, or if it is finished: nothing is
-   * left to resume. All processes may read it.
-   */
+  /// Returns the restart data in @p directory. Throws InputError if there is
+  /// none, the file is damaged, it belongs to another version or another scene
+  /// than @p scene (resolved), or the run is finished. Any process may call it.
   Restart
   read_restart(const std::string &directory, const std::string &scene);
 } // namespace lamella

@@ -8,67 +8,64 @@
 namespace lamella
 {
   /**
-   * The folder of one run's results. It is this run's alone while the object
-   * lives (a lock of the system's, which ends with the process however that
-   * ends), and holds results of one run only: those of an earlier one go before
-   * the first of this one comes. The summary goes first and comes again with
-   * the first whole load step, so a summary belongs to the files around it.
+   * Folder of the results of one run. It is locked for the lifetime of the
+   * object (by a system lock, released when the process ends) and holds
+   * results of one run only: earlier ones are removed before the first new one
+   * is written. The summary is removed first and written with the first
+   * completed load step, so that it always belongs to the other files.
    *
-   * Lock and files are the work of the process that speaks for all; the others
-   * hear of it what it found.
+   * The root process locks and writes; its findings are broadcast.
    */
   class ResultsFolder
   {
   public:
-    /// Creates the folder @p path with those above it and locks it. Throws
-    /// InputError if @p path cannot be created and written, or if another run
-    /// is at work there. Nothing in it is touched yet. On several processes all
-    /// call it.
+    /// Creates the folder @p path with its parents and locks it; its content is
+    /// not changed. Throws InputError if @p path cannot be created or written,
+    /// or is locked by another run. Collective.
     explicit ResultsFolder(const std::string &path);
-    /// Gives the folder back; removed if it was created and is still empty.
+    /// Unlocks the folder; removes it if it was created here and is empty.
     ~ResultsFolder();
     ResultsFolder(const ResultsFolder &) = delete;
 
-    /// As it was given.
+    /// Returns the path as given.
     const std::string &
     path() const
     {
       return folder;
     }
 
-    /// To be called before anything is written: the first call removes what an
-    /// earlier run has left, files that are called as a run's results or their
-    /// pictures, and folders that are empty then; everything else stays. Throws
-    /// InputError if the folder has gone since. On several processes all call
-    /// it.
+    /// Removes the results of an earlier run at the first call, by their file
+    /// names, and folders that are empty then; other files stay. Has to be
+    /// called before anything is written. Throws InputError if the folder has
+    /// disappeared. Collective.
     void
     make_room();
 
-    /// What an earlier run has left stays: this one goes on with it, and
-    /// make_room() removes nothing.
+    /// Keeps the results of an earlier run, to be resumed: make_room() removes
+    /// nothing.
     void
     keep()
     {
       has_room = true;
     }
 
-    /// Whether an earlier run's summary is there: until make_room() or keep().
+    /// Returns whether the summary of an earlier run exists; false after
+    /// make_room() or keep().
     bool
     has_earlier_results() const;
 
   private:
-    /// Takes the system's lock on the folder; descriptor stays -1 if another
-    /// process has it.
+    /// Locks the folder; descriptor stays -1 if another process holds the lock.
     void
     lock();
-    /// Whether the folder of that name is still the one that was locked.
+    /// Returns whether the folder of that name is still the locked one.
     bool
     is_still_there() const;
 
     std::string folder;
-    /// Whether it was created here, and whether earlier results are dealt with.
+    /// True if created here, and true if earlier results are dealt with.
     bool is_new = false, has_room = false;
-    /// Of the locked folder; -1 on processes that do not speak.
+    /// Descriptor of the locked folder; -1 except on the root process.
     int descriptor = -1;
   };
 } // namespace lamella

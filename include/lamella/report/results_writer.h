@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-// The room `report`: how results are told. It owns the folder of a run and all
-// files in it (tables, summary, VTU, what a run is resumed from) and what the
-// console says, made from Results. It never computes what is not in Results,
-// but for the stiffness of sections, which no run needs, and nothing in it
-// reads what it wrote but the restart. (The page of `lamella report` is made of
-// these files by a Python program, which page.h starts.)
+// The room `report`: output of results. It owns the folder of a run with all
+// files in it (tables, summary, VTU, restart) and the console output, made
+// from Results. It computes nothing else except the stiffness of sections, and
+// reads none of its files except the restart. `lamella report` makes a page
+// from these files by a Python program that page.h starts.
 
 #ifndef lamella_report_results_writer_h
 #define lamella_report_results_writer_h
@@ -26,15 +25,14 @@
 namespace lamella
 {
   /**
-   * Writes the results of a run into its folder, each load step when it has
-   * ended: rows of all tables, VTU files and their collections, the summary,
-   * and what it takes to go on from there. Whatever ends the run later leaves
-   * the steps before it whole. All functions are called by all processes.
+   * Writer of the results of a run into its folder. At the end of each load
+   * step it writes rows of all tables, VTU files and collections, the summary
+   * and the restart data, so that completed steps survive any later failure.
+   * All functions are collective.
    *
-   * The order within a step is what makes it safe: pictures, rows of tables,
-   * the summary, and last the restart, which says how long the tables were when
-   * the step was whole. Each file but a table that grows is written beside its
-   * place and renamed into it.
+   * Order within a step: VTU files, rows of tables, summary, and last the
+   * restart with the sizes of the tables. Files other than growing tables are
+   * replaced atomically.
    */
   class ResultsWriter
   {
@@ -42,17 +40,17 @@ namespace lamella
     /// Objects that pictures are made from, besides results.
     struct Scenery
     {
-      /// The bodies that are drawn.
+      /// Bodies to be drawn.
       const Structure &structure;
-      /// In the order of the contacts in Results.
+      /// Contacts in the order of Results.
       const std::vector<ContactInterface> &contacts;
-      /// By the name of the section.
+      /// Meshes by name of the section.
       const std::map<std::string, std::shared_ptr<const SectionMesh>> &sections;
-      /// The scene as it is run.
+      /// Scene as it is run.
       const std::string &resolved;
-      /// Whether to write VTU files and their collections.
+      /// True if VTU files and their collections are written.
       bool write_vtu = true;
-      /// What reserve factors in VTU files come from; null for none.
+      /// Source of reserve factors in VTU files; null for none.
       const StrengthSweep *strength = nullptr;
     };
 
@@ -62,16 +60,16 @@ namespace lamella
     ResultsWriter(const std::string              &directory,
                   const std::function<Scenery()> &scenery);
 
-    /// The steps that the run in the folder has whole, as Restart keeps them;
-    /// the tables are cut to them. To be called before any step is written.
-    /// Throws InputError (read_restart()), or if a table has become shorter.
+    /// Returns the completed steps of the run in the folder (Restart) and cuts
+    /// the tables to them. Has to be called before any step is written. Throws
+    /// InputError (read_restart()), also if a table has become shorter.
     std::vector<StepResults>
     resume();
 
-    /// Writes the last load step of @p results, which must have its rows. With
-    /// the first one come scene.prm, the sections, the fields of the nodes and
-    /// the tables' headers, and what an earlier run left goes. Throws
-    /// InputError if that fails; the steps before are whole.
+    /// Writes the last load step of @p results, which must have its rows. The
+    /// first call removes earlier results and writes scene.prm, the sections,
+    /// the fields of the nodes and the table headers. Throws InputError if that
+    /// fails; earlier steps stay complete.
     void
     write_step(const Results &results);
 
@@ -81,12 +79,12 @@ namespace lamella
     void
     write_outcome(const Results &results);
 
-    /// The same at the end of the run: if all steps were solved, the restart
-    /// becomes a word that says so.
+    /// Writes the summary at the end of the run; if all steps were solved, the
+    /// restart is marked as finished.
     void
     write_end(const Results &results);
 
-    /// Owned by the writer.
+    /// Returns the folder, owned by the writer.
     const ResultsFolder &
     folder() const
     {
@@ -94,25 +92,25 @@ namespace lamella
     }
 
   private:
-    /// Appends the rows of the last step to all tables; of the first step
-    /// writes them anew.
+    /// Appends the rows of the last step to all tables; creates them in the
+    /// first step.
     void
     write_tables(const Results &results);
-    /// Of all contacts, as they are paired.
+    /// Makes the surfaces of all contacts in their present pairing.
     void
     make_surfaces();
-    /// The bodies, the contacts' surfaces, and the collections with them.
+    /// Writes the bodies, the contact surfaces and the collections.
     void
     write_vtu_files(const StepResults &step);
-    /// The summary and the restart.
+    /// Writes the summary and the restart.
     void
     write_standing(const Results &results);
 
     std::function<Scenery()> scenery;
     ResultsFolder            place;
-    /// Of each contact; none without VTU files.
+    /// Surface of each contact; none without VTU files.
     std::vector<ContactSurface> surfaces;
-    /// What is there so far.
+    /// Restart data so far.
     Restart standing;
   };
 } // namespace lamella

@@ -9,15 +9,12 @@
 
 namespace lamella
 {
-  /**
-   * The mesh of a section for pictures, as CSV: a line a cell with its number,
-   * ply (from 1), material and angle, then for its four sides,
-   * counter-clockwise, the names of the boundaries that they lie on (empty
-   * inside) and their points `x z;x z;...`: both ends, and seven between where
-   * the side is curved. Lengths are the scene's, in the section's own axes x
-   * (across) and z (up); the angle is that of the fibre, in degrees. Only sides
-   * on the boundary are drawn curved.
-   */
+  /// Returns the mesh of a section for pictures, as CSV. Each cell has a line
+  /// with its number, ply (from 1), material and angle of the fibers [degrees],
+  /// then for its four sides, counter-clockwise, their boundary names (empty
+  /// inside) and points `x z;x z;...`: both ends, and seven between if the side
+  /// is curved. Lengths are the scene's, in section axes x (across) and z (up).
+  /// Only boundary sides are drawn curved.
   std::string
   section_table(const SectionMesh &section);
 

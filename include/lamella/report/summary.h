@@ -9,11 +9,10 @@
 
 namespace lamella
 {
-  /// What summary.json says of @p results, keys as fixed in doc/output.md:
-  /// resultants and checks are those of the last load step, whose checks,
-  /// changes and jumps must be there; warnings are those of all. Without any
-  /// step they are left out. Bytes that are no UTF-8 are replaced. Ends with a
-  /// line feed.
+  /// Returns summary.json for @p results (doc/output.md), with a final line
+  /// feed: resultants and checks of the last load step, which must have checks,
+  /// changes and jumps, and the warnings of all steps. Without steps they are
+  /// left out. Bytes that are not UTF-8 are replaced.
   std::string
   summary_text(const Results &results);
 } // namespace lamella

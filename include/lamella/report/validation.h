@@ -16,9 +16,9 @@
 
 namespace lamella
 {
-  /// Prints what is known of the material @p name, of the library or typed:
-  /// elastic constants, strengths, yield stress, core strengths, density,
-  /// expansion; @p units label the stresses.
+  /// Prints the data of the material @p name: elastic constants, strengths,
+  /// yield stress, core strengths, density, expansion; stresses with labels of
+  /// @p units.
   void
   print_material(std::ostream      &out,
                  const std::string &name,
@@ -26,14 +26,13 @@ namespace lamella
                  const Units       &units);
 
   /**
-   * Prints the ply table of a section called @p name, the laminate's A, B, D
-   * and the section's EA, EI, GA, k G A and, by @p section, its G J: what a
-   * hand calculation of the beam begins with. A, B, D are those of classical
-   * lamination theory about the mid-plane, in the order yy, xx, xy with y along
-   * the beam (force / length, force, force length); EA, EI are of the laminate
-   * free to contract and twist, k G A comes from the equilibrium of the plies.
-   * @p plies are from the bottom, at least one; @p width is the section's.
-   * Entries of A, B, D that are rounding are printed as zero.
+   * Prints the ply table of the section @p name, the laminate's A, B, D, the
+   * section's EA, EI, GA, k G A and, by @p section, G J. A, B, D are those of
+   * classical lamination theory about the mid-plane, in the order yy, xx, xy
+   * with y along the beam (force / length, force, force length); EA, EI are
+   * those of the laminate free to contract and twist; k G A follows from the
+   * equilibrium of the plies. @p plies are from the bottom, at least one;
+   * @p width is the section's. Rounding errors in A, B, D are printed as zero.
    */
   void
   print_laminate(std::ostream           &out,
@@ -43,10 +42,10 @@ namespace lamella
                  const SectionMesh      &section,
                  const Units            &units);
 
-  /// Prints what the section @p name of the kind @p shape (its name) amounts
-  /// to: cells, extension, area, centroid, second moments about it, boundaries
-  /// with their lengths, parts with their materials and areas, and G J by
-  /// Saint-Venant's torsion where that is known. @p units label it.
+  /// Prints the section @p name of the kind @p shape: cells, extents, area,
+  /// centroid, second moments about it, boundaries with their lengths, parts
+  /// with their materials and areas, and G J by Saint-Venant's torsion if
+  /// known; labels by @p units.
   void
   print_section(std::ostream      &out,
                 const std::string &name,
@@ -54,18 +53,18 @@ namespace lamella
                 const SectionMesh &section,
                 const Units       &units);
 
-  /// Prints what the section @p name is to a program of beams: E A, principal
-  /// E I, G J, k G A, tension and shear centre, the 6 x 6 stiffness and, where
-  /// it is known, mass; or in words why there is none. Numbers of points in the
-  /// section's coordinates; @p units label all.
+  /// Prints the beam properties of the section @p name: E A, principal E I, G
+  /// J, k G A, tension and shear center, the 6 x 6 stiffness and, if known, the
+  /// mass; or the reason why there are none. Points are in section coordinates;
+  /// labels by @p units.
   void
   print_stiffness(std::ostream           &out,
                   const std::string      &name,
                   const SectionStiffness &section,
                   const Units            &units);
 
-  /// Prints a line a body (theory, DoFs), a load (what it is in all at load
-  /// factor 1) and a contact (pairs that may touch, nodes without a partner).
+  /// Prints a line per body (theory, DoFs), load (sum at load factor 1) and
+  /// contact (pairs that may touch, nodes without a partner).
   void
   print_bodies(std::ostream                        &out,
                const Structure                     &structure,

@@ -14,25 +14,25 @@ namespace lamella
 {
   /**
    * Writes the deformed bodies for ParaView into @p directory as
-   * solution_STEP.vtu: a higher-order hexahedron for each section cell of each
-   * axis element, positions displaced by u (so do not warp again; subtract
-   * `displacement` for the undeformed scene), strains and stresses
-   * discontinuous between elements and so per ply; for each cell the ply's
-   * number (from 1 at the bottom), the fibre direction, the body's number (from
-   * 1). Returns the file's name without the folder. With @p strength, which may
-   * be null, comes the largest 1/R of each point by the elements' own stresses
-   * (StrengthSweep::inverse_reserve()). @p factor is the time and @p step the
-   * cycle that ParaView shows.
+   * solution_STEP.vtu and returns the file's name without the folder. Each
+   * section cell of each axis element is a higher-order hexahedron at
+   * positions displaced by u (subtract `displacement` for the undeformed
+   * scene). Strains and stresses are discontinuous between elements, hence
+   * given per ply. Cells have the number of the ply (from 1 at the bottom),
+   * the fiber direction and the number of the body (from 1). @p strength,
+   * which may be null, adds the largest 1/R of each point by the elements' own
+   * stresses (StrengthSweep::inverse_reserve()). ParaView shows @p factor as
+   * the time and @p step as the cycle.
    *
-   * Cells are of Body::picture_degrees(), 4 at most along each coordinate.
-   * Values are pictures, not numbers: single precision, displacements and
-   * positions rounded to 2^-24 of what is largest in the file, each component
-   * of strains and stresses to 2^-11 of its largest in the element, or 2^-24 of
-   * the largest component in the file if that is more.
+   * Cells have the degrees Body::picture_degrees(), at most 4. Values are for
+   * pictures: single precision, displacements and positions rounded to 2^-24
+   * of the largest in the file, components of strains and stresses to 2^-11 of
+   * their largest in the element, or 2^-24 of the largest component in the
+   * file if that is more.
    *
-   * Several processes write solution_STEP.PROCESS.vtu each, of their elements,
-   * and solution_STEP.pvtu for all of them, whose name is returned: all call
-   * this. Throws InputError, on all, if one cannot write.
+   * Several processes write solution_STEP.PROCESS.vtu for their elements each,
+   * and solution_STEP.pvtu for all of them, whose name is returned.
+   * Collective. Throws InputError, on all processes, if one cannot write.
    */
   std::string
   write_vtu(const std::string   &directory,
@@ -42,9 +42,9 @@ namespace lamella
             const BlockVector   &u,
             const StrengthSweep *strength = nullptr);
 
-  /// Writes @p name.pvd into @p directory, the collection of (load step, file)
-  /// for ParaView, if there are @p files; one of the same name is replaced.
-  /// Throws InputError if it cannot. One process calls it.
+  /// Writes @p name.pvd into @p directory, a collection of (load step, file)
+  /// for ParaView, if there are @p files; replaces an earlier one. Throws
+  /// InputError if it cannot. Called by one process.
   void
   write_pvd(const std::string                                 &directory,
             const std::string                                 &name,

@@ -14,8 +14,8 @@
 
 namespace lamella
 {
-  /// Numbers of a VTU file with a name, those of one point or cell after
-  /// another, @p n_components of each.
+  /// Named numbers of a VTU file, point by point or cell by cell, with
+  /// @p n_components each.
   struct VtuArray
   {
     std::string  name;
@@ -27,23 +27,23 @@ namespace lamella
       values;
   };
 
-  /// An unstructured grid with fields, as VTK's readers take it.
+  /// An unstructured grid with fields, in the layout of VTK.
   struct VtuGrid
   {
     /// VTK's numbers of cell types.
     static constexpr std::uint8_t vertex = 1, quadrilateral = 9,
                                   lagrange_hexahedron = 72;
-    /// Of `of_cells` the array with the three degrees of each Lagrange
-    /// hexahedron; readers know it by this name.
+    /// Name by which readers find the array of `of_cells` with the three
+    /// degrees of each Lagrange hexahedron.
     static constexpr const char *degrees_name = "HigherOrderDegrees";
 
-    /// Three components.
+    /// Points, with three components.
     VtuArray points{"points", 3, {}};
-    /// The points of all cells, where those of each end, and the cells' types.
+    /// Points of all cells, ends of the cells therein, and cell types.
     std::vector<std::int32_t> connectivity, offsets;
     std::vector<std::uint8_t> types;
     std::vector<VtuArray>     at_points, of_cells;
-    /// The time and the cycle that readers show.
+    /// Time and cycle that readers show.
     std::optional<std::pair<double, unsigned int>> time;
 
     /// Adds a cell with the points @p corners.
@@ -57,13 +57,10 @@ namespace lamella
     }
   };
 
-  /**
-   * Writes @p grid as a .vtu: arrays as they are in memory behind the XML
-   * (`appended`, `raw`), compressed by zlib at its fastest in blocks, each
-   * array once. Compresses arrays side by side where the run has threads. The
-   * file is of version 2.2, whose Lagrange hexahedra are numbered as those of
-   * VTK 9; cells with degrees of their own need VTK 9.0.
-   */
+  /// Writes @p grid as a .vtu: raw appended arrays, compressed in blocks by the
+  /// fastest zlib level, in parallel if the run has threads. The file has
+  /// version 2.2, in which Lagrange hexahedra are numbered as in VTK 9; cells
+  /// with individual degrees need VTK 9.0.
   void
   write_vtu_file(std::ostream &out, const VtuGrid &grid);
 
@@ -73,13 +70,11 @@ namespace lamella
                   const VtuGrid                  &grid,
                   const std::vector<std::string> &parts);
 
-  /**
-   * The place in VTK's order of the points of a Lagrange hexahedron of the
-   * degrees @p n of the point (@p i, @p j, @p k) of its lattice: corners first,
-   * then edges, faces and the inside. The corners go round below, then above,
-   * and the upright edges likewise; of edges and faces come first those along
-   * the first coordinate, normal to it.
-   */
+  /// Returns the number, in VTK's order, of the lattice point (@p i, @p j,
+  /// @p k) of a Lagrange hexahedron of degrees @p n: corners first, then edges,
+  /// faces and the inside. Corners and upright edges are in cyclic order, lower
+  /// corners first; edges along, and faces normal to, the first coordinate come
+  /// first.
   unsigned int
   vtk_hexahedron_point(const std::array<unsigned int, 3> &n,
                        const unsigned int                 i,

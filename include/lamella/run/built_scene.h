@@ -23,20 +23,20 @@
 namespace lamella
 {
   /**
-   * A scene with all that is made of it before anything is solved, which is all
-   * that a scene can be wrong in: sections, bodies with the fields of their
-   * nodes, supports, loads, contacts with their gap rows, the places of probes.
-   * No stiffness matrix is assembled.
+   * A scene with all objects built from it before the solution: sections,
+   * bodies with the fields of their nodes, supports, loads, contacts with
+   * their gap rows, places of probes. All errors of a scene are found here. No
+   * stiffness matrix is assembled.
    *
-   * It neither moves nor is copied: what solves refers to its parts. On several
-   * processes each builds and holds all of it.
+   * It is neither movable nor copyable, since solvers refer to its parts. Each
+   * process holds all of it.
    */
   class BuiltScene
   {
   public:
-    /// Throws InputError. Progress goes to @p out, seconds to @p timer. What it
-    /// needs of @p scene is copied. Fields of SV-N are chosen by @p rules.
-    /// Collective.
+    /// Builds @p scene, of which a copy is kept, with fields of SV-N by
+    /// @p rules. Progress goes to @p out, seconds to @p timer. Throws
+    /// InputError. Collective.
     BuiltScene(const Scene         &scene,
                const FieldRules    &rules,
                std::ostream        &out,
@@ -45,8 +45,8 @@ namespace lamella
     BuiltScene &
     operator=(const BuiltScene &) = delete;
 
-    /// As it was given, with the axes that grade themselves made, and resolved
-    /// what was automatic.
+    /// Returns the scene as given, with graded axes and automatic choices
+    /// resolved.
     const Scene &
     scene() const
     {
@@ -58,14 +58,14 @@ namespace lamella
     Scene
     anew() const;
 
-    /// By which the fields of SV-N were chosen.
+    /// Returns the rules by which the fields of SV-N were chosen.
     const FieldRules &
     rules() const
     {
       return field_rules;
     }
 
-    /// All sections of the scene, whether a body has them or not.
+    /// Returns the meshes of all sections of the scene, used or not.
     const SectionMeshes &
     sections() const
     {
@@ -78,54 +78,51 @@ namespace lamella
       return *whole;
     }
 
-    /// A line a body: its model, what that is foreseen to cost, and why it is
-    /// this one.
+    /// Prints a line per body: its model, the estimated cost, and the reason.
     void
     print_plans(std::ostream &out) const;
 
-    /// Of each contact its rows with their geometry.
+    /// Returns the rows and geometry of each contact.
     const std::vector<ContactInterface> &
     interfaces() const
     {
       return contacts;
     }
 
-    /// A view of these rows, numbered through.
+    /// Returns a view of these rows with consecutive numbers.
     const GapRows &
     rows() const
     {
       return gap_rows;
     }
 
-    /// Takes the view anew: where contacts were paired anew, which gives them
-    /// other rows.
+    /// Renews rows() after contacts were paired anew, which changes their rows.
     void
     number_rows()
     {
       gap_rows = GapRows(contacts);
     }
 
-    /// Says in @p found, which has them already, what contacts are paired like
-    /// now: numbers of rows and of points without a partner, and what carries
-    /// them. Gaps of the start stay.
+    /// Updates the pairing in @p found: numbers of rows and of unpaired points,
+    /// and slave surfaces. Initial gaps stay.
     void
     tell_pairs(std::vector<ContactFacts> &found) const;
 
-    /// The lives of the contacts, each of which writes its interface.
+    /// Returns the contacts, each of which updates its interface.
     const Contacts &
     contact_lives() const
     {
       return lives;
     }
 
-    /// The places of probes, lines and cuts in their bodies.
+    /// Returns the places of probes, lines and cuts in their bodies.
     const Sampler &
     sampler() const
     {
       return *places;
     }
 
-    /// Null where the scene asks for no criteria.
+    /// Returns the strength analysis; null if the scene has no criteria.
     const StrengthSweep *
     strength() const
     {
@@ -139,40 +136,39 @@ namespace lamella
       return *units_check;
     }
 
-    /// @p quantities, which are of the scene, those that only References ask
-    /// for in the lower ply where their probe lies between two. Throws
-    /// InputError for one that names a ply that its probe is not in, or none
-    /// where plies differ (Sampler::check()). Goals are such.
+    /// Returns @p quantities of the scene, as goals are; those that only
+    /// References request are set to the lower ply if their probe lies between
+    /// two. Throws InputError for a ply that its probe is not in, and for a
+    /// missing one where plies differ (Sampler::check()).
     std::vector<NamedQuantity>
     in_plies(std::vector<NamedQuantity> quantities) const;
 
-    /// What acts on faces in @p state, that of load factor @p factor.
+    /// Returns the tractions on faces in @p state at load factor @p factor.
     FaceTractions
     tractions_at(const State &state, const LoadFactor &factor) const;
 
-    /// Contact, body and position of the gap row @p row, for messages.
+    /// Returns contact, body and position of the gap row @p row, for messages.
     std::string
     describe_row(const unsigned int row) const;
 
-    /// What results say of the scene itself: names, sizes, notes; no step.
+    /// Returns results of the scene itself: names, sizes, notes; no step.
     Results
     facts() const;
 
   private:
-    /// Section meshes, bodies, supports, loads and stabilising springs.
+    /// Builds section meshes, bodies, supports, loads and stabilizing springs.
     void
     build_structure(std::ostream &out);
-    /// The bodies, each node with the fields that the scene wants there: where
-    /// they depend on what touches a body, conditions and contacts are made
-    /// once to see it.
+    /// Returns the bodies with the fields that the scene requests at each node.
+    /// If they depend on contact and supports, conditions and contacts are made
+    /// once before, to find where these are.
     Bodies
     make_bodies_with_fields();
-    /// Finds the motions that holds among the supports take out of
-    /// @p bodies, which are made; contacts are, once more, to see what may
-    /// touch them.
+    /// Finds the motions of @p bodies that isostatic supports remove. Contacts
+    /// are made once more, to find which bodies may touch.
     void
     hold_bodies(const Bodies &bodies);
-    /// Search and pairing: the gap rows of all contacts, none twice.
+    /// Searches and pairs the gap rows of all contacts, without duplicates.
     void
     build_contacts();
     /// Returns the initial overlap of contact number @p contact at @p at
@@ -187,11 +183,11 @@ namespace lamella
     /// Appends the notes on the scene to @p found.
     void
     add_notes(Results &found) const;
-    /// Throws InputError for a goal or a quantity of a trade that asks for the
-    /// pressure of a strip that is on no contact's surface.
+    /// Throws InputError for a goal or a trade quantity that requests the
+    /// pressure of a strip outside all contact surfaces.
     void
     check_strips() const;
-    /// Probes, lines, cuts, goals, criteria.
+    /// Builds probes, lines, cuts, goals, criteria.
     void
     build_requests();
 
@@ -202,9 +198,9 @@ namespace lamella
     std::vector<ContactInterface> contacts;
     GapRows                       gap_rows;
     Contacts                      lives;
-    /// What the choice of fields has to say.
+    /// Notes from the choice of fields.
     std::vector<std::string> field_notes;
-    /// Of each body, why its nodes carry the fields that they do.
+    /// Reason for the fields of each body's nodes.
     std::vector<std::string>       reasons;
     std::unique_ptr<Sampler>       places;
     std::unique_ptr<StrengthSweep> sweep;

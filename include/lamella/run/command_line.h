@@ -10,7 +10,7 @@
 
 namespace lamella
 {
-  /// What the user asks for, word for word: nothing is looked up in files yet.
+  /// Command line as typed; no file has been read.
   struct CommandLine
   {
     enum class Task
@@ -22,42 +22,41 @@ namespace lamella
       new_scene        ///< a commented scene to begin with (write_new_scene)
     };
     Task task = Task::run;
-    /// The scene's file, of a report the folder of results, of a new scene its
-    /// name; may be empty with
-    /// --help, --version and --print-parameters only.
+    /// File of the scene; for a report the folder of results, for a new scene
+    /// its name. May be empty with --help, --version and --print-parameters
+    /// only.
     std::string scene;
-    /// As given, or the default of the task: a folder, of an export the deck,
-    /// of a report the page.
+    /// Output as given, or the default of the task: a folder; for an export the
+    /// deck, for a report the page.
     std::string output;
-    /// Whether it is as given: then --validate leaves its sections there.
+    /// True if `output` was given: --validate writes its sections there then.
     bool output_is_given = false;
-    /// Of CalculiX; empty if not given.
+    /// Options of CalculiX; empty if not given.
     std::string element, contact_stiffness;
-    /// Of a new scene: which template.
+    /// Template of a new scene.
     std::string kind;
-    /// PATH=VALUE each, of --set, in their order.
+    /// Overrides PATH=VALUE of --set, in their order.
     std::vector<std::string> overrides;
-    /// Of this process, 1 to 1024.
+    /// Number of threads of this process, 1 to 1024.
     unsigned int threads = 1;
-    /// Go on with the run in `output`.
+    /// Resume the run in `output`.
     bool resume = false;
-    /// Build the scene and print what it amounts to, without solving.
+    /// Build the scene and print a summary of it, without solving.
     bool validate = false;
-    /// Print all entries; with a scene as they are resolved.
+    /// Print all entries; with a scene, their resolved values.
     bool print_parameters = false;
-    /// Print these and do nothing else.
+    /// Print version or help and exit.
     bool version = false;
     bool help    = false;
 
-    /// The words behind the program's name. Throws InputError for words that it
-    /// does not know, for an option without its value, for options that belong
-    /// to another task or contradict each other, and for no scene where one is
-    /// needed.
+    /// Returns the parsed words after the program's name. Throws InputError for
+    /// unknown words, options without their value, options of another task or
+    /// in contradiction, and a missing scene.
     static CommandLine
     parse(const std::vector<std::string> &words);
   };
 
-  /// The word before the scene; none for a run.
+  /// Word before the scene; none for a run.
   template <>
   struct Names<CommandLine::Task>
   {
@@ -68,8 +67,8 @@ namespace lamella
       {CommandLine::Task::new_scene, "new"}};
   };
 
-  /// The text of --help, with what the exit status means: 0 done, 1 a fault of
-  /// the input (InputError), 2 a failure of the numerics (NumericsError).
+  /// Returns the text of --help, with the exit status: 0 success, 1 error in
+  /// the input (InputError), 2 failure of the numerics (NumericsError).
   std::string
   usage();
 } // namespace lamella

@@ -15,65 +15,66 @@
 
 namespace lamella
 {
-  /// Throws InputError of `Find` if no load factor changes anything: without a
-  /// load that is not zero (temperatures do not grow), weight, or a
-  /// displacement of a support or an obstacle.
+  /// Throws InputError of `Find` if nothing grows with the load factor: no
+  /// nonzero load (temperatures do not grow), weight, or displacement of a
+  /// support or an obstacle.
   void
   require_growth(const Structure                     &structure,
                  const std::vector<ContactInterface> &contacts);
 
   /**
-   * Seeks the load factor at which the smallest reserve factor is 1, between a
-   * load factor that is safe and an upper end: one at which a ply fails, or at
-   * which no state is to be had (rotations beyond their limit, a contact that
-   * does not settle). Load steps come first; where all of them are safe, the
-   * largest is doubled up to ten times. Then the interval is halved until its
-   * ends are within 0.1 %.
+   * Search for the load factor at which the smallest reserve factor is 1. The
+   * interval is between a safe load factor and an upper end, at which a ply
+   * fails or no solution exists (rotations beyond their limit, contact without
+   * convergence). Load steps come first; if all are safe, the largest is
+   * doubled up to ten times. The interval is then bisected to 0.1 %.
    *
-   * So a failure below the load at which states end is found, and where states
-   * end first that load is.
+   * The result is a failure if it comes before the loss of solutions, else the
+   * load at which solutions are lost.
    */
   class FirstFailureSearch
   {
   public:
-    /// Solves at a load factor on the way of a load step, beyond the last one
-    /// where there is none of that number, and puts the reserve factors there
-    /// into the third argument. Throws NumericsError where there is no state.
+    /// Function that solves at a load factor within a load step of a number
+    /// (beyond the last one if there is none of that number) and sets the
+    /// reserve factors in the third argument. Throws NumericsError without a
+    /// solution.
     using Try = std::function<FailureTrial(const double,
                                            const unsigned int,
                                            std::vector<PlyReserve> &)>;
 
-    /// @p out is told of each trial, a line each, and referred to.
+    /// Prints a line per trial to @p out, which is referred to.
     FirstFailureSearch(const Try &try_load, std::ostream &out);
 
-    /// @p steps are those of the run, with the reserve factors of their plies.
+    /// Returns the first failure after the run's @p steps with reserve factors.
     FirstFailure
     find(const std::vector<StepResults> &steps);
 
-    /// What the user should know of it, a sentence without a full stop: that no
-    /// ply fails, or where states end. Empty if neither.
+    /// Returns a sentence without a full stop if no ply fails or solutions are
+    /// lost; else an empty string.
     std::string
     note() const;
 
   private:
-    /// Whether a ply fails at @p factor, where the plies have @p plies.
+    /// Returns whether a ply fails at @p factor with the reserve factors
+    /// @p plies.
     bool
     judge(const double factor, const std::vector<PlyReserve> &plies);
-    /// Solves at @p factor on the way of load step @p leg and judges; without a
-    /// state that is an upper end.
+    /// Solves at @p factor within load step @p leg and narrows the interval;
+    /// without a solution, @p factor is an upper end.
     void
     attempt(const double factor, const unsigned int leg);
-    /// The nearer one of the two upper ends; none where there is no such end.
+    /// Returns the smaller one of the two upper ends, if any.
     std::optional<double>
     upper() const;
-    /// Whether the interval is as narrow as is asked for.
+    /// Returns whether the interval is narrow enough.
     bool
     is_narrow() const;
 
     Try           try_load;
     std::ostream &out;
     FirstFailure  result;
-    /// Where there is no state, and why.
+    /// Load factor without a solution, and the reason.
     std::optional<double> without_state;
     std::string           reason;
   };

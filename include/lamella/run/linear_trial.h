@@ -11,50 +11,50 @@
 namespace lamella
 {
   /**
-   * `Rotations = auto`: the scene is solved with linear kinematics, whatever
-   * comes of it, and what that leaves out is the largest of
-   *   r        what stretching stiffens forces by (BeyondLinear::stiffening),
-   *   theta^2  the square of the largest rotation [rad], which deflections are
-   *            off by, to the order; theta itself where loads turn along,
-   *   a        by how much compression makes displacements grow
-   *            (BeyondLinear::amplification),
-   * over all load steps. Above `worth_turning` = 2e-3, where loads are above
-   * those that buckle, rotations are above their limit, or there is no linear
-   * result, large rotations are taken; linear ones wherever large ones are
-   * refused as the scene is built.
+   * Choice for `Rotations = auto`. The scene is solved with linear kinematics,
+   * and the effect of large deflections is estimated as the largest of
+   *   r        stiffening by tension (BeyondLinear::stiffening),
+   *   theta^2  square of the largest rotation [rad], the order of the error of
+   *            deflections; theta with follower loads,
+   *   a        amplification by compression (BeyondLinear::amplification)
+   * over all load steps. Large rotations are chosen if it exceeds
+   * `worth_turning` = 2e-3, if loads exceed buckling loads, if rotations
+   * exceed their limit, or if the linear solution fails. Linear ones are kept
+   * if large ones are refused when the scene is built.
    */
   class LinearTrial
   {
   public:
-    /// Builds @p scene, which is out of @p text, with large rotations, too, and
-    /// solves it with linear ones. Throws InputError as the Simulation does.
+    /// Builds @p scene, read from @p text, with linear and with large
+    /// rotations, and solves the linear one. Throws InputError as Simulation
+    /// does.
     LinearTrial(const Scene &scene, const SceneText &text, std::ostream &out);
 
-    /// Whether the linear run is the result.
+    /// Returns whether the linear run is the result.
     bool
     suffices() const
     {
       return is_enough;
     }
 
-    /// The linear run, solved, if it suffices, else that of large rotations,
-    /// not solved. The other one's memory is given back.
+    /// Returns the linear run, solved, if it suffices, else the run with large
+    /// rotations, not solved. The other one is deleted.
     Simulation &
     chosen() const
     {
       return is_enough ? *linear : *large;
     }
 
-    /// Calls @p bars and writes the linear run, which suffices, into
+    /// Calls @p bars and writes the linear run, which must suffice, into
     /// @p directory.
     void
     write(const std::string &directory, const Afterthought &bars) const;
 
   private:
-    /// Makes the simulation of large rotations, or says why not.
+    /// Makes the simulation with large rotations, or stores why it is refused.
     void
     build_large(const Scene &scene, const SceneText &text, std::ostream &out);
-    /// Looks at what the linear run came to.
+    /// Evaluates the results of the linear run.
     void
     judge(const Scene &scene);
 

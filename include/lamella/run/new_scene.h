@@ -9,14 +9,14 @@
 
 namespace lamella
 {
-  /// The kinds of scenes that there are templates of, the default first.
+  /// Returns the kinds of templates for new scenes, the default first.
   std::vector<std::string>
   kinds_of_new_scenes();
 
-  /// Writes the template @p kind as the scene NAME.prm, @p name with or without
-  /// that ending and with its folder, and tells @p out what to do with it.
-  /// Throws InputError for a kind that there is none of, and for a file that is
-  /// there already or cannot be written.
+  /// Writes the template @p kind as the scene NAME.prm and prints the next
+  /// steps to @p out. @p name includes the folder; the ending is optional.
+  /// Throws InputError for an unknown kind, and for a file that exists or
+  /// cannot be written.
   void
   write_new_scene(const std::string &name,
                   const std::string &kind,

@@ -31,30 +31,28 @@ namespace lamella
     double       y, longest;
   };
 
-  /**
-   * Makes results of what a load step came to: fields at probes, lines and
-   * cuts, contact pairs, reserve factors of plies, measures, and what the user
-   * should know of it. Refers to the scene.
-   */
+  /// Recorder of load step results: fields at probes, lines and cuts, contact
+  /// pairs, reserve factors of plies, measures, and warnings. Refers to the
+  /// scene.
   class StepRecorder
   {
   public:
-    /// @p facts, referred to, has the names of @p built's probes, lines and
-    /// cuts. @p cured is the state at load factor zero of heated bodies, whose
-    /// stresses stay when loads grow; null where nothing is heated.
+    /// Refers to @p facts, which has the names of @p built's probes, lines and
+    /// cuts. @p cured is the state of heated bodies at load factor zero, whose
+    /// stresses stay when loads grow; null if nothing is heated.
     StepRecorder(const BuiltScene                  &built,
                  const Results                     &facts,
                  std::shared_ptr<const BlockVector> cured = nullptr);
 
-    /// What step number @p step, from 1, came to, all but measures and what the
-    /// strategy has learnt; @p previous, the state of the step before, tells
-    /// which pairs began and ceased to touch.
+    /// Returns the results of step number @p step, from 1, without measures and
+    /// the strategy's data. @p previous, the state of the step before, shows
+    /// which pairs opened and closed.
     StepResults
     record(const unsigned int step,
            const SolvedStep  &solved,
            const State       &previous) const;
 
-    /// The measures of the last of the steps in @p results, into it.
+    /// Adds the measures of the last step to @p results.
     void
     take_measures(Results &results) const;
 
@@ -64,8 +62,8 @@ namespace lamella
     std::string
     note_on_idle_contacts() const;
 
-    /// What @p solved, a state beside the path, says of failure; its reserve
-    /// factors into @p plies. The scene must ask for criteria.
+    /// Returns the failure results of @p solved, a state beside the load path,
+    /// and sets its reserve factors @p plies. The scene must have criteria.
     FailureTrial
     trial(const SolvedStep &solved, std::vector<PlyReserve> &plies) const;
 
@@ -75,24 +73,26 @@ namespace lamella
     warnings_beside(const SolvedStep       &solved,
                     std::vector<PlyReserve> plies) const;
 
-    /// The largest change of what the scene's goals are between @p one and
+    /// Returns the largest change of the scene's goals between @p one and
     /// @p other, two ends of a step from @p before, each over its scale
-    /// (ResultNumbers::scale_of()). Zero if it has none.
+    /// (ResultNumbers::scale_of()). Zero without goals.
     double
     change_of_goals(const SolvedStep &one,
                     const SolvedStep &other,
                     const State      &before) const;
 
   private:
-    /// What goals are asked of: a run whose only step came to @p solved.
+    /// Returns results of a run with @p solved as its only step, to evaluate
+    /// goals.
     Results
     bare_results(const SolvedStep &solved, const State &before) const;
-    /// Whether @p row of @p contact was pressed in the @p previous state.
+    /// Returns whether @p row of @p contact was active in the @p previous
+    /// state.
     bool
     has_touched(const State       &previous,
                 const unsigned int contact,
                 const unsigned int row) const;
-    /// The pairs of all contacts, into @p results.
+    /// Writes the pairs of all contacts into @p results.
     void
     take_contacts(const SolvedStep &solved,
                   const State      &previous,
@@ -105,11 +105,12 @@ namespace lamella
     /// in @p sampled.
     std::vector<std::string>
     warnings(const SolvedStep &solved, const StepResults &sampled) const;
-    /// Of bodies that turn, where rollers touch them at few points.
+    /// Returns warnings of bodies with finite rotations that rollers touch at
+    /// few points.
     std::vector<std::string>
     warnings_of_rollers(const SolvedStep &solved) const;
-    /// Throws UndetectedPenetration where a body or an obstacle is inside of a
-    /// body between its contact points, and nothing touches.
+    /// Throws UndetectedPenetration if a body or an obstacle penetrates an
+    /// inactive contact between its points.
     void
     require_found(const SolvedStep &solved) const;
     [[noreturn]] void
@@ -133,12 +134,13 @@ namespace lamella
     /// others (ContactPair::part_of) in those others.
     Checks
     with_parts(Checks checks) const;
-    /// The largest couple of a load, or force of a load, a support or a contact
-    /// over the size of the scene, where forces of nodes are not all there is.
+    /// Returns the largest couple of a load, or force of a load, support or
+    /// contact times the size of the scene; if these are rounding, the largest
+    /// nodal force times that size.
     double
     largest_moment(const SolvedStep &solved) const;
-    /// What the holds of bodies bear where forces do not balance in
-    /// motions that they take out.
+    /// Returns warnings of forces in isostatic supports if the loads are not in
+    /// equilibrium in the removed motions.
     std::vector<std::string>
     warnings_of_holds(const SolvedStep &solved) const;
     /// Returns the numbers of the contacts of note_on_idle_contacts().
@@ -148,7 +150,7 @@ namespace lamella
     /// which strains a body.
     bool
     has_carried_force(const unsigned int c) const;
-    /// What is to be said of stresses whose equilibrium does not close.
+    /// Returns warnings of stresses by equilibrium that do not balance.
     std::vector<std::string>
     warnings_of_closures(const Closures &closures) const;
 

@@ -8,10 +8,11 @@
 
 namespace lamella
 {
-  /// Throws InputError for what in @p scene, whose top level is @p in, friction
-  /// is not made for: a matrix that is not symmetric (`full`), and passes of a
-  /// run to a tolerance, which make no load steps shorter; and for what a scene
-  /// without friction has not got: Substeps, and what a contact dissipates.
+  /// Throws InputError for entries of @p scene, whose top level is @p in, that
+  /// friction does not allow: the strategy `full`, since the matrix is not
+  /// symmetric, and runs to a tolerance, which do not refine load steps. Throws
+  /// it also for entries that need friction: Substeps, and the dissipation of a
+  /// contact.
   void
   check_friction(const Scene &scene, const Entries &in);
 } // namespace lamella

@@ -17,7 +17,7 @@
 
 namespace lamella
 {
-  /// Whether a run estimates the errors of its goals.
+  /// Modes of the error estimation of goals.
   enum class ErrorBars
   {
     undefined,
@@ -36,38 +36,38 @@ namespace lamella
                                                 {ErrorBars::never, "false"}};
   };
 
-  /// The entries of `subsection Goals`: the numbers that a run is made for.
+  /// Entries of `subsection Goals`: the numbers that a run is made for.
   struct GoalParameters
   {
-    /// Those named; else those that the scene gives References for, or that
-    /// its Trade names.
+    /// Quantities named; by default those with References or named by Trade.
     std::vector<NamedQuantity> quantities;
-    /// Probes of which, where nothing is named, the largest displacement and
-    /// stress are taken.
+    /// Probes whose largest displacement and stress are the goals by default.
     std::vector<std::string> whole_probes;
-    /// Of each quantity, or one for all. Empty: none is asked for.
+    /// Tolerance of each quantity, or one for all; empty if there is none.
     std::vector<Tolerance> tolerances;
     ErrorBars              bars = ErrorBars::undefined;
-    /// What a run to a tolerance may take; 0: what it wants.
+    /// Limits of a run to a tolerance; 0: none.
     unsigned int budget_dofs    = 0;
     double       budget_seconds = 0.;
-    /// Whether the scene says nothing of its Theory, so that a run to a
-    /// tolerance may begin with what suits it.
+    /// True if the scene sets no Theory, so that a run to a tolerance may
+    /// choose the first one.
     bool theory_is_assumed = false;
     /// Names of the bodies whose axis elements the scene leaves open.
     std::set<std::string> axes_are_assumed;
 
-    /// Declares them in `subsection Goals`, which must be entered.
+    /// Declares the entries in `subsection Goals`, which must be entered.
     static void
     declare(dealii::ParameterHandler &prm);
 
-    /// From `subsection Goals`. @p of_trade are the quantities that a trade
-    /// names. Throws InputError for a quantity that nothing of @p names gives,
-    /// a tolerance that is not above 0 and at most 100 per cent or below
-    /// 1e-6 per cent, the least that a bar can be (error_bar.h), one with
-    /// another unit than @p units label its quantity with, one without per
-    /// cent for quantities that have no unit in common, and another number of
-    /// them than one or one for each quantity.
+    /**
+     * Returns the entries of `subsection Goals`. @p of_trade are the
+     * quantities that a trade names. Throws InputError for: a quantity not in
+     * @p names; a tolerance that is not above 0 and at most 100 per cent, or
+     * is below 1e-6 per cent, the shortest bar (error_bar.h); a tolerance in
+     * another unit than @p units gives its quantity; a tolerance that is not
+     * in per cent for quantities without a common unit; and a number of
+     * tolerances that is neither one nor that of the quantities.
+     */
     static GoalParameters
     parse(const Entries                    &in,
           const QuantityNames              &names,

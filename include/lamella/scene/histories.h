@@ -9,14 +9,14 @@
 
 namespace lamella
 {
-  /// The subsection of the first support, load or obstacle of @p scene, in this
-  /// order, that has `Factors` of its own, as in `Load push`; empty if all go
-  /// with the load factor of the scene.
+  /// Returns the subsection, as `Load push`, of the first support, load or
+  /// obstacle of @p scene, in this order, with `Factors` of its own; empty if
+  /// all follow the load factor of the scene.
   std::string
   first_with_factors(const Scene &scene);
 
-  /// The first contact of @p scene with friction, which makes a state depend on
-  /// those before it; null if there is none.
+  /// Returns the first contact of @p scene with friction, which makes states
+  /// depend on the load path; null if there is none.
   const ContactPair *
   first_with_friction(const Scene &scene);
 } // namespace lamella

@@ -8,36 +8,38 @@
 namespace lamella
 {
   /**
-   * @p scene as one of bodies that turn by any angle: these
-   * (BodyDescription::turns), contacts whose rows may slide, and no error bars
-   * unless they are asked for.
+   * Returns @p scene with finite rotations: of its bodies
+   * (BodyDescription::turns), with contacts whose rows may slide, and without
+   * error bars unless they are set.
    *
-   * Throws InputError for what large rotations are not made for, entry by
-   * entry: theories that cannot deform as a turned one does, axes that lock,
-   * solid-1, node-dependent theories, Stabilisation and Hold, pairs of
-   * nodes, the full strategy, error bars and tolerances, stresses by
-   * equilibrium, several processes.
+   * Throws InputError for entries that large rotations do not allow: theories
+   * without finite-rotation kinematics, axes that lock, solid-1,
+   * node-dependent theories, Stabilisation and Hold, pairs of nodes, the full
+   * strategy, error bars and tolerances, stresses by equilibrium, several
+   * processes.
    */
   Scene
   turning(Scene scene);
 
-  /// Whether bodies of @p theory turn by any angle.
+  /// Returns whether bodies of @p theory can have finite rotations.
   bool
   can_turn(const Theory &theory);
 
-  /// Returns whether `line to roller` is possible for @p contact of @p body: a
-  /// beam's line that is nearest to a roller across the beam.
+  /// Returns whether `line to roller` is possible for @p contact of @p body:
+  /// contact at the line of a beam that is nearest to a roller across the beam.
   bool
   can_be_line(const ContactPair &contact, const BodyDescription &body);
 
-  /// Whether @p scene has what is of large rotations alone: loads that follow.
+  /// Returns whether @p scene has entries that need large rotations: follower
+  /// loads.
   bool
   asks_to_turn(const Scene &scene);
 
-  /// Makes @p scene what its `Rotations` say: turning() where they are large.
-  /// Where they are automatic nothing is decided, but linear where turning()
-  /// throws and nothing asks for it, which a warning of the scene says. Throws
-  /// InputError as it does, and for what is of large rotations alone.
+  /// Applies `Rotations` to @p scene: turning() if they are large. Automatic
+  /// rotations stay undecided, but become linear, with a warning of the scene,
+  /// if turning() throws and nothing needs large ones. Throws what turning()
+  /// throws, and InputError for linear rotations with entries that need large
+  /// ones.
   void
   take_rotations(Scene &scene);
 } // namespace lamella

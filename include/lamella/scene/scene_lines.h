@@ -9,17 +9,16 @@
 
 namespace lamella
 {
-  /// @p text with runs of white space as single spaces.
+  /// Returns @p text with each run of white space replaced by a space.
   std::string
   collapsed(const std::string &text);
 
-  /// How messages begin that are about the line @p line of @p file.
+  /// Returns the beginning of messages about line @p line of @p file.
   std::string
   place_in(const std::string &file, const unsigned int line);
 
-  /// Throws InputError, beginning with @p file, for bytes that no text of a
-  /// scene has; returns it without the mark that some editors put before
-  /// UTF-8.
+  /// Returns @p text without a UTF-8 byte order mark. Throws InputError, with
+  /// @p file first, for bytes that are invalid in a scene.
   std::string
   checked_bytes(const std::string &text, const std::string &file);
 } // namespace lamella

@@ -14,107 +14,99 @@
 namespace lamella
 {
   /**
-   * The text of a scene, looked at before ParameterHandler parses it. That one
-   * lets a repeated entry win in silence and does not know what an unknown
-   * entry was meant to be; this class does, and it knows the line of each
-   * entry.
+   * The text of a scene with its lines, checked before ParameterHandler parses
+   * it: repeated entries are refused, and messages have line numbers and
+   * suggest the nearest known entry for an unknown one.
    *
-   * The grammar, a line each:
-   *   subsection NAME      opens one; they nest
+   * The grammar, by lines:
+   *   subsection NAME      opens a subsection; they nest
    *   end                  closes it
-   *   set ENTRY = VALUE    an entry of the open subsection
-   * '#' begins a comment ('\\#' is a '#' of the value), a backslash at the end
-   * joins the next line. An entry is known by its path, the names of its
-   * subsections and its own with '/' between them; white space in names
-   * collapses to single blanks. The text is UTF-8.
-   *
-   * It knows nothing of mechanics: what may be said stands in a
-   * ParameterHandler that others have declared.
+   *   set ENTRY = VALUE    sets an entry of the open subsection
+   * '#' begins a comment ('\\#' is a '#' of the value); a backslash at the end
+   * joins the next line. The path of an entry is the names of its subsections
+   * and its own, joined by '/'; white space in names collapses to single
+   * blanks. The text is UTF-8. Permitted entries are those declared in a
+   * ParameterHandler.
    */
   class SceneText
   {
   public:
-    /// An entry with its value, or a subsection, which has none.
+    /// An entry with its value, or a subsection without one.
     struct Item
     {
-      /// `Body upper/Kinematics/Theory`.
+      /// Path, as `Body upper/Kinematics/Theory`, and value.
       std::string path, value;
-      /// Where it stands in the file, from 1; 0 if it is from --set.
+      /// Line in the file, from 1; 0 for --set.
       unsigned int line = 0;
     };
 
-    /**
-     * Takes the text of the file named @p file and replaces what the
-     * @p overrides set, each PATH=VALUE as of --set. Throws InputError for what
-     * is neither `subsection`, `set` nor `end`, for subsections that are not
-     * closed, for entries and subsections that come twice, for values that a
-     * comment has swallowed, for bytes that are no UTF-8, and for a text
-     * without any entry. An override of an entry that the text does not have
-     * adds it, with its subsections; whether there is such an entry shows in
-     * check_declared(). Of equal overrides the last counts.
-     */
+    /// Parses @p text of the file named @p file and applies @p overrides, each
+    /// PATH=VALUE as of --set; of equal ones the last counts, and new entries
+    /// are added with their subsections (check_declared() finds unknown ones).
+    /// Throws InputError for lines other than `subsection`, `set` and `end`,
+    /// open subsections, repeated entries and subsections, values hidden by a
+    /// comment, bytes that are not UTF-8, and a text without entries.
     SceneText(const std::string              &text,
               const std::string              &file,
               const std::vector<std::string> &overrides);
 
-    /// Reads the file named @p file. Throws InputError if it cannot, if that
-    /// has more than 16 MB, and as the constructor does.
+    /// Reads the file named @p file. Throws InputError if it cannot be read or
+    /// exceeds 16 MB, and what the constructor throws.
     static SceneText
     read(const std::string &file, const std::vector<std::string> &overrides);
 
-    /// Sets the entries of @p prm to what the scene says, overrides among it;
-    /// with @p top_level_only what stands in subsections is left out. All must
-    /// be declared. Throws InputError for a value that does not match the
-    /// pattern of its entry.
+    /// Sets the entries of @p prm to the values of the scene with overrides;
+    /// with @p top_level_only without those in subsections. All must be
+    /// declared. Throws InputError for a value that does not match the pattern
+    /// of its entry.
     void
     fill(dealii::ParameterHandler &prm,
          const bool                top_level_only = false) const;
 
-    /// All entries of @p prm, in the order of their declaration, as a scene of
-    /// its own, '#' in values as '\\#'.
+    /// Returns all entries of @p prm, in the order of declaration, as the text
+    /// of a scene, with '#' in values as '\\#'.
     static std::string
     printed(const dealii::ParameterHandler &prm);
 
-    /// @p scene, as printed() makes it, with @p value for the entry @p name in
-    /// the subsection @p path at the top level, where it says `auto` there.
+    /// Returns @p scene, made by printed(), with @p value in place of `auto`
+    /// for the entry @p name of the top-level subsection @p path.
     static std::string
     with_automatic(std::string        scene,
                    const std::string &path,
                    const std::string &name,
                    const std::string &value);
 
-    /// Removes the subsections `KIND NAME`, with all in them, whose name is not
-    /// among @p names, if --set gave the list @p list: leaving a name out there
-    /// is to leave out what it names.
+    /// Removes the subsections `KIND NAME` with names not among @p names if
+    /// --set gave the list @p list: names left out there are meant to be
+    /// removed.
     void
     drop_unlisted(const std::string              &list,
                   const std::string              &kind,
                   const std::vector<std::string> &names);
 
     /// Throws InputError, at the line of the list @p list, if one of its
-    /// @p names has no subsection `KIND NAME` while the name of a subsection of
-    /// this kind is not among them: one of the two is a slip.
+    /// @p names has no subsection `KIND NAME` while a subsection of this kind
+    /// is not among them: one of the two is misspelled.
     void
     check_listed(const std::string              &list,
                  const std::string              &kind,
                  const std::vector<std::string> &names) const;
 
-    /// Where the file lies: what paths in the scene are relative to. Empty for
-    /// the present folder.
+    /// Returns the folder of the file, which paths in the scene are relative
+    /// to; empty for the current folder.
     std::string
     folder() const;
 
-    /// What the text, or an override, says of the entry @p path; none if it
-    /// does not have it.
+    /// Returns the value of the entry @p path in the text or an override, if
+    /// any.
     std::optional<std::string>
     says(const std::string &path) const;
 
-    /// Says that the entry @p path is @p value, unless the text says something
-    /// of it.
+    /// Sets the entry @p path to @p value unless it has a value.
     void
     assume(const std::string &path, const std::string &value);
 
-    /// Says that the entry @p path is @p value, whatever the text says of it.
+    /// Sets the entry @p path to @p value.
     void
     replace(const std::string &path, const std::string &value);
 
@@ -122,48 +114,45 @@ namespace lamella
     void
     erase(const std::string &path);
 
-    /// Replaces the subsection @p path by copies of it, with all in them, that
-    /// have the paths @p copies. Each item keeps the line that it had.
+    /// Replaces the subsection @p path by copies of it with the paths
+    /// @p copies. Items keep their lines.
     void
     copy_subsection(const std::string              &path,
                     const std::vector<std::string> &copies);
 
-    /// Whether the text, or an override, has the subsection @p path.
+    /// Returns whether the text, or an override, has the subsection @p path.
     bool
     has_subsection(const std::string &path) const;
 
-    /**
-     * Throws InputError for the first entry or subsection that @p prm does not
-     * declare, naming the nearest that it does: of the same subsection, or for
-     * a subsection of the same kind. With @p top_level_only what stands in
-     * subsections is left out.
-     */
+    /// Throws InputError for the first entry or subsection that @p prm does not
+    /// declare, with the nearest declared one: of the same subsection, or for a
+    /// subsection of the same kind. With @p top_level_only subsections are
+    /// skipped.
     void
     check_declared(const dealii::ParameterHandler &prm,
                    const bool top_level_only = false) const;
 
-    /// @p error with the place of its entry or subsection before it,
-    /// `FILE:LINE: ` (`FILE: ` if none of the text has its path), unless it has
-    /// a place or is of no entry.
+    /// Returns @p error with the place of its entry or subsection, `FILE:LINE:
+    /// ` (`FILE: ` if the text has no part of its path), unless it has a place
+    /// or no entry.
     InputError
     placed(const InputError &error) const;
 
   private:
-    /// Parses @p text into entries and subsections, both in their order;
-    /// @p file begins the messages. Throws InputError for what is no line of
-    /// the grammar.
+    /// Parses @p text into entries and subsections in their order; messages
+    /// begin with @p file. Throws InputError for lines outside the grammar.
     static void
     scan(const std::string &text,
          const std::string &file,
          std::vector<Item> &entries,
          std::vector<Item> &subsections);
 
-    /// `FILE:LINE: ` of @p entry, or `--set: `.
+    /// Returns `FILE:LINE: ` of @p entry, or `--set: `.
     std::string
     place(const Item &entry) const;
 
-    /// `FILE:LINE: ` of the entry or subsection with the path @p path, or of
-    /// the first above it that the text has, or `FILE: `.
+    /// Returns `FILE:LINE: ` of the entry or subsection @p path, or of its
+    /// nearest parent in the text, or `FILE: `.
     std::string
     place_of(std::string path) const;
 
@@ -172,14 +161,13 @@ namespace lamella
     fail_on_subsection(const Item              &item,
                        const std::vector<Item> &declared) const;
 
-    /// Puts in @p entry, in the place of that with its path if there is one,
-    /// with the subsections it needs.
+    /// Adds @p entry with its subsections, or replaces the one with its path.
     void
     put(const Item &entry);
 
-    /// Its name, for messages.
+    /// Name of the file, for messages.
     std::string file;
-    /// In the order of the text, overrides of new ones at the end.
+    /// Items in the order of the text; overrides of new ones follow.
     std::vector<Item> entries, subsections;
   };
 } // namespace lamella

@@ -8,17 +8,16 @@
 namespace lamella
 {
   /**
-   * Throws InputError for the first body of @p scene whose stiffness cannot fit
-   * into memory, before a mesh is made: from the numbers of cells, elements and
-   * the order alone, on laminated sections (others are as fine as their shape
-   * wants), of layer-wise beams and solids. With the order p of the expansion,
-   * the degree q of the axis elements (of solids p) and n_x cells across, n_z
+   * Throws InputError for the first body of @p scene whose stiffness cannot
+   * fit into memory. It is called before meshing and counts layer-wise beams
+   * and solids with laminated sections only, since the fineness of other
+   * sections is known from their mesh. With the order p of the expansion, the
+   * degree q of the axis elements (p for solids), and n_x cells across, n_z
    * through the thickness and n_y along the axis,
    *   DoFs = 3 (p n_x + 1) (p n_z + 1) (q n_y + 1),
-   * and each couples with those of the cells around it at least, of which there
-   * are 3 (p + 2)^2 (q + 2) on average; a non-zero takes 24 bytes. Bodies of
-   * less than 2e5 DoFs pass: they are made in no time, and MemoryBudget then
-   * tells exactly.
+   * each coupled with those of the adjacent cells, 3 (p + 2)^2 (q + 2) on
+   * average at least; a non-zero takes 24 bytes. Bodies below 2e5 DoFs pass:
+   * they are built quickly, and MemoryBudget is exact then.
    */
   void
   check_sizes(const Scene &scene);

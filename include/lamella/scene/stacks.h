@@ -8,23 +8,22 @@
 namespace lamella
 {
   /**
-   * Writes out the stacks of @p text: bodies with `Copies = N`, N > 1. The body
-   * `leaf` becomes leaf-1 to leaf-N, in its place in Bodies and with all
-   * entries of its subsection, but
+   * Expands the stacks of @p text: bodies with `Copies = N`, N > 1. The body
+   * `leaf` becomes leaf-1 to leaf-N, at its place in Bodies and with all
+   * entries of its subsection, except
    *   Origin = Origin + (k - 1) Origin step,
    *   Length = Length + (k - 1) Length step.
-   * Whatever names `leaf` stands for the copies:
-   * - a region `leaf: top` of a support or a load is that of each copy;
-   * - a contact with `leaf` on both sides, `leaf: bottom` and `leaf: top` say,
-   *   becomes NAME-1 to NAME-(N-1), NAME-k between the copies k (the side that
-   *   it has in the text) and k + 1;
-   * - a contact with `leaf` on one side becomes NAME-1 to NAME-N.
-   * Points (probes, lines, cuts) name a copy. What results is a scene like any
-   * other, which is what a run leaves as scene.prm.
+   * References to `leaf` are expanded: - a region `leaf: top` of a support or
+   * a load becomes that of each copy; - a contact with `leaf` on both sides
+   * (as `leaf: bottom` and `leaf: top`)
+   *   becomes NAME-1 to NAME-(N-1), NAME-k between the copies k (the side in
+   *   the text) and k + 1;
+   * - a contact with `leaf` on one side becomes NAME-1 to NAME-N. Points
+   * (probes, lines, cuts) have to name a copy. The result is an ordinary
+   * scene, written by a run as scene.prm.
    *
-   * Throws InputError for steps without copies, for a number of copies that is
-   * none from 1 to 1000, for lengths that fall to zero, and where a generated
-   * name is that of another body or contact.
+   * Throws InputError for steps without copies, a number of copies not in 1 to
+   * 1000, lengths that are not positive, and generated names that exist.
    */
   void
   write_out_stacks(SceneText &text);

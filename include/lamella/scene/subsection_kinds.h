@@ -12,42 +12,40 @@
 
 namespace lamella
 {
-  /// The names in each of the lists that a scene begins with, by list.
+  /// Names in each list at the top of a scene, by list.
   using NameLists = std::map<std::string, std::vector<std::string>>;
 
-  /// What the subsections of a scene are read from, and the scene that they
-  /// become part of.
+  /// Sources from which subsections are read, and the scene that they are added
+  /// to.
   struct SceneReading
   {
     dealii::ParameterHandler &prm;
     const NameLists          &names;
-    /// Where the scene's files lie.
+    /// Folder of the scene's files.
     std::string folder;
-    /// The scene's Theory, the default of its bodies.
+    /// Theory of the scene, the default of its bodies.
     Entry  theory;
     Scene &scene;
   };
 
-  /**
-   * A kind of subsections, `subsection Body NAME` for each NAME of the list
-   * `Bodies`: how it is declared and what becomes of it. Whoever adds a kind
-   * adds a row to subsection_kinds().
-   */
+  /// A kind of subsections, `subsection Body NAME` for each NAME of the list
+  /// `Bodies`: its declaration and its effect on the scene. A new kind is a new
+  /// row of subsection_kinds().
   struct SubsectionKind
   {
     std::string list, kind;
-    /// Declares its entries; the handler is in the subsection.
+    /// Declares the entries; the handler is in the subsection.
     void (*declare)(dealii::ParameterHandler &prm);
-    /// Puts the subsection NAME, of the entries `in`, into the scene. Throws
+    /// Adds the subsection NAME with the entries `in` to the scene. Throws
     /// InputError.
     void (*resolve)(SceneReading      &reading,
                     const std::string &name,
                     const Entries     &in);
-    /// What follows from all of its names together; null of most.
+    /// Completes the scene after all names of the kind; usually null.
     void (*finish)(Scene &scene) = nullptr;
   };
 
-  /// All of them, in the order in which they are listed, printed and resolved.
+  /// Returns all kinds, in the order of listing, printing and resolving.
   const std::vector<SubsectionKind> &
   subsection_kinds();
 } // namespace lamella

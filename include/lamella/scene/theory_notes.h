@@ -11,34 +11,32 @@
 namespace lamella
 {
   /**
-   * Sentences on what the choices of @p scene are known to get wrong, from its
-   * entries alone:
-   * - shear locking of axis elements below B4 with full shear strains, and
+   * Returns sentences, without a full stop, on known errors of the choices of
+   * @p scene, from its entries alone: - shear locking of axis elements below
+   * B4 with full shear strains, and
    *   Poisson locking of LE-1, whose cells cannot contract linearly;
    * - hexahedra of degree 1 on sections that are neither laminates nor thin
    *   walls: incompatible modes help rectangles only;
-   * - EBBT, TBT and TE-1 on layups that twist when they bend: by classical
-   *   lamination theory they are too stiff by EI_untwisted / EI, told from 1 %
-   *   on.
-   * A sentence has no full stop.
+   * - EBBT, TBT and TE-1 on layups with bend-twist coupling: by classical
+   *   lamination theory too stiff by EI_untwisted / EI, reported from 1 % on.
    */
   std::vector<std::string>
   notes_on_choices(const Scene &scene);
 
   /**
-   * Sentences on bodies of @p scene whose theory or axis does not suit them,
-   * from constants of their sections (section/theory_limits.h): EBBT, TBT and
-   * TE-N in the shear of laminates and sandwiches at the length that they have,
-   * TE-N in the torsion of other sections; long elements at ends that supports
-   * hold as a whole. @p meshes are those of the scene's sections.
+   * Returns sentences on bodies of @p scene whose theory or axis is
+   * unsuitable, from constants of their sections (section/theory_limits.h):
+   * EBBT, TBT and TE-N for laminates and sandwiches in shear at their length,
+   * TE-N for other sections in torsion, long elements at clamped ends.
+   * @p meshes are those of the scene's sections.
    *
-   * Shear: with phi = 12 E I / (k G A L^2) of the plies' true shear stiffness
-   * and phi_N of what the theory has (zero for EBBT), bending is too stiff by
-   * (1 + phi) / (1 + phi_N); told from 2 % on. Torsion: G J of the theory on
-   * this mesh over that of LE-2; told from 5 % on, and it costs a solution on
-   * the section. Clamps: what a clamp disturbs dies away within about a width
-   * of the section, but a long element carries it over its own length;
-   * constants measured (doc/theories.md).
+   * Shear: with phi = 12 E I / (k G A L^2) from the true shear stiffness of
+   * the plies and phi_N of the theory (zero for EBBT), bending is too stiff by
+   * (1 + phi) / (1 + phi_N); reported from 2 % on. Torsion: G J of the theory
+   * over that of LE-2 on this mesh, which costs a solution on the section;
+   * reported from 5 % on. Clamps: the disturbance decays within about a width
+   * of the section, but a long element spreads it over its own length;
+   * measured constants (doc/theories.md).
    */
   std::vector<std::string>
   notes_on_theories(const Scene &scene, const SectionMeshes &meshes);

@@ -15,68 +15,67 @@
 
 namespace lamella
 {
-  /// One rung of a ladder: a theory, and how much finer than the scene's its
-  /// meshes are; or a run to a tolerance, which chooses both.
+  /// Variant of a trade: a theory and refinement factors on the meshes of the
+  /// scene, or a run to a tolerance, which chooses both.
   struct LadderEntry
   {
-    /// As the scene says it: `LE-2, axis 2`.
+    /// Name in the scene: `LE-2, axis 2`.
     std::string name;
-    /// `LE-2`, one that Theory::parse() knows; `tolerance 1` of a run to one.
+    /// Theory as known to Theory::parse(), as `LE-2`; `tolerance 1` for a run
+    /// to a tolerance.
     std::string theory;
-    /// Factors on the axis elements and on the section's cells (per direction),
-    /// from 0.05 to 20; 1 of a run to a tolerance.
+    /// Factors on the numbers of axis elements and of section cells per
+    /// direction, 0.05 to 20; 1 for a run to a tolerance.
     double axis = 1., section = 1.;
-    /// PATH=VALUE each, as of --set. Not checked against the scene yet.
+    /// Overrides PATH=VALUE, as in --set; not yet checked against the scene.
     std::vector<std::string> overrides;
-    /// Of a run to a tolerance, as a share of 1 (the scene says it in per
-    /// cent): above 0, at most 1.
+    /// Tolerance of a run to one, as a fraction (per cent in the scene): above
+    /// 0, at most 1.
     std::optional<double> tolerance = {};
   };
 
-  /// What the names in a trade can mean: those of a scene.
+  /// Names of a scene that a trade can use.
   struct TradeNames
   {
     std::vector<std::string> bodies;
     QuantityNames            quantities;
-    /// What `Quantities` of Goals names.
+    /// Quantities named by `Quantities` of Goals.
     std::vector<NamedQuantity> of_goals = {};
   };
 
-  /// The entries of `subsection Trade`, see `lamella trade`.
+  /// Entries of `subsection Trade` (`lamella trade`).
   struct TradeParameters
   {
-    /// At least two, cheap ones first and the finest last.
+    /// Variants, at least two, from cheap to the finest.
     std::vector<LadderEntry> ladder;
-    /// Those named; or those that Goals names; or those that the scene gives
-    /// References for.
+    /// Quantities named; by default those of Goals, or those with References.
     std::vector<NamedQuantity> quantities;
-    /// Probes that Quantities, left empty, asks for without naming columns: the
-    /// largest displacement and stress there are taken. None where the
-    /// reference is `given`, which has no numbers for them.
+    /// Probes in empty Quantities, without columns: the largest displacement
+    /// and stress are taken there. None with the reference `given`, which has
+    /// no numbers for them.
     std::vector<std::string> whole_probes;
-    /// Names of those whose theory and meshes the ladder changes; all by
-    /// default.
+    /// Names of the bodies that the variants change; all by default.
     std::vector<std::string> bodies;
-    /// What errors are taken against: `finest`, the last rung that succeeds;
+    /// Reference of the errors: `finest`, the last variant that succeeds;
     /// `solid`, the last hexahedra that do; `given`, the scene's References; or
-    /// the name of a rung.
+    /// the name of a variant.
     std::string reference = "finest";
-    /// Relative errors that the last sentences ask for, as shares of 1 (the
-    /// scene says them in per cent).
+    /// Relative errors for the closing sentences, as fractions (per cent in the
+    /// scene).
     std::vector<double> tolerances;
-    /// Whether each rung makes the error bars of its own values, too. Runs to a
+    /// True if each variant makes error bars of its own values; runs to a
     /// tolerance always do.
     bool error_bars = false;
-    /// Processor seconds that a rung may take; 0: as long as it wants.
+    /// Largest processor seconds of a variant; 0: no limit.
     double time_limit = 0.;
 
     /// Declares the entries of `subsection Trade`, which must be entered.
     static void
     declare(dealii::ParameterHandler &prm);
-    /// From `subsection Trade`. Throws InputError for a rung that does not
-    /// parse, factors of a run to a tolerance among it, a quantity that no
-    /// probe, support or contact of @p names gives, and references that are
-    /// missing or zero where `given` needs them.
+    /// Returns the entries of `subsection Trade`. Throws InputError for
+    /// variants that do not parse, also factors of a run to a tolerance, for
+    /// quantities that no probe, support or contact of @p names gives, and for
+    /// references that are missing or zero if `given` needs them.
     static TradeParameters
     parse(const Entries &in, const TradeNames &names);
   };

@@ -11,37 +11,34 @@
 
 namespace lamella
 {
-  /// How sections are graded towards their corners.
+  /// Rules for grading sections towards their corners.
   struct CornerRules
   {
-    /// What each layer is of the next one's distance from the corner: between
-    /// the 0.15 that is best for one corner with degrees that grow with the
-    /// layers (Szabo and Babuska, Finite Element Analysis, 1991, sec. 10.2) and
-    /// that of halves there is little to choose.
+    /// Ratio of the distances of successive layers from the corner. The optimum
+    /// for one corner, with degrees that grow with the layers, is 0.15 (Szabo
+    /// and Babuska, Finite Element Analysis, 1991, sec. 10.2); 0.5 is little
+    /// worse.
     double ratio = 0.15;
-    /// A corner is re-entrant if its angle is above this, in degrees: fillets
-    /// that are meshed by a few straight edges are none.
+    /// Angle above which a corner is re-entrant, in degrees. Fillets meshed by
+    /// a few straight edges are below it.
     double least_angle = 225.;
   };
 
-  /**
-   * The vertices of @p section at which stresses have no limit, in ascending
-   * order: corners of its boundary that are re-entrant, of an L or where web
-   * and flange meet, say, and places where plies that differ in material or
-   * angle end at the boundary, as at free edges of angle plies.
-   */
+  /// Returns the vertices of @p section with singular stresses, ascending:
+  /// re-entrant corners of its boundary, as of an L or between web and flange,
+  /// and ends of interfaces between plies of different material or angle at the
+  /// boundary.
   std::vector<unsigned int>
   singular_corners(const SectionMesh &section, const CornerRules &rules = {});
 
   /**
-   * @p section with @p layers layers of cells at each of its
-   * singular_corners(): of every edge that ends there the fractions r^k from
-   * the corner on, k = 1 to @p layers and r CornerRules::ratio, become edges of
-   * their own, as do those of all edges that face it across cells, so
-   * that cells match everywhere. Plies and the names of sides are inherited.
+   * Returns @p section with @p layers layers of cells at each of its
+   * singular_corners(). Every edge that ends there is split at the fractions
+   * r^k from the corner, k = 1 to @p layers, r = CornerRules::ratio, and so are
+   * all edges that face it across cells. Plies and side names are inherited.
    * Edges have to be straight. Throws InputError, of the entry `Corner layers`
-   * of the subsection @p what, if there are no corners or that makes more than
-   * most_section_cells.
+   * of the subsection @p what, if there are no corners or more than
+   * most_section_cells result.
    */
   std::shared_ptr<const SectionMesh>
   graded_to_corners(const SectionMesh &section,

@@ -11,22 +11,20 @@
 
 namespace lamella
 {
-  /**
-   * The outward normals of boundaries of a section, carried to all points of
-   * the section: at a point that of its foot on the nearest side. On a side
-   * normals go linearly from end to end between the means of neighbours, and
-   * the foot of a point x is where x - foot is parallel to them: of short sides
-   * of a circle that is the polar direction, exactly. Where two sides meet at
-   * more than 30 degrees each keeps its own.
-   */
+  /// Outward normals of boundaries of a section, extended to all its points:
+  /// that of the foot on the nearest side. On a side normals vary linearly
+  /// between the means with its neighbors, and the foot of x is where x - foot
+  /// is parallel to them; on short sides of a circle this is exactly the polar
+  /// direction. Sides that meet at more than 30 degrees keep their own normals.
   class CurveNormals
   {
   public:
-    /// Of the boundaries @p names of @p section, which must have them.
+    /// Collects the sides of the boundaries @p names of @p section, which must
+    /// exist.
     CurveNormals(const SectionMesh              &section,
                  const std::vector<std::string> &names);
 
-    /// A unit vector, (n_x, n_z). Costs a look at all sides.
+    /// Returns the unit normal (n_x, n_z). Costs a loop over all sides.
     dealii::Tensor<1, 2>
     at(const dealii::Point<2> &x) const;
 

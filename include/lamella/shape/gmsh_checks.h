@@ -11,7 +11,7 @@
 
 namespace lamella
 {
-  /// What Triangulation takes, and which elements of the file it is from.
+  /// Input of Triangulation, with the elements of the file that it is from.
   struct GmshMesh
   {
     std::vector<dealii::Point<2>>          vertices;
@@ -20,18 +20,18 @@ namespace lamella
     std::vector<const GmshFile::Element *> elements, lines;
   };
 
-  /// Throws InputError if a cell is not convex. check_section_mesh() would,
-  /// too, but does not know the line.
+  /// Throws InputError, with its line in the file, if a cell is not convex.
   void
   check_cells_are_convex(const GmshMesh &mesh, const Entry &entry);
 
-  /// Throws InputError if the cells go around some vertex more than once:
-  /// cells whose numbers are mixed up may cover others without a common side.
+  /// Throws InputError if the cells around a vertex make more than a full
+  /// angle, as cells with wrong node numbers do that overlap without a common
+  /// side.
   void
   check_angles(const GmshMesh &mesh, const Entry &entry);
 
-  /// Leaves of @p mesh's lines those that are sides at the boundary. Throws
-  /// InputError if one runs inside, or is two boundaries.
+  /// Keeps those of @p mesh's lines that are sides at the boundary. Throws
+  /// InputError if a line is inside, or belongs to two boundaries.
   void
   sift_lines(GmshMesh &mesh, const Entry &entry);
 } // namespace lamella

@@ -15,26 +15,22 @@
 
 namespace lamella
 {
-  /**
-   * What the text of a mesh by Gmsh says, before anything is made of it. Each
-   * part knows its line in the file, so that whoever finds a fault in it can
-   * say where. Nothing here knows what a section is: gmsh.cc judges that, and
-   * turns this into a SectionMesh.
-   */
+  /// Contents of a Gmsh mesh file. Each part has its line in the file, for
+  /// messages. gmsh.cc turns it into a SectionMesh.
   struct GmshFile
   {
-    /// Types of elements, as Gmsh counts them.
+    /// Element types, as numbered by Gmsh.
     static constexpr int line_type = 1, triangle = 2, quadrilateral = 3,
                          point = 15;
 
-    /// Of a physical group, with the line of the file that gives it.
+    /// Name of a physical group, with its line in the file.
     struct Name
     {
       std::string  name;
       unsigned int line = 0;
     };
 
-    /// All three coordinates, in the unit of length of the file.
+    /// A node with three coordinates in the file's unit of length.
     struct Node
     {
       dealii::Point<3> position;
@@ -43,28 +39,27 @@ namespace lamella
 
     struct Element
     {
-      /// One of the types above, or another of Gmsh's.
+      /// Element type, one of the above or another of Gmsh's.
       int type = 0;
-      /// Tag of its physical group, without the sign (which says that the group
-      /// takes it backwards); 0 if it is in none.
+      /// Tag of its physical group without sign (orientation); 0 if it has
+      /// none.
       int          group = 0;
       unsigned int line  = 0;
-      /// Places in @p nodes below, in the order of the file, as many as the
-      /// types named above have; of other types they are not kept.
+      /// Indices in @p nodes below, in the order of the file. Not set for other
+      /// types than those above.
       std::array<unsigned int, 4> nodes{};
     };
 
-    /// (dimension, tag) -> name of a physical group. Dimension 1 names
-    /// boundaries, dimension 2 parts.
+    /// (dimension, tag) -> name of a physical group: boundaries of dimension 1,
+    /// parts of dimension 2.
     std::map<std::pair<int, int>, Name> names;
-    /// In the order of the file, as are the elements.
+    /// Nodes and elements in the order of the file.
     std::vector<Node>    nodes;
     std::vector<Element> elements;
   };
 
-  /// Throws InputError: in the file that @p entry names @p line breaks the
-  /// @p rule (`PATH = FILE: line LINE: RULE. REMEDY`). Lines are counted from
-  /// 1, as editors do.
+  /// Throws InputError: @p line, from 1, of the file that @p entry names breaks
+  /// the @p rule (`PATH = FILE: line LINE: RULE. REMEDY`).
   [[noreturn]] void
   refuse_line(const Entry       &entry,
               const unsigned int line,
@@ -72,21 +67,20 @@ namespace lamella
               const std::string &remedy = "");
 
   /**
-   * Understands @p text, a mesh in Gmsh's format 4.1, which it writes since
-   * 2019, or 2.2, which most others write, as text. Any other is refused with
-   * its version and the command that makes a 4.1 of it.
+   * Parses @p text, a mesh in Gmsh's text format 4.1 (written since 2019) or
+   * 2.2. Other formats are rejected, with their version and the command that
+   * converts them to 4.1.
    *
-   * What comes back hangs together: all counts are those announced, all numbers
-   * are finite, the nodes and elements numbered once, and each element's nodes
-   * are there. Sections that a mesh of a plane has no use for (`$Comments`,
-   * `$Periodic`, ...) are passed over. Time and memory go with the length of
-   * the text, whatever numbers stand in it.
+   * The result is consistent: counts are those announced, numbers are finite,
+   * nodes and elements are numbered once, and elements refer to existing nodes.
+   * Sections without use for a plane mesh (`$Comments`, `$Periodic`, ...) are
+   * skipped. Time and memory are proportional to the length of the text.
    *
-   * Throws InputError of @p entry, which names the file, with the line, the
-   * fault and the remedy, if anything else stands there: a file that is damaged
-   * in one place is more often wrong in others than it is right.
-   * @param text  the whole file; binary ones are refused
-   * @param entry `Section NAME/File`, for messages only: no file is opened here
+   * Throws InputError of @p entry, with line, error and remedy, at the first
+   * deviation.
+   *
+   * @param text the whole file; binary files are rejected
+   * @param entry `Section NAME/File`, for messages; no file is opened here
    */
   GmshFile
   read_gmsh_file(const std::string &text, const Entry &entry);

@@ -14,14 +14,12 @@
 
 namespace lamella
 {
-  /**
-   * The lines of a text from some place on, one after the other; those of
-   * white space are left out. It also judges the words of the line that it
-   * stands at, and says where that is. Refers to the text.
-   */
+  /// Iterator over the lines of a text that are not blank. Parses the words of
+  /// the current line and reports errors with its number. Keeps a reference to
+  /// the text.
   struct GmshLines
   {
-    /// Helps against most faults.
+    /// Remedy for most errors.
     static constexpr const char *anew =
       "Write the file anew with 'gmsh -2 NAME.geo -format msh41 -o NAME.msh'.";
 
@@ -30,23 +28,23 @@ namespace lamella
       , entry(entry)
     {}
 
-    /// @p word between quotes, short and without bytes that no console shows.
+    /// Returns @p word in quotes, shortened and without unprintable bytes.
     static std::string
     shown(const std::string_view word);
 
-    /// Goes on to the next line; false if there is none.
+    /// Advances to the next line. Returns false if there is none.
     bool
     next();
 
-    /// Throws InputError, of this line.
+    /// Throws InputError for this line.
     [[noreturn]] void
     fault(const std::string &rule, const std::string &remedy = anew) const;
 
-    /// Throws unless there are @p n words; @p meaning says which.
+    /// Throws InputError unless there are @p n words, described by @p meaning.
     void
     expect(const std::size_t n, const std::string &meaning) const;
 
-    /// Word @p i, a whole number.
+    /// Returns word @p i, a whole number. Throws InputError otherwise.
     std::int64_t
     integer(const std::size_t  i,
             const std::string &meaning,
@@ -54,16 +52,16 @@ namespace lamella
             const std::int64_t highest =
               std::numeric_limits<std::int64_t>::max()) const;
 
-    /// Word @p i, a finite number.
+    /// Returns word @p i, a finite number. Throws InputError otherwise.
     double
     number(const std::size_t i, const std::string &meaning) const;
 
     std::string_view rest;
-    /// Names the file.
+    /// Entry that names the file.
     const Entry                  &entry;
     std::string_view              current;
     std::vector<std::string_view> words;
-    /// Counted from 1.
+    /// Number of the line, from 1.
     unsigned int line = 0;
   };
 
@@ -72,39 +70,41 @@ namespace lamella
   /// A part of the file between `$NAME` and `$EndNAME`.
   struct GmshPart
   {
-    /// A number of @p things that word @p i of the line announces, each in
-    /// @p lines_each lines.
+    /// Returns the number of @p things in word @p i of the line, each of which
+    /// takes @p lines_each lines of this part.
     std::int64_t
     announced(const std::size_t  i,
               const std::string &things,
               const unsigned int lines_each = 1) const;
 
-    /// Goes on to the next line, which a count announced.
+    /// Advances to the next line, which a count announced.
     void
     go_on(const std::string &due);
 
-    /// Throws if anything follows.
+    /// Throws InputError if there is another line.
     void
     expect_end();
 
-    /// Stands at `$NAME`; what follows ends with the part.
+    /// Lines of the part, starting at `$NAME` and ending with it.
     GmshLines lines;
-    /// That are not of white space.
+    /// Number of lines that are not blank.
     unsigned int n_lines = 0;
   };
 
 
 
-  /// What a mesh by Gmsh is cut into, whatever the order of its parts. Those
-  /// that a section has no use for are passed over.
+  /// Parts of a Gmsh file, in any order. Parts without use for a section are
+  /// skipped.
   class GmshParts
   {
   public:
-    /// Throws InputError of @p entry unless @p text is a file of format 4.1 or
-    /// 2.2 as text, each of whose parts ends and comes once. Refers to both.
+    /// Splits @p text, keeping references to both arguments. Throws InputError
+    /// of @p entry unless it is a text file of format 4.1 or 2.2 whose parts
+    /// are closed and unique.
     GmshParts(const std::string &text, const Entry &entry);
 
-    /// As nodes and elements stand in version 4.1; in 2.2 each by itself.
+    /// Returns whether nodes and elements are in blocks (version 4.1), or
+    /// listed singly (2.2).
     bool
     in_blocks() const
     {
@@ -117,7 +117,7 @@ namespace lamella
       return parts.count(name) == 1;
     }
 
-    /// The part @p name, which must be there.
+    /// Returns the part @p name, which must exist.
     GmshPart &
     part(const std::string &name);
 
@@ -125,19 +125,19 @@ namespace lamella
     void
     read_format();
 
-    /// Looks where each part begins and ends.
+    /// Finds the start and end of each part.
     void
     find_parts();
 
     void
     add_part();
 
-    /// Throws if there is a part @p name already.
+    /// Throws InputError if there is already a part @p name.
     void
     expect_first(const std::string &name) const;
 
-    /// The part @p name, at whose `$NAME` the lines stand; they go on to its
-    /// end. Parts that are not @p wanted may hold anything.
+    /// Returns the part @p name, whose `$NAME` is the current line, and
+    /// advances to its end. Parts that are not @p wanted may contain anything.
     GmshPart
     part_to_end(const std::string &name, const bool wanted);
 

@@ -11,29 +11,26 @@
 
 namespace lamella
 {
-  /// The entries of a `subsection Section NAME`. All shapes declare their
-  /// entries in one subsection; a table in the .cc file says which shape has
-  /// which.
+  /// The entries of a `subsection Section NAME`. All shapes share one
+  /// subsection; a table in the .cc file lists the entries of each.
   struct SectionParameters
   {
-    /// `Cells divided` at most.
+    /// Upper limit of `Cells divided`.
     static constexpr unsigned int most_divisions = 4;
-    /// `Corner layers` at most.
+    /// Upper limit of `Corner layers`.
     static constexpr unsigned int most_corner_layers = 6;
 
-    /// Declares them in the subsection that @p prm is in.
+    /// Declares the entries in the subsection that @p prm is in.
     static void
     declare(dealii::ParameterHandler &prm);
 
     /**
-     * The section that the entries @p in describe, lengths in the scene's unit,
-     * its materials among @p materials; the path of a mesh file is relative to
-     * @p folder, and the file is not read. Throws InputError, also for entries
-     * that are given but are none of the section's shape, and for more cells
-     * than a section can have. A section may have about 50,000 cells, a line of
-     * its mesh 10,000: a slip of a digit must not end in a machine out of
-     * memory. @p materials are the names in the scene; where there is one only,
-     * sections need not name it.
+     * Returns the section in @p in, lengths in the scene's unit. @p materials
+     * are the scene's names; if there is only one, sections need not name it.
+     * The path of a mesh file is relative to @p folder; the file is not read.
+     * Throws InputError, also for entries of other shapes, and for more than
+     * about 50,000 cells, or 10,000 in a mesh line, so that a typing error does
+     * not exhaust the memory.
      */
     static SectionShape
     parse(const Entries                  &in,

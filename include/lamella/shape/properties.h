@@ -15,49 +15,45 @@
 
 namespace lamella
 {
-  /// What the geometry of a section amounts to, its curved edges followed. By
-  /// Gauss' rule on a geometry of degree 6, exact to rounding or nearly. For
-  /// reports and references; the stiffness integrates for itself.
+  /// Geometric properties of a section with its curved edges, by Gauss' rule on
+  /// a geometry of degree 6, nearly exact to rounding. For reports and
+  /// references, not for the stiffness.
   struct SectionProperties
   {
-    /// [length^2], the sum of the ply areas.
+    /// Sum of the ply areas [length^2].
     double area = 0.;
-    /// Of the area, whatever the materials: (x, z) [length].
+    /// Centroid (x, z) of the area, regardless of materials [length].
     dealii::Point<2> centroid;
-    /// About the centroid: int x'^2 dA, int z'^2 dA and int x' z' dA, as
-    /// {{xx, xz}, {xz, zz}} [length^4].
+    /// Second moments about the centroid, int x'^2 dA, int z'^2 dA and int x'
+    /// z' dA, as {{xx, xz}, {xz, zz}} [length^4].
     dealii::Tensor<2, 2> second_moments;
-    /// Of each ply [length^2], in the order of SectionMesh::plies.
+    /// Area of each ply [length^2], in the order of SectionMesh::plies.
     std::vector<double> ply_areas;
-    /// Name of a boundary -> its length. Along the curved edges; boundaries of
-    /// one name add up.
+    /// Length of boundaries by name, along curved edges.
     std::map<std::string, double> boundary_lengths;
-    /// The corners of the smallest box around the vertices. An arc may bulge
-    /// out between two of them.
+    /// Corners of the vertices' bounding box. Arcs may exceed it.
     dealii::Point<2> low, high;
   };
 
-  /// The properties of @p section, in one pass over its cells.
+  /// Returns the properties of @p section, in one pass over its cells.
   SectionProperties
   section_properties(const SectionMesh &section);
 
   /**
-   * Throws InputError of @p entry, which the mesh is from, unless each cell is
-   * convex with inner angles between 0 and 180 degrees (so that the Jacobian is
-   * positive), no two vertices share a place, and all cells hang together by
-   * their sides. In this order; the message says how many cells are at fault
-   * and where the first is. Two vertices share a place if they are nearer than
-   * 1e-6 of the shortest edge, in each coordinate. n log n for n vertices.
+   * Throws InputError of @p entry, the mesh's source, unless each cell is
+   * convex with inner angles between 0 and 180 degrees (positive Jacobian), no
+   * two vertices coincide, and all cells are connected by sides. Checks in this
+   * order; the message has the number of faulty cells and the first one's
+   * place. Vertices coincide if they are closer than 1e-6 of the shortest edge
+   * in each coordinate. n log n for n vertices.
    */
   void
   check_section_mesh(const SectionMesh &section, const Entry &entry);
 
-  /**
-   * Throws InputError of the subsection @p path for a cell that is more than
-   * 2e6 times as long as thick: its stiffness across and along differ by the
-   * square of that, so that doubles have nothing left for what bends it. As
-   * long as thick means the square of the diameter over the area.
-   */
+  /// Throws InputError of the subsection @p path for a cell with an aspect
+  /// ratio above 2e6, the square of the diameter over the area: its stiffnesses
+  /// across and along differ by the square of that, which leaves no digits for
+  /// bending.
   void
   check_proportions(const SectionMesh &section, const std::string &path);
 } // namespace lamella

@@ -23,26 +23,22 @@
 
 namespace lamella
 {
-  /**
-   * The plane that a ply's fibres lie in: that of y, along the beam, and t = y
-   * x n, at right angles to the unit vector n of the section's plane. In a wall
-   * n points from the inside to the outside, and angles that are positive from
-   * +y towards t wind all round a tube or a box as one helix. With n = +z, the
-   * plane of a laminate, t is +x.
-   */
+  /// Plane of a ply's fibers, spanned by y (along the beam) and t = y x n with
+  /// its unit normal n in the section's plane. In a wall n points outwards;
+  /// angles positive from +y towards t form one helix around a tube or a box.
+  /// In a laminate n = +z and t = +x.
   struct PlyPlane
   {
-    /// n = (n_x, n_z) where it is the same all over the ply; exact in walls
-    /// along x or z, so that a cross-ply has exact zeros there, too.
+    /// Constant normal n = (n_x, n_z); exact along x or z, so that a cross-ply
+    /// has exact zeros.
     dealii::Tensor<1, 2> normal = dealii::Point<2>(0., 1.);
-    /// n at a point (x, z) of the section. Empty where it is the same all over.
+    /// Normal at a point (x, z) of the section; empty if constant.
     std::function<dealii::Tensor<1, 2>(const dealii::Point<2> &)> normal_at;
-    /// The wall that the ply belongs to, as a user calls it: `left`, `web`;
-    /// empty in what has no walls. Plies of one wall that have numbers next to
-    /// each other touch.
+    /// Name of the ply's wall, `left`, `web`; empty without walls. Plies of a
+    /// wall with successive numbers touch.
     std::string wall;
 
-    /// n at the point @p x of the section.
+    /// Returns n at the point @p x of the section.
     dealii::Tensor<1, 2>
     at(const dealii::Point<2> &x) const
     {
@@ -50,48 +46,46 @@ namespace lamella
     }
   };
 
-  /// One homogeneous part of a section: a ply, a core, the whole section. In a
-  /// layer-wise theory each ply keeps its own C, and cells never cross from one
-  /// ply into another; an equivalent single layer takes the same plies. Of a
-  /// section by Gmsh it is what one physical surface holds, wherever that lies.
+  /// A homogeneous part of a section: a ply, a core, the whole section. Cells
+  /// never cross plies. In layer-wise theories each ply has its own C; an
+  /// equivalent single layer uses the same plies. In a Gmsh section, one
+  /// physical surface.
   struct Ply
   {
-    /// Name of the material, as in the scene.
+    /// Name of the material in the scene.
     std::string material;
-    /// Fibre angle in degrees in the ply's plane, 0 along +y, positive from +y
-    /// towards t (ply_axes()). In a level ply a turn about z, from +y towards
-    /// +x.
+    /// Fiber angle in the ply's plane in degrees, 0 along +y, positive towards
+    /// t (ply_axes()). In a level ply, a rotation about z from +y towards +x.
     double angle = 0.;
-    /// The range of z that it lies in [length]. Plies of a laminate touch and
-    /// ascend; those of a file may overlap in z.
+    /// Range of z [length]. Plies of a laminate touch and ascend; those of a
+    /// file may overlap in z.
     double bottom = 0., top = 0.;
-    /// A copy: plies do not refer to the scene's materials.
+    /// Copy of the material.
     Material properties;
-    /// Level unless it is set.
+    /// Plane of the ply; level by default.
     PlyPlane plane = {};
 
-    /// The ply's axes in the body frame at the point @p x of the section. Row k
-    /// is e_k: 1 along the fibre, 2 across, 3 normal to the ply.
+    /// Returns the ply's axes in the body frame at the point @p x of the
+    /// section. Row k is e_k: 1 along the fiber, 2 across, 3 normal.
     Triad
     axes(const dealii::Point<2> &x) const
     {
       return ply_axes(angle, plane.at(x));
     }
 
-    /// C in the axes t, y, n of the ply's plane, in the places of x, y, z: of a
-    /// level ply in the body frame. C = T^T C' T of strain_rotation(), 6 x 6 in
-    /// the order of Eq. 4 [force/length^2]. Inverts a 3 x 3 matrix at each
-    /// call: keep it. In the body frame, at any point: PlyLaws.
+    /// Returns C in the axes t, y, n of the ply's plane, in place of x, y, z:
+    /// for a level ply the body frame. C = T^T C' T with strain_rotation(), 6 x
+    /// 6 in the order of Eq. 4 [force/length^2]. Inverts a 3 x 3 matrix at each
+    /// call. See PlyLaws for the body frame at any point.
     ElasticTensor
     stiffness() const
     {
       return rotated(properties.elastic.stiffness(), ply_axes(angle));
     }
 
-    /// The strain per kelvin in the body frame at the point @p x of the
+    /// Returns the thermal expansion in the body frame at the point @p x of the
     /// section, alpha = sum_k alpha_k e_k e_k, in the order of Eq. 4 with
-    /// engineering shear strains [1/K]. The material must have its Thermal
-    /// expansion.
+    /// engineering shear strains [1/K]. The material must have one.
     Voigt
     expansion(const dealii::Point<2> &x) const
     {
@@ -103,27 +97,24 @@ namespace lamella
   };
 
   /**
-   * A section's geometry: a mesh of quadrilaterals in its plane (first
-   * coordinate x, second z; lower left corner at the origin, unless a file says
-   * otherwise), whose material ids number @p plies and whose boundary ids are
+   * Geometry of a section: quadrilaterals in its plane (coordinates x, z of the
+   * body's axes, in the scene's unit of length; lower left corner at the
+   * origin, except from files). Material ids number @p plies, boundary ids are
    * named in @p boundaries.
    *
-   * Cells are numbered and shared by all that is built on them: expansions
-   * (SectionGeometry), integration of the S_pq, extrusion to hexahedra. Hence
-   * it is made once, handed about as a shared pointer to const, and never
-   * refined. Edges on arcs are curved by a manifold, all others are straight.
-   * The coordinates are those of the body's axes in the section's plane, in the
-   * scene's unit of length.
+   * Cell numbers are shared by expansions (SectionGeometry), integration of
+   * S_pq and extrusion to hexahedra. The mesh is therefore a shared pointer to
+   * const and never refined. Edges on arcs have a manifold, all others are
+   * straight.
    */
   struct SectionMesh
   {
-    /// Active cells only count; a cell's material id is the place of its ply
-    /// below.
+    /// Mesh whose active cells are used. A cell's material id is the index of
+    /// its ply.
     dealii::Triangulation<2> mesh;
-    /// Of a laminate from bottom to top; a homogeneous section has one.
+    /// Plies, of a laminate from bottom to top; one if homogeneous.
     std::vector<Ply> plies;
-    /// Boundary id -> the name that supports, loads and contacts say in the
-    /// scene.
+    /// Boundary id -> name in the scene.
     std::map<dealii::types::boundary_id, std::string> boundaries;
   };
 

@@ -11,34 +11,34 @@
 
 namespace lamella
 {
-  /// What the entries of one section are read with: SectionParameters::parse()
-  /// in its parts, a function a shape. All of them throw InputError.
+  /// Readers of a section's entries, one per shape, for
+  /// SectionParameters::parse(). All throw InputError.
   struct ShapeReader
   {
-    /// Along a line of a mesh: a slip of a digit must not end in a machine out
-    /// of memory.
+    /// Largest number of cells in a mesh line, against typing errors that
+    /// exhaust the memory.
     static constexpr unsigned int most_in_line = 10000;
-    /// Of an ellipse: 49152 cells.
+    /// Largest number of refinements of an ellipse: 49152 cells.
     static constexpr unsigned int most_refinements = 6;
 
     const Entries &in;
     /// Names that a material may have.
     const std::vector<std::string> &materials;
 
-    /// One a piece between commas, at least one.
+    /// Returns the lengths between commas, at least one; not checked for sign.
     std::vector<double>
     lengths(const std::string &entry) const;
-    /// Likewise.
+    /// Returns the counts between commas, at least one.
     std::vector<unsigned int>
     counts(const std::string &entry) const;
-    /// A single one.
+    /// Returns a single count.
     unsigned int
     count(const std::string &entry) const;
 
-    /// @p name, which stands in @p entry and must be a material.
+    /// Returns @p name in @p entry, which must be a material.
     std::string
     material(const Entry &entry, const std::string &name) const;
-    /// Of a section of one material.
+    /// Returns the fabric of a section of one material.
     Fabric
     fabric() const;
 
@@ -58,8 +58,7 @@ namespace lamella
     file(const std::string &folder) const;
   };
 
-  /// @p items, one for each of @p n plies or one for all, as @p entry gives
-  /// them.
+  /// Returns @p items for @p n plies, one each, repeating a single one.
   template <typename T>
   std::vector<T>
   one_a_ply(const std::vector<T> &items,

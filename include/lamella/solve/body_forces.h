@@ -13,37 +13,37 @@
 
 namespace lamella
 {
-  /// A force and its moment about the scene's origin, scene components.
+  /// A force and its moment about the origin of the scene, scene components.
   struct Wrench
   {
     dealii::Tensor<1, 3> force, moment;
   };
 
-  /// A wrench: a force and its moment about a point, scene components.
+  /// A force and its moment about a given point, scene components.
   struct Resultant
   {
     dealii::Tensor<1, 3> force, moment;
-    /// The point, in the scene; not where the force acts.
+    /// Reference point of the moment, in the scene; not the point of action.
     dealii::Point<3> about;
-    /// Where it acts: of its line of action the point nearest to `about`. None
-    /// without a force, or with one that is rounding beside the moment.
+    /// The point on the line of action that is nearest to `about`. Empty if the
+    /// force is zero, or rounding beside the moment.
     std::optional<dealii::Point<3>> centre_of_pressure = {};
   };
 
-  /**
-   * All forces on one body, summed, with their moments about its centre, and
-   * the largest single one of them: a force, or a couple over the size of the
-   * body. What a force does as a whole is its work on the rigid motions of the
-   * body, which is what the body's theory feels of it.
-   */
+  /// Sum of all forces on one body with their moments about its center, and the
+  /// largest single one: a force, or a couple over the size of the body.
+  /// Resultants are computed as the work of the forces on the rigid motions of
+  /// the body.
   class BodyForces
   {
   public:
-    /// On @p of where @p u has moved it (Body::rigid_motions_at()).
+    /// Creates an empty sum for the body @p of at its positions under @p u
+    /// (Body::rigid_motions_at()).
     BodyForces(const Body &of, const Vector &u);
 
-    /// Force and moment about the body's centre of what does the work
-    /// work(m) on a motion m of its degrees of freedom.
+    /// Returns the force, and the moment about the center of the body, of the
+    /// load that does the work work(m) on a motion m of the body's degrees of
+    /// freedom.
     template <typename Work>
     Wrench
     felt(const Work &work) const
@@ -57,18 +57,19 @@ namespace lamella
       return about_centre;
     }
 
-    /// The same, its moment about the scene's origin.
+    /// Returns @p about_centre with its moment about the origin of the scene.
     Wrench
     at_origin(const Wrench &about_centre) const;
 
     void
     add(const Wrench &about_centre);
 
-    /// Forces are compared with no less than that.
+    /// Sets a lower bound of the force by which unbalanced() divides.
     void
     at_least(const double force);
 
-    /// What is left of forces and of moments, as shares of the largest.
+    /// Returns the magnitudes of the summed force and moment, relative to the
+    /// largest single force.
     std::pair<double, double>
     unbalanced() const;
 

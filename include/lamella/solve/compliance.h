@@ -11,70 +11,68 @@
 namespace lamella
 {
   /**
-   * The compliance of gap rows, the Schur complement of contact,
-   *   C = B K^-1 B^T,
-   * for those rows that were asked for so far, many at a time: C_ij is the gap
-   * that a unit force in row j opens in row i, a length over a force, with the
-   * condensed stiffness K of each body. It is symmetric, and positive definite
-   * where rows are independent. A row adds the compliances of both of its
-   * bodies; rows that share no body have none in common. Slips are rows here
-   * as gaps are, by their numbers (GapRows).
+   * The compliance of contact constraints, the Schur complement
+   *   C = B K^-1 B^T
+   * of the rows included so far. C_ij is the gap in row i due to a unit force
+   * in row j (length over force), with the condensed stiffness K of each body.
+   * C is symmetric, and positive definite if the rows are independent. Each row
+   * adds the compliances of its two bodies. Slips are rows like gaps, by their
+   * numbers (GapRows).
    *
-   * With CHOLMOD only the forward half of a solution is computed, where it is
-   * not zero: C = Y^T Y, Y = L^-1 P B^T, K = P^T L L^T P.
+   * CHOLMOD computes only the nonzero part of the forward substitution: C = Y^T
+   * Y, Y = L^-1 P B^T, K = P^T L L^T P.
    *
-   * Memory: n (n + 1) / 2 numbers for n known rows, and what the solvers keep
-   * of each row. Refers to the linearisation and its structure, and views the
-   * rows. Where processes share a matrix, all of them call all functions that
-   * are not a look-up, with the same arguments.
+   * Memory: n (n + 1) / 2 numbers for n included rows, and what the solvers
+   * keep of each row. Refers to the linearization and its structure, and views
+   * the rows. Collective where processes share a matrix, except for look-ups.
    */
   class Compliance
   {
   public:
-    /// Both are referred to; @p linearisation must have solvers.
+    /// Refers to both arguments; @p linearisation must have solvers.
     Compliance(const Linearisation &linearisation, const GapRows &rows);
 
-    /// Makes the compliance of @p wanted rows known; costs nothing for those
-    /// that are. The others are solved for all at once, in each body that they
-    /// touch, and multiplied with all known rows.
+    /// Includes the @p wanted rows in the compliance. Free of cost for rows
+    /// already included. The others are solved for together, in each body they
+    /// act on, and multiplied with all included rows.
     void
     include(const std::vector<unsigned int> &wanted);
 
-    /// The known rows, as they were included together: included again in these
-    /// batches they have the same compliance to the last bit.
+    /// Returns the included rows, grouped by the calls that included them.
+    /// Including the same groups again reproduces the compliance bit for bit.
     const std::vector<std::vector<unsigned int>> &
     batches() const
     {
       return included;
     }
 
-    /// Whether @p row was included. What follows asks for known rows only.
+    /// Returns true if @p row was included. The functions below accept included
+    /// rows only.
     bool
     knows(const unsigned int row) const
     {
       return place[row] != dealii::numbers::invalid_unsigned_int;
     }
 
-    /// C_rr: the gap that a unit force in the known row @p row opens there, a
-    /// length over a force. Zero for a row between points that supports hold.
+    /// Returns C_rr, the gap due to a unit force in @p row [length / force].
+    /// Zero for a row between points that are held by supports.
     double
     diagonal(const unsigned int row) const;
 
-    /// The gaps that unit forces in each of the known rows @p of open in them:
-    /// the symmetric n x n matrix C of these, column by column, both triangles.
+    /// Returns the symmetric n x n submatrix of C for the rows @p of, column by
+    /// column, both triangles.
     std::vector<double>
     among(const std::vector<unsigned int> &of) const;
 
-    /// K^-1 B^T lambda: what the forces @p lambda in the known rows @p of (one
-    /// each, each row once) do to the displacements, expanded by G, so zero
-    /// where supports prescribe. With CHOLMOD one backward half a body.
+    /// Returns K^-1 B^T lambda: the displacements due to the forces @p lambda
+    /// in the distinct rows @p of (one each), expanded by G, hence zero in
+    /// prescribed DoFs. Costs one backward substitution per body with CHOLMOD.
     BlockVector
     displacement(const std::vector<unsigned int> &of,
                  const std::vector<double>       &lambda) const;
 
   private:
-    /// One body's solved rows, and which gap rows they are of, by their places
-    /// in the compliance.
+    /// The solved rows of one body, with their positions in the compliance.
     struct BodyRows
     {
       std::unique_ptr<SolvedRows> solved;
@@ -85,8 +83,8 @@ namespace lamella
     const GapRows         rows;
     std::vector<BodyRows> bodies;
 
-    /// The place of each row in the compliance, if it is known, and its lower
-    /// triangle by rows.
+    /// Position of each row in the compliance, if included, and the lower
+    /// triangle of C by rows.
     std::vector<unsigned int>        place;
     std::vector<std::vector<double>> entries;
 

@@ -13,12 +13,12 @@
 
 namespace lamella
 {
-  /// How contact is solved for (`Contact strategy`). Both come to the same
-  /// results, where these are unique: with much friction they need not be.
+  /// Solution method for contact (`Contact strategy`). Both give the same
+  /// results where these are unique; with much friction they need not be.
   enum class Strategy
   {
     undefined,
-    condensed, ///< K factorised once, contact on its compliance:
+    condensed, ///< K factorized once, contact on its compliance:
                ///< CondensedStrategy
     full       ///< K + K^p of the whole scene, as in the paper: FullStrategy
   };
@@ -32,15 +32,13 @@ namespace lamella
   };
 
   /**
-   * What contact is solved with about one state of a structure, that of its
-   * Linearisation: it settles which rows are active for a tangent that does
-   * not change, and solves linear systems with rows that are. It refines
-   * nothing and knows no residual of the state: ContactSolver does that, the
-   * same for all strategies.
+   * Contact solver about one state of a structure, that of its Linearisation:
+   * finds the active set for a constant tangent, and solves linear systems with
+   * a given active set. Refinement against the residual is done by
+   * ContactSolver for all strategies.
    *
-   * Refers to the linearisation and, through a view, to the rows: both must
-   * outlive it. Where processes share the work, all of them call all functions
-   * with the same arguments.
+   * Refers to the linearization and views the rows: both must outlive it.
+   * Collective, with the same arguments on all processes.
    */
   class ContactStrategy
   {
@@ -55,33 +53,32 @@ namespace lamella
     virtual ~ContactStrategy();
 
     /**
-     * Solves @p problem, which without friction has one solution,
+     * Solves @p problem,
      *   K du = B^T (lambda - lambda_state),  g = g_state + B du,
-     *   lambda = max(0, ((d - a) lambda_bar - g) / d):
-     * the law g + a lambda >= 0 with its softness a raised to a d that the
-     * arithmetic bears, about an estimate lambda_bar of the forces (which a
-     * strategy may better as it goes). Finds which rows are active. @p monitor
-     * is told of every round. Without rows that penetrate, forces or estimates
-     * to begin with, the answer is no change, and the monitor is not called.
-     * Throws what the monitor throws, and NumericsError where the arithmetic
-     * does not hold the problem.
+     *   lambda = max(0, ((d - a) lambda_bar - g) / d),
+     * and returns the active set. This is the law g + a lambda >= 0 with its
+     * compliance a raised to the numerical d, about an estimate lambda_bar of
+     * the forces, which a strategy may improve. The solution is unique without
+     * friction. @p monitor is called after each round. Without penetration,
+     * forces and estimates the increment is zero and the monitor is not called.
+     * Throws what the monitor throws, and NumericsError if the system cannot be
+     * solved in doubles.
      */
     virtual ContactSolution
     settle(const ContactProblem &problem, const Monitor &monitor) = 0;
 
     /**
-     * Solves the linear system of one correction: with R the rows of the gaps
-     * and slips that are @p closed, C^T their forces (B_A both without
-     * friction) and d the numerical softness of a row, at least a,
+     * Solves the linear system of one correction,
      *   K du - C dlambda   = r_u,
      *   R du + d dlambda   = r_lambda,
-     * which is the paper's Eq. 22 when dlambda is eliminated. @p r_lambda
-     * (lengths) and @p dlambda (forces) have an entry for each number of
-     * @p closed.
-     * @p r_u (forces) need not be condensed. du vanishes in what supports
-     * prescribe. What was factorised is kept for the next call with the same
-     * rows and softness. Throws NumericsError if the system is not positive
-     * definite; of rows that slide, if it is singular.
+     * with the rows R of the gaps and slips @p closed, their force columns C
+     * (C^T = R = B_A without friction) and the numerical compliance d >= a.
+     * This is Eq. 22 once dlambda is eliminated. @p r_lambda (lengths) and
+     * @p dlambda (forces) have one entry per number of @p closed; @p r_u
+     * (forces) need not be condensed. du is zero in prescribed DoFs. The factor
+     * is kept for the next call with the same rows and compliances. Throws
+     * NumericsError if the system is not positive definite or, with slipping
+     * constraints, singular.
      */
     virtual void
     solve(const ClosedRows  &closed,
@@ -90,15 +87,15 @@ namespace lamella
           BlockVector       &du,
           Vector            &dlambda) = 0;
 
-    /// What was learnt so far, as it is kept for a resumed run.
+    /// Returns the data that a resumed run needs.
     virtual StrategyMemory
     memory() const = 0;
-    /// Back again, into a strategy of the same scene that has solved nothing
+    /// Restores @p memory in a strategy of the same scene that has not solved
     /// yet. Collective.
     virtual void
     recall(const StrategyMemory &memory) = 0;
 
-    /// Makes estimates of forces converge faster, where that is still possible
+    /// Accelerates the convergence of multiplier estimates, if still possible
     /// (NumericalSoftness::stiffen()).
     void
     stiffen()
@@ -106,18 +103,18 @@ namespace lamella
       numerical_softness.stiffen();
     }
 
-    /// Whether the forces that it settles are as exact as the compliance of
-    /// rows, so that a state may be made of them alone: not where they come of
-    /// K + K^p, in which penalties drown digits.
+    /// Returns true if the forces of settle() are as accurate as the
+    /// compliance, so that a state may be computed from them alone. False with
+    /// K + K^p, where penalties cost digits.
     virtual bool
     forces_stand_alone() const = 0;
 
-    /// What to try where the search does not end, besides a finer mesh and more
-    /// iterations: the middle of a sentence.
+    /// Returns what to try if the search does not converge, besides a finer
+    /// mesh and more iterations: a part of a sentence.
     virtual std::string
     remedy() const = 0;
 
-    /// What the user should know of penalties and arithmetic, a sentence each.
+    /// Returns warnings about penalties and rounding, one sentence each.
     virtual std::vector<std::string>
     warnings() const
     {
@@ -130,8 +127,8 @@ namespace lamella
     NumericalSoftness    numerical_softness;
   };
 
-  /// The strategy @p which about the state of @p linearisation, which must have
-  /// solvers for `condensed` and needs none for `full`.
+  /// Returns the strategy @p which about the state of @p linearisation, which
+  /// needs solvers for `condensed` only.
   std::unique_ptr<ContactStrategy>
   make_strategy(const Strategy       which,
                 const Linearisation &linearisation,

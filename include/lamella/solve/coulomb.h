@@ -11,30 +11,30 @@
 namespace lamella
 {
   /**
-   * Unilateral contact with Coulomb's law on a dense compliance, about forces
-   * lambda_0 under which gaps and slips are known. With
+   * Unilateral contact with Coulomb friction on a dense compliance. With the
+   * forces lambda_0 = `about`, and the gap v_n and slip v_t of each point in
+   * the step,
    *   v = q + W (lambda - lambda_0),
-   * of each point the gap v_n and the slip v_t in the step, the forces lambda
-   * obey
+   * the forces lambda satisfy
    *   v_n >= 0,   lambda_n >= 0,   v_n lambda_n = 0,
    *   |lambda_t| <= mu lambda_n,
    *   v_t = 0 where |lambda_t| < mu lambda_n,
    *   lambda_t = -mu lambda_n v_t / |v_t| where v_t is not zero.
-   * A point without tangents has no friction. W may be singular, of rows that
-   * depend on each other. There is a solution for every mu if W is definite;
-   * it is unique for small mu only.
+   * A point without tangents is frictionless. W may be singular (dependent
+   * rows). If W is definite a solution exists for every mu; it is unique for
+   * small mu only.
    */
   struct CoulombProblem
   {
     PointCompliance compliance;
-    /// Of each point under the forces `about` its gap and its slip, and these
-    /// forces; none means zero.
+    /// Gap and slip of each point under the forces `about`, and these forces;
+    /// empty `about` means zero.
     PointVectors q, about = {};
-    /// mu, of each point.
+    /// Friction coefficient mu of each point.
     std::vector<double> friction;
   };
 
-  /// What a point does.
+  /// Contact state of a point.
   enum class PointState
   {
     open,
@@ -42,82 +42,86 @@ namespace lamella
     slip
   };
 
-  /// The answer, and how it was found.
+  /// Solution of a CoulombProblem, with the effort.
   struct CoulombSolution
   {
     PointVectors            force;
     std::vector<PointState> states;
-    /// The largest component of lambda - P(lambda - v), P the projection on
-    /// what lambda_n allows, in a problem that is scaled to a unit diagonal and
-    /// a largest q of one, over the largest force if that is above one.
+    /// Largest component of lambda - P(lambda - v), with the projection P onto
+    /// the cone of lambda_n, in the problem scaled to a unit diagonal and a
+    /// largest q of one; divided by the largest force if that exceeds one.
     double error = 0.;
-    /// The sign of det(R W C), with the rows R of closed points that do not
-    /// move and the columns C of their forces: 1 or -1, an answer that is
-    /// unstable; 1 if no point is closed. Patterns that W hardly feels, of more
-    /// points than a surface can follow, have no say: it is that of W with a
-    /// softness.
+    /// Sign of det(R W C), with the rows R of sticking constraints and gaps and
+    /// the columns C of their forces: -1 for an unstable solution; 1 if no
+    /// point is closed. W is regularized here, so that modes in its
+    /// near-nullspace (more contact points than surface DoFs) have no
+    /// influence.
     int stability = 1;
-    /// The step of the chain that ended the first proximal point, and systems
-    /// of equations solved in all.
+    /// Step of the chain that ended the first proximal point, and total number
+    /// of linear systems solved.
     std::string  by;
     unsigned int iterations = 0;
   };
 
-  /// When the search ends, and how far each of its steps goes.
+  /// Tolerances and limits of solve_coulomb().
   struct CoulombRules
   {
-    /// Of CoulombSolution::error.
+    /// Tolerance of CoulombSolution::error.
     double tolerance = 1e-11;
-    /// Of the largest diagonal entry of a point: what is added to W so that
-    /// it is definite, and iterated out.
+    /// Regularization of W, relative to the largest diagonal entry of a point.
+    /// It makes W definite; proximal iterations remove its effect.
     double softness = 1e-10;
-    /// The same for the sign of an answer that is unstable without. (A section
-    /// that hardly bends across has 3e-9, against 1e-6 of what rubs there.)
+    /// Regularization for the stability test of a solution that is unstable
+    /// without it. (A section that hardly bends across has 3e-9, against 1e-6
+    /// of the sliding points.)
     double firm = 1e-4;
-    /// Of that iteration; a step of it that is off by more than `failed` is
-    /// the last, and so are two on end that better nothing, at rounding.
+    /// Limits of the proximal iteration. It ends after `idle` successive steps
+    /// without improvement, at rounding, or a step with an error above
+    /// `failed`.
     unsigned int max_rounds = 30, idle = 2;
     double       failed = 1e-6;
-    /// Of Newton's method from the forces of before, after sweeps, and after
-    /// the cones.
+    /// Limits of Newton iterations from the previous forces, after sweeps, and
+    /// after the cones.
     unsigned int first_iterations = 3, iterations = 40, last_iterations = 12;
-    /// Iterations after the tolerance is met, as long as each leaves a tenth of
-    /// the error: what is small beside the largest q is good to more digits.
+    /// Limit of iterations after the tolerance is met, while each leaves at
+    /// most a tenth of the error: small values beside the largest q gain
+    /// digits.
     unsigned int polish = 3;
     double       digits = 1e-15;
-    /// From which iteration on steps are shortened.
+    /// First iteration with shortened steps.
     unsigned int damped_from = 4;
     unsigned int sweeps      = 20;
     unsigned int cone_rounds = 6;
-    /// The narrowest cone that there is.
+    /// Smallest friction coefficient of a cone.
     double least_friction = 1e-4;
-    /// Of falling softness: the shares of the diagonal that it begins with,
-    /// from the forces so far and from none; what it falls and rises by, how
-    /// well it is solved, and its rounds.
+    /// Decreasing regularization: initial shares of the diagonal, starting from
+    /// the current forces and from zero; factors of decrease and increase;
+    /// tolerance of each solution; limits of rounds and sweeps.
     double       first_softness = 0.1, second_softness = 1.;
     double       falls = 0.1, falls_slowly = 0.3, rises = 5., solved = 1e-9;
     unsigned int max_softened = 60, soft_sweeps = 200;
   };
 
   /**
-   * Solves @p problem, beginning with the forces @p start (those of the load
-   * step before, say). A chain, of which the first that ends is taken:
+   * Solves @p problem, starting from the forces @p start, such as those of the
+   * previous load step. The first of these methods that converges gives the
+   * result:
    *
    *   1 Newton's method in total form on the natural map (Alart and Curnier,
-   *     Comput. Methods Appl. Mech. Eng. 92 (1991) 353-375), from the forces
-   *     given and then after sweeps of Gauss and Seidel, from these and from
-   *     none; steps that go round in circles are shortened;
-   *   2 the same from the minimum on the cones (cone_minimum()), with gaps that
-   *     are opened by mu |v_t| of the round before (de Saxce and Feng, Math.
+   *     Comput. Methods Appl. Mech. Eng. 92 (1991) 353-375), from the given
+   *     forces, then after Gauss-Seidel sweeps, from these and from zero; steps
+   *     that cycle are shortened;
+   *   2 the same from the minimum on the cones (cone_minimum()), with gaps
+   *     opened by mu |v_t| of the previous round (de Saxce and Feng, Math.
    *     Comput. Model. 28 (1998) 225-245; Acary, Cadoux, Lemarechal and
    *     Malick, Z. Angew. Math. Mech. 91 (2011) 155-175);
    *   3 proximal points (Rockafellar, SIAM J. Control Optim. 14 (1976) 877-898)
-   *     with a softness that falls: W + D, q - D lambda.
+   *     with a decreasing regularization D: W + D, q - D lambda.
    *
-   * The scale of a point is one number for its normal and one for both
-   * tangents, so that the cone stays round. A Newton iteration costs 2/3 n^3, n
-   * the rows of closed points. The solution is returned with its error also
-   * where nothing ended: who calls has to look at it.
+   * Each point has one scale for its normal and one for both tangents, so that
+   * the cone stays circular. A Newton iteration costs 2/3 n^3 for n rows of
+   * closed points. The solution is returned with its error even without
+   * convergence: the caller must check it.
    */
   CoulombSolution
   solve_coulomb(const CoulombProblem &problem,

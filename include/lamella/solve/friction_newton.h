@@ -12,26 +12,27 @@
 namespace lamella
 {
   /**
-   * The paper's Newton step (Eq. 22) with Coulomb's law: one on the
-   * displacements and contact forces of the whole scene, for the `full`
-   * strategy. With the gap and the slip of a row in the step, and its law's
-   * softness a raised to d about an estimate lambda_bar of its force,
+   * The Newton step of Eq. 22 with Coulomb's law, on the displacements and
+   * contact forces of the whole scene, for the `full` strategy. With the gap
+   * and slip of a row in the step, and the compliance a of its law raised to d
+   * about an estimate lambda_bar of its force,
    *   v = (g, s - s_0) + a lambda + (d - a) (lambda - lambda_bar),
    * it is that of Alart and Curnier (Comput. Methods Appl. Mech. Eng. 92 (1991)
-   * 353-375) for lambda = P(lambda - rho v) and equilibrium. Of the trial force
-   * z = lambda - rho v, e = z_t / |z_t|, b = mu max(0, z_n) and k = b / |z_t|:
+   * 353-375) for lambda = P(lambda - rho v) and equilibrium. With the trial
+   * force z = lambda - rho v, e = z_t / |z_t|, b = mu max(0, z_n) and k = b /
+   * |z_t|:
    *   open    where z_n <= 0:     lambda = 0;
    *   sticks  where |z_t| <= b:   v = 0, in K^p (B_n^T B_n + B_t^T B_t) / d;
    *   slips   otherwise:          v_n = 0, lambda_t along e mu lambda_n, and
    *                               across it w (-s), w = k rho / (1 - k + k rho
    *                               d):
    *     B_n^T B_n / d + (mu / d) B_e^T B_n + w B_x^T B_x,
-   * which is not symmetric. After some steps each fourth is shortened where
-   * that leaves less of the natural map.
+   * which is not symmetric. After some steps, every fourth is shortened if that
+   * reduces the natural map.
    *
-   * Where a slip v_t is there, rho = b / |v_t| of its tangents: for one that
-   * goes the wrong way to its force the trial force is zero, and the row sticks
-   * before it slips the other way. Refers to all that it is made of.
+   * The tangential rho is b / |v_t| if there is a slip v_t. A slip in the
+   * direction of its force then has no trial force, and the row sticks before
+   * its slip is reversed. Refers to all constructor arguments.
    */
   class FrictionNewton
   {
@@ -46,53 +47,52 @@ namespace lamella
       , matrix(matrix)
     {}
 
-    /// As ContactStrategy::settle() of a problem with slips. Throws
-    /// NumericsError where the tangent that it ends with has a negative
-    /// determinant: an answer that no load path leads to.
+    /// Solves a problem with slips as ContactStrategy::settle() does. Throws
+    /// NumericsError if the final tangent has a negative determinant: no load
+    /// path leads to that solution.
     ContactSolution
     settle(const ContactProblem &problem, const Monitor &monitor);
 
   private:
-    /// About the state of the problem.
+    /// An iterate, relative to the state of the problem.
     struct Iterate
     {
-      /// And K du from strains.
+      /// Displacement increment, and K du from strains.
       BlockVector du, K_du;
-      /// Whole forces, as all that follows: of each row (n, t_1, t_2).
+      /// Total force of each row as (n, t_1, t_2).
       PointVectors force;
-      /// What the last step changed du by at most.
+      /// Largest change of du in the last step.
       double change;
     };
 
-    /// What the natural map says of the rows.
+    /// Trial values of the natural map in all rows.
     struct Trial
     {
       PointVectors v, z;
-      /// mu max(0, z_n), and rho of the tangents.
+      /// Friction bound mu max(0, z_n), and tangential rho.
       std::vector<double>     bound, rho;
       std::vector<PointState> states;
     };
 
-    /// What a step does to forces: lambda + change - sum of the terms, weight
-    /// times what the displacements open B_on by.
+    /// Linearized law: new force = lambda + change - sum of the terms, each its
+    /// weight times B_on du.
     struct Law
     {
       PointVectors             change;
       std::vector<PenaltyTerm> terms;
     };
 
-    /// What is rounding: gaps of open rows; gaps and slips of pressed ones,
-    /// which are solved for; forces. And rho, forces over lengths, of the
-    /// normals, of the tangents where they have not slipped and, for a measure
-    /// of how good an iterate is, of all.
+    /// Rounding levels of the gaps of open rows, of gaps and slips of closed
+    /// rows, and of forces; rho (force / length) of the normals, of the
+    /// tangents without slip, and, for the error measure of an iterate, of all.
     struct Scales
     {
       double closed = 0., slid = 0., small = 0., rho = 0.;
       bool   same_rho = false;
     };
 
-    /// The forces of the step before and what they do without a contact that
-    /// answers.
+    /// Returns the first iterate: the forces of the previous step and their
+    /// displacements without contact reaction.
     Iterate
     begin(const ContactProblem &problem);
     Scales
@@ -103,13 +103,13 @@ namespace lamella
     trial(const ContactProblem &problem,
           const Iterate        &at,
           const Scales         &scale) const;
-    /// What the law asks of row @p r, which is not open.
+    /// Adds the linearized law of the closed row @p r to @p law.
     void
     linearise(const unsigned int r,
               const Iterate     &at,
               const Trial       &trial,
               Law               &law) const;
-    /// The same of the tangents of a row that slips.
+    /// Adds the linearized tangential law of the slipping row @p r to @p law.
     void
     linearise_slip(const unsigned int r,
                    const Iterate     &at,
@@ -117,11 +117,11 @@ namespace lamella
                    Law               &law) const;
     Iterate
     step(const ContactProblem &problem, const Iterate &at, const Trial &trial);
-    /// The natural map of row @p r, a force.
+    /// Returns the natural map of row @p r [force].
     static dealii::Tensor<1, 3>
     missed(const unsigned int r, const Iterate &at, const Trial &trial);
-    /// Of @p from and what a step led to, @p to: the best of some shares of the
-    /// way.
+    /// Returns the best iterate at several fractions of the step from @p from
+    /// to @p to.
     Iterate
     shortened(const ContactProblem &problem,
               const Iterate        &from,

@@ -10,38 +10,35 @@
 namespace lamella
 {
   /**
-   * What friction adds to a state and what it remembers: of each gap row, all
-   * of them, as vectors of the scene, so that no frame is kept. Empty where no
-   * contact has friction, and before the first load step.
+   * Friction variables of a state, per gap row, as scene vectors so that no
+   * frame is stored. Empty without friction and before the first load step.
    *
-   * Coulomb's law of a step, with s_0 the slip at the end of the one before:
+   * Coulomb's law of a step, with the slip s_0 at the end of the previous one:
    *   v = s(u) + a lambda_t - s_0,   |lambda_t| <= mu lambda_n,
    *   v = 0 where |lambda_t| < mu lambda_n,
-   *   lambda_t = -mu lambda_n v / |v| where v is not zero,
-   * a the softness of the normal law (law_softness()): a penalty is one in the
-   * tangents, too.
+   *   lambda_t = -mu lambda_n v / |v| where v is not zero.
+   * The compliance a of the normal law (law_softness()) also acts tangentially.
    */
   struct FrictionState
   {
-    /// lambda_t, on the second side [force].
+    /// Tangential force lambda_t on the second side [force].
     std::vector<dealii::Tensor<1, 3>> shear;
-    /// lambda_t / |lambda_t| of rows that slip; zero of all others.
+    /// Unit vector lambda_t / |lambda_t| of slipping rows; zero for all others.
     std::vector<dealii::Tensor<1, 3>> direction;
-    /// s_0 [length], of open rows, too.
+    /// Slip s_0 [length], also of open rows.
     std::vector<dealii::Tensor<1, 3>> before;
-    /// The length of the slip so far, and what it has dissipated [energy]: in
-    /// each step mu (lambda_n,0 + lambda_n,1) / 2 |v|, which is never negative
-    /// and of second order in the step.
+    /// Accumulated slip length, and dissipated energy: mu (lambda_n,0 +
+    /// lambda_n,1) / 2 |v| per step, which is nonnegative and of second order
+    /// in the step.
     std::vector<double> length, dissipated;
     /// g + a lambda_n [length].
     std::vector<double> opening;
     /**
-     * What the steps so far miss of the work of contact, over all rows
-     * [energy]: of each step
+     * Accumulated defect of the contact work over all rows [energy]: per step
      *   - mean lambda . (change of (g, s) + a lambda) - dissipated,
-     * with the mean of the forces at its ends. Bodies are linear, so what the
-     * loads have done is strain energy, what penalties store (a |lambda|^2 /
-     * 2), dissipated and this. It goes to zero as steps get shorter.
+     * with the mean of the forces at both ends. For linear bodies, the external
+     * work is the sum of strain energy, penalty energy a |lambda|^2 / 2,
+     * dissipation and this defect, which vanishes as steps get shorter.
      */
     double path_gap = 0.;
 
@@ -51,36 +48,37 @@ namespace lamella
       return shear.empty();
     }
 
-    /// The sum of `dissipated`, over all rows.
+    /// Returns the sum of `dissipated` over all rows.
     double
     all_dissipated() const;
 
-    /// That of @p rows without force or slip, of undeformed bodies.
+    /// Returns the state of @p rows without force or slip, for undeformed
+    /// bodies.
     static FrictionState
     at_rest(const GapRows &rows);
   };
 
-  /// What is said of an answer with friction that no load path leads to, and
-  /// of one that is not found: the end of a message.
+  /// End of the message if a solution with friction is unstable or not found.
   constexpr const char *remedy_with_friction =
     ". Try more Substeps, a smaller step in Load factors, or a softer penalty.";
 
-  /// Throws NumericsError: the answer that was found is unstable.
+  /// Throws NumericsError: the solution found is unstable.
   [[noreturn]] void
   fail_as_unstable();
 
-  /// A vector along tangents by its components, and back.
+  /// Converts a vector along the tangents into components, and back.
   dealii::Tensor<1, 2>
   along_tangents(const GapRow &row, const dealii::Tensor<1, 3> &vector);
   dealii::Tensor<1, 3>
   in_scene(const GapRow &row, const dealii::Tensor<1, 2> &components);
 
-  /// s(u) of @p row at load factor @p factor, by components along its tangents.
+  /// Returns the slip s(u) of @p row at load factor @p factor, in components
+  /// along its tangents.
   dealii::Tensor<1, 2>
   slip_of(const GapRow &row, const BlockVector &u, const LoadFactor &factor);
 
-  /// f += B^T lambda of @p row: its force @p normal and, with friction, @p
-  /// shear, a vector of the scene.
+  /// Adds B^T lambda of @p row to @p f: its force @p normal and, with friction,
+  /// @p shear, a scene vector.
   void
   add_force(const GapRow               &row,
             const double                normal,

@@ -10,61 +10,61 @@
 
 namespace lamella
 {
-  /// Of each row the normal force and the shear along its tangents.
+  /// Returns the normal force and the shear force along the tangents of each
+  /// row.
   std::vector<dealii::Tensor<1, 3>>
   forces_by_rows(const GapRows &rows, const State &state);
 
-  /// v of the row number @p r: its slip in the step, with the softness of the
-  /// law.
+  /// Returns the slip v of row number @p r in the step, including the
+  /// compliance of the law.
   dealii::Tensor<1, 2>
   slip_in_step(const GapRow      &row,
                const unsigned int r,
                const State       &state,
                const LoadFactor  &factor);
 
-  /// Adds to the @p problem about @p state, which has friction, slips and
-  /// shears; the search begins with the forces of the state.
+  /// Adds slips and shear forces to the @p problem about @p state, which has
+  /// friction. The search starts from the forces of the state.
   void
   add_friction(const GapRows    &rows,
                const State      &state,
                const LoadFactor &factor,
                ContactProblem   &problem);
 
-  /// Gives @p state the forces that a strategy @p found.
+  /// Stores the forces @p found by a strategy in @p state.
   void
   take_forces(const GapRows &rows, const ContactSolution &found, State &state);
 
-  /// What does not move in @p state.
+  /// Returns the closed constraints of @p state.
   ClosedRows
   closed_rows(const GapRows &rows, const State &state);
 
-  /// Adds @p dlambda to the forces of @p state; of rows that slip the shear
-  /// follows.
+  /// Adds @p dlambda to the forces of @p state; the shear forces of slipping
+  /// rows follow.
   void
   add_forces(const GapRows    &rows,
              const ClosedRows &closed,
              const Vector     &dlambda,
              State            &state);
 
-  /// By how far @p state, with friction, misses the law of row @p r, which
-  /// bears a force: |v| where it sticks, |v + |v| e| where it slips along
-  /// -e [length].
+  /// Returns the friction error of row @p r in @p state [length]; the row has a
+  /// force. |v| if it sticks, |v + |v| e| if it slips along -e.
   double
   friction_error(const GapRow      &row,
                  const unsigned int r,
                  const State       &state,
                  const LoadFactor  &factor);
 
-  /// Ends the load step that has come from @p before to @p state at @p factor:
-  /// what friction remembers of it (FrictionState). Nothing without.
+  /// Ends the load step from @p before to @p state at @p factor by updating the
+  /// FrictionState. No effect without friction.
   void
   end_step(const GapRows    &rows,
            const State      &before,
            const LoadFactor &factor,
            State            &state);
 
-  /// The same of rows that move: the next step's slips begin at zero, and no
-  /// balance of work is kept.
+  /// Ends the load step of moving contacts: the slips of the next step start at
+  /// zero, and no work balance is kept.
   void
   end_moved_step(const GapRows    &rows,
                  const State      &before,

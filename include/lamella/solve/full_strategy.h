@@ -9,25 +9,22 @@
 namespace lamella
 {
   /**
-   * The paper's way: Newton's method on the displacements and contact forces of
-   * the whole scene. At the state (u, lambda) a row is active if its law pushes
-   * there,
+   * Newton's method of the paper on the displacements and contact forces of the
+   * whole scene. At (u, lambda) a row is active if
    *   lambda - (g(u) + a lambda) / d > 0
-   * (a semi-smooth Newton or primal-dual active set method; for penalties,
-   * where d = a, this is g < 0), and the step is
+   * (semi-smooth Newton or primal-dual active set method; g < 0 for penalties,
+   * where d = a), and the step is
    *   (K + K^p) du = r_u + B_A^T r_lambda / d,   K^p = B_A^T diag(1/d) B_A,
    *   dlambda      = (r_lambda - B_A du) / d
-   * (Eqs. 22 and 23) with what is left at that state, r_lambda =
-   * -(g(u) + a lambda), and r_u what is out of balance there. (Eq. 22 is in
-   * total form; with residuals at the state the gaps are counted once, whatever
-   * Eqs. 25 and 26 add to the right.) A factorisation of the whole scene for
-   * each round: PenaltyMatrix. Each round's forces are the estimates of the
-   * next.
+   * (Eqs. 22 and 23) with the residuals r_u and r_lambda = -(g(u) + a lambda)
+   * at the state. (Eq. 22 is in total form; residuals at the state count the
+   * gaps once, whatever Eqs. 25 and 26 add on the right.) Each round factorizes
+   * the whole scene (PenaltyMatrix) and uses the previous forces as estimates.
    *
-   * Globalisation: rows that pull open, of those that penetrate the worst
-   * close, at most eight or, if that is more, as many as are active; should a
-   * set come back, the step to it is cut at the lowest point of the energy
-   * along it. With friction that is FrictionNewton.
+   * Globalization: tensile rows are deactivated; of the penetrating ones the
+   * worst are activated, at most eight or as many as are active. If an active
+   * set returns, the step is cut at the lowest energy along it. FrictionNewton
+   * replaces this with friction.
    */
   class FullStrategy : public ContactStrategy
   {
@@ -38,7 +35,7 @@ namespace lamella
     ContactSolution
     settle(const ContactProblem &problem, const Monitor &monitor) override;
 
-    /// One solution with K + K^p of the rows @p active.
+    /// Solves one system with K + K^p of the active rows.
     void
     solve(const ClosedRows  &closed,
           const BlockVector &r_u,
@@ -46,7 +43,7 @@ namespace lamella
           BlockVector       &du,
           Vector            &dlambda) override;
 
-    /// The stiffening, and the rows that the matrix has room for.
+    /// Returns the increase of the penalty, and the rows in the matrix pattern.
     StrategyMemory
     memory() const override;
     void
@@ -65,7 +62,7 @@ namespace lamella
                           "a softer penalty, the condensed strategy";
     }
 
-    /// That the penalties are too hard for doubles
+    /// Returns a warning if the penalties are too hard for doubles
     /// (PenaltyMatrix::warnings()).
     std::vector<std::string>
     warnings() const override
@@ -74,57 +71,58 @@ namespace lamella
     }
 
   private:
-    /// Where Newton's method is, about the state of the problem.
+    /// An iterate, relative to the state of the problem.
     struct Iterate
     {
-      /// And K du from strains: penalties cost the matrix digits that the
-      /// forces alone do not tell.
+      /// Displacement increment, and K du from strains, as penalties cost
+      /// digits of the matrix.
       BlockVector du, K_du;
-      /// Of each row.
+      /// Force of each row.
       std::vector<double> force;
-      /// Ascending.
+      /// Active rows, ascending.
       std::vector<unsigned int> active;
     };
 
-    /// Forces and rows that @p problem starts from, no displacement yet.
+    /// Returns the forces and active rows that @p problem starts from, with
+    /// zero displacement.
     Iterate
     begin(const ContactProblem &problem) const;
-    /// The Newton step on the active rows of @p at; others lose their forces.
-    /// Returns the largest change of a displacement.
+    /// Performs the Newton step on the active rows of @p at; the forces of
+    /// other rows become zero. Returns the largest change of a displacement.
     double
     step(const ContactProblem &problem, Iterate &at);
-    /// d lambda - (g + a lambda) of each row, a length: its law's force times d
-    /// where it is positive. For penalties, where d = a, it is the penetration
-    /// -g.
+    /// Returns d lambda - (g + a lambda) of each row [length]: d times the
+    /// force of its law if positive, or the penetration -g for penalties, where
+    /// d = a.
     std::vector<double>
     overlaps(const ContactProblem &problem, const Iterate &at) const;
-    /// Whether @p row is active and does not pull.
+    /// Returns true if @p row is active and not tensile.
     static bool
     stays(const Iterate &at, const unsigned int row);
-    /// The active rows that pull, and those of the others that overlap by more
-    /// than @p closed.
+    /// Returns the tensile active rows, and the inactive rows that overlap by
+    /// more than @p closed.
     static Round
     wrong_rows(const Iterate             &at,
                const std::vector<double> &overlap,
                const double               closed);
-    /// The next active set, ascending: those that stay, and the worst of those
-    /// that overlap by more than @p closed, at most eight or as many as are
-    /// active.
+    /// Returns the next active set, ascending: the rows that stay, and the
+    /// worst of those that overlap by more than @p closed, at most eight or as
+    /// many as are active.
     static std::vector<unsigned int>
     next_set(const Iterate             &at,
              const std::vector<double> &overlap,
              const double               closed);
-    /// @p from with the share @p t of the way to @p to, and the forces of the
-    /// law there.
+    /// Returns the point at the fraction @p t from @p from to @p to, with the
+    /// forces of the law there.
     Iterate
     part_of_the_way(const ContactProblem &problem,
                     const Iterate        &from,
                     const Iterate        &to,
                     const double          t) const;
-    /// Where the forces do no work any more on the way from @p from to @p to,
-    /// the whole of which led back to a set that had been there: by bisection,
-    /// to a hundredth of their work at the start. For a convex energy that is
-    /// its minimum along the way, so it falls, and no set comes back for ever.
+    /// Returns the minimum of the convex energy between @p from and @p to,
+    /// whose active set was there before: the point where the forces do no more
+    /// work, by bisection to a hundredth of the initial work. The energy falls,
+    /// so no set returns forever.
     Iterate
     lowest_point(const ContactProblem &problem,
                  const Iterate        &from,

@@ -14,69 +14,67 @@
 namespace lamella
 {
   /**
-   * The Kuhn-Tucker state (Eq. 18) of one contact at the end of a load step,
+   * Kuhn-Tucker conditions (Eq. 18) and resultants of one contact at the end of
+   * a load step,
    *   g >= 0,  lambda >= 0,  g lambda = 0   (for penalty with g + lambda / eps
    *                                          in the place of g),
-   * row by row, and what it transmits. lambda is the force of a row, positive
-   * in compression, where p_N of Eq. 18 is negative. Forces and lengths are in
-   * the scene's units and axes.
+   * row by row. The force lambda of a row is positive in compression, where p_N
+   * of Eq. 18 is negative. Units and axes of the scene.
    */
   struct KuhnTucker
   {
-    /// Rows with a force.
+    /// Number of rows with a force.
     unsigned int active = 0;
-    /// The resultant on the second body or obstacle, scene components, and the
-    /// moment about the scene's origin: the work of the rows on rigid motions
-    /// of a body, so exact for every kind of rows.
+    /// Resultant on the second body or obstacle, and its moment about the
+    /// origin of the scene, scene components. Computed as work on the rigid
+    /// motions of a body, hence exact for all kinds of rows.
     dealii::Tensor<1, 3> force, moment;
-    /// What each row has of these: they sum to them but for rounding.
+    /// Contribution of each row; they sum to the resultant up to rounding.
     std::vector<Wrench> of_rows;
-    /// Where the force acts: of its line of action the point nearest to the
-    /// mean of the active points, weighted with their forces. The origin where
-    /// there is no force.
+    /// Point on the line of action of the force, nearest to the force-weighted
+    /// mean of the active points. The origin if there is no force.
     dealii::Point<3> centre_of_pressure;
-    /// |sum of the forces on both bodies| over the sum of the rows' forces:
-    /// zero but for rounding. Not looked at against an obstacle.
+    /// |sum of the forces on both bodies| over the sum of the row forces: zero
+    /// up to rounding. Not evaluated against an obstacle.
     double imbalance = 0.;
-    /// The largest -g, zero without penetration; by design F / eps for penalty.
+    /// Largest -g, zero without penetration; F / eps by design for penalty.
     double max_penetration = 0.;
-    /// The smallest force of an active row: not negative. Zero if none is
-    /// active.
+    /// Smallest force of an active row, which is not negative. Zero without
+    /// active rows.
     double min_force = 0.;
-    /// The largest lambda max(0, g), an energy: zero.
+    /// Largest lambda max(0, g) [energy]: zero.
     double complementarity = 0.;
-    /// The largest |g + a lambda| of an active row and -g of any other, with
-    /// a = 1/eps for penalty and zero without: how far gaps and forces are from
-    /// the law, a length.
+    /// Largest |g + a lambda| of active rows and -g of all others [length],
+    /// with a = 1/eps for penalty, else zero: the violation of the contact law.
     double law_error = 0.;
-    /// How much wider the initial gaps of active rows, means over elements
-    /// perhaps, are than those between their points: what the mesh does not
-    /// resolve of how the surfaces curve.
+    /// Difference between the initial gaps of active rows, possibly element
+    /// averages, and those between their points: surface curvature that the
+    /// mesh does not resolve.
     double averaged_away = 0.;
-    /// With friction: its resultant on the second side, scene components; the
-    /// areas of the rows that stick and that slip [length^2]; what it has
-    /// dissipated so far [energy].
+    /// Friction: resultant on the second side, scene components; areas of the
+    /// sticking and slipping rows [length^2]; dissipated energy so far.
     dealii::Tensor<1, 3> shear;
     double               sticking = 0., slipping = 0., dissipated = 0.;
-    /// The largest of law error over displacement, tension over force and
-    /// complementarity over both: a number. Zero if no row is active.
+    /// Largest of law error over displacement, tension over force and
+    /// complementarity over both. Zero without active rows.
     double violation = 0.;
   };
 
-  /// Adds the resultants of @p part, at ends of a body, to those of the contact
-  /// @p whole: forces, moments, areas and work.
+  /// Adds the resultants of @p part, at the ends of a body, to those of the
+  /// contact @p whole: forces, moments, areas and energies.
   void
   add_resultants(KuhnTucker &whole, const KuhnTucker &part);
 
-  /// The forces of the rows of one contact in a state: views of it.
+  /// Views of the row forces of one contact in a state.
   struct RowForces
   {
-    /// Of the contact number @p contact of @p rows; @p state lives longer.
+    /// Views contact number @p contact of @p rows in @p state, which must
+    /// outlive this object.
     RowForces(const GapRows     &rows,
               const unsigned int contact,
               const State       &state);
 
-    /// lambda_t of row @p k on the second side; zero without friction.
+    /// Returns lambda_t of row @p k on the second side; zero without friction.
     dealii::Tensor<1, 3>
     shear_of(const unsigned int k) const
     {
@@ -95,12 +93,10 @@ namespace lamella
     dealii::ArrayView<const double> length, dissipated;
   };
 
-  /**
-   * What the rows of @p contact say of gaps and of @p forces at the
-   * displacements @p u and load factor @p factor, and what the forces do as a
-   * whole; adds them to the forces @p on_body of every body. Gaps are compared
-   * with @p displacement, the largest there is.
-   */
+  /// Checks the contact law of @p contact with @p forces at the displacements
+  /// @p u and load factor @p factor, and returns it with the resultants. Adds
+  /// the forces to those @p on_body of every body. @p displacement, the largest
+  /// one, is the reference of the gaps.
   KuhnTucker
   check_contact(const ContactInterface  &contact,
                 const RowForces         &forces,

@@ -8,17 +8,14 @@
 
 namespace lamella
 {
-  /**
-   * A load step of bodies that turn by any angle: Newton's method from the
-   * state before, with contacts that move along, and checks of what it came to
-   * at the places where bodies are now. Where a whole step cannot be had it is
-   * done in parts that nobody sees.
-   */
+  /// Load step with finite rotations: Newton's method from the previous state
+  /// with moving contacts, and checks in the current configuration. A step that
+  /// fails is divided internally.
   class LargeStep : public Step
   {
   public:
-    /// Refers to all that it is made of. Iterations are told to @p progress,
-    /// factorisations to @p monitor. @p n_supports are those of the scene.
+    /// Refers to all arguments. @p progress reports iterations, @p monitor
+    /// factorizations. @p n_supports is the number of supports in the scene.
     LargeStep(const Structure                  &structure,
               const MovingContacts             &contacts,
               const unsigned int                n_supports,
@@ -42,13 +39,13 @@ namespace lamella
     go_on_from(const State &last, const LoadFactor &factor) override;
 
   private:
-    /// Where the path from @p before, at @p from, to @p to begins.
+    /// Returns the start of the path from @p before, at @p from, to @p to.
     Equilibrium
     start_at(const State &before, const LoadFactor &from, const LoadFactor &to);
 
     const Structure &structure;
     Newton           newton;
-    /// The displacements of the last state, which the rows are of.
+    /// Displacements of the last state, to which the rows belong.
     BlockVector            reached;
     const unsigned int     n_supports;
     const SolveParameters &parameters;

@@ -11,33 +11,34 @@
 namespace lamella
 {
   /**
-   * The rows of a state that press bodies on obstacles, for bodies that nothing
-   * else keeps from buckling (a column behind a stop, a sheet between a
-   * pressure and a floor): the tangent K of such a body is not definite, while
-   * with a spring rho in each of these rows, S = K + rho B^T B, it is.
+   * Active constraints against obstacles, used to make the tangent definite for
+   * bodies that only they keep from buckling (a column behind a stop, a sheet
+   * between a pressure and a floor). The tangent K is not definite, but with a
+   * spring rho in each constraint, S = K + rho B^T B, it is.
    *
-   * With the shift lambda' = lambda + rho g of their forces the increment x
-   * from a state of the gaps g_0,
+   * With shifted forces lambda' = lambda + rho g, the increment x from a state
+   * with gaps g_0,
    *   K x = r + B^T (lambda - lambda_0),   lambda = -eps g,
    * is that of
    *   S x = r + B^T (lambda' - lambda'_0),   lambda' = -(eps - rho) g,
-   * as long as the row bears a force: a contact problem of the same kind, whose
-   * S has a Cholesky factor. Where a row opens x is off by the spring's force,
-   * which the next iteration knows. rho is a share of the penalty eps: the
-   * less, the less the rounding of gaps, rho times that, is in the forces. Rows
-   * of a law without penalty keep theirs, a number of the method.
+   * as long as the constraint has a force: a contact problem of the same kind,
+   * whose S has a Cholesky factor. If a constraint opens, x is off by the
+   * spring force, which the next iteration corrects. rho is a share of the
+   * penalty eps; a smaller share leaves less of the gap rounding, times rho, in
+   * the forces. Constraints without a penalty law keep their numerical penalty.
    *
-   * That S is definite says that the state is stable as long as these rows bear
-   * forces.
+   * A definite S implies that the state is stable as long as these constraints
+   * have forces.
    */
   class LeaningRows
   {
   public:
-    /// Of each body.
+    /// Springs of each body.
     using Springs = std::vector<std::vector<SpringTerm>>;
 
-    /// Those of @p state with the rows of @p contacts, rho @p share of eps.
-    /// @p n_bodies are those of the scene.
+    /// Selects the constraints of @p state among the rows of @p contacts, with
+    /// rho = @p share times eps. @p n_bodies is the number of bodies in the
+    /// scene.
     LeaningRows(const std::vector<ContactInterface> &contacts,
                 const State                         &state,
                 const unsigned int                   n_bodies,
@@ -55,15 +56,16 @@ namespace lamella
       return of_bodies;
     }
 
-    /// All rows of the contacts, leaning ones with what penalty is left.
+    /// Returns all rows of the contacts; shifted ones have the remaining
+    /// penalty.
     GapRows
     rows() const
     {
       return GapRows(softened);
     }
 
-    /// lambda' of @p state displaced to @p u at @p factor in the place of its
-    /// forces, and back; rows that would pull then are open.
+    /// Replaces the forces of @p state, displaced to @p u at @p factor, by
+    /// lambda', and back; rows that would be tensile are deactivated.
     void
     take_springs_off(const BlockVector &u,
                      const LoadFactor  &factor,

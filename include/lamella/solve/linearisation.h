@@ -12,21 +12,18 @@
 namespace lamella
 {
   /**
-   * What belongs to one state u of a structure: its tangent stiffness there,
+   * The tangent stiffness of a structure at one state u,
    *   K(u) = d f_int / du,
-   * the springs' with it, as terms that a matrix is assembled from, as a
-   * product, and, where they are made, as solvers of each body. Whoever solves,
-   * takes compliances or duals refers to one of these and never to a structure,
-   * so that no stiffness is there without the state that it is of. It does not
-   * change: another state has another one. As long as all bodies are linear
-   * that of u = 0 is that of every state, and a run has one for good.
+   * springs included: as terms for assembly, as a product, and optionally as
+   * solvers of each body. It is immutable; another state needs another object.
+   * If all bodies are linear, that at u = 0 is valid for all states.
    *
    * Refers to the structure, which must outlive it. Collective.
    */
   class Linearisation
   {
   public:
-    /// Callbacks for each body: at the begin and end of its work, after the
+    /// Callbacks for each body: at the beginning and end of its work, after the
     /// assembly of its stiffness, and with the size of its factor before memory
     /// is allocated. Each may be empty. An exception of `sized` prevents the
     /// factorization.
@@ -37,17 +34,18 @@ namespace lamella
       std::function<void(const Body &, const FactorSize &)> sized;
     };
 
-    /// About @p u, without solvers: what the `full` strategy assembles.
+    /// Creates the tangent at @p u without solvers, for assembly by the `full`
+    /// strategy.
     Linearisation(const Structure   &structure,
                   const BlockVector &u,
                   const LoadFactor  &factor = LoadFactor());
 
-    /// About @p u, with what solves with the condensed stiffness of each body,
-    /// as @p asked; after the @p correction that led to u, if there is one
-    /// (Body::make_tangent_solver()). Loads that turn along add theirs at load
-    /// factor @p factor, and to the solvers only, as are more @p springs of
-    /// each body. Throws LostDigits where one is not positive definite in
-    /// doubles, InputError as Body::solver_kind() does, and what @p monitor
+    /// Creates the tangent at @p u with solvers of the kind @p asked for the
+    /// condensed stiffness of each body, after the @p correction that led to u,
+    /// if any (Body::make_tangent_solver()). Follower loads at load factor
+    /// @p factor and additional @p springs of each body contribute to the
+    /// solvers only. Throws LostDigits if a stiffness is not positive definite
+    /// in doubles, InputError as Body::solver_kind() does, and what @p monitor
     /// throws.
     Linearisation(const Structure   &structure,
                   const BlockVector &u,
@@ -63,9 +61,9 @@ namespace lamella
       return structure;
     }
 
-    /// The prescribed rows of all supports as functionals of changes of the
-    /// state, and G of @p body with them: those of the structure but for bodies
-    /// whose rows turn.
+    /// Returns the prescribed rows of all supports, and G of @p body, for
+    /// increments of the state: those of the structure, except for bodies with
+    /// finite-rotation rows.
     const std::vector<PrescribedRow> &
     prescribed() const
     {
@@ -79,68 +77,69 @@ namespace lamella
                *moved_reductions[body];
     }
 
-    /// G^T r in place, zero in the eliminated DoFs.
+    /// Computes G^T r in place, zero in the eliminated DoFs.
     void
     condense(BlockVector &r) const;
 
-    /// What supports move bodies by from load factor @p from, that of the
-    /// state, to @p to. Where rows turn, or supports do (RigidTurn), it is what
-    /// takes the state to where the supports are then, to the first order: what
-    /// is of second order compresses a beam that has not bent yet.
+    /// Returns the prescribed displacements from load factor @p from, that of
+    /// the state, to @p to. With finite rotations of rows or supports
+    /// (RigidTurn) this is the first-order increment to the new supports:
+    /// second-order terms would compress a beam that has not bent yet.
     BlockVector
     way_to_supports(const LoadFactor &from, const LoadFactor &to) const;
 
-    /// The place of a support that is off what it prescribes, and how far as a
-    /// share of what it may be off by.
+    /// Point of a support that misses its prescribed value, with the error as a
+    /// share of the tolerance.
     struct Missed
     {
       dealii::Point<3> place;
       double           share = 0.;
     };
-    /// The one that is off the most at load factor @p at of the rows that no
-    /// correction follows, which may be by what turns put warpings off.
+    /// Returns the largest error at load factor @p at of the rows that no
+    /// correction follows. The tolerance accounts for the effect of rotations
+    /// on warping.
     Missed
     missed_most(const LoadFactor &at) const;
 
-    /// What K(u) of @p body is assembled from, its springs among it.
+    /// Returns the terms of K(u) of @p body, springs included.
     StiffnessTerms
     terms(const unsigned int body) const;
 
-    /// K(u) @p w of all bodies and springs, not condensed; strain first, as
-    /// Structure::internal_forces() is.
+    /// Returns K(u) @p w of all bodies and springs, not condensed, evaluated
+    /// from strains as Structure::internal_forces() is.
     BlockVector
     apply(const BlockVector &w) const;
 
-    /// What solves with the condensed stiffness of @p body, if this has solvers
-    /// (an assertion fails otherwise).
+    /// Returns the solver for the condensed stiffness of @p body. Asserts that
+    /// there are solvers.
     const LinearSolver &
     solver(const unsigned int body) const;
 
-    /// K(u)^-1 @p r, which need not be condensed; zero in what supports
-    /// prescribe. With solvers. Loads that turn along have a part of the
-    /// tangent that is not symmetric, A, in no factor: with it x is that of
-    ///   (1 + K^-1 A) x = K^-1 r,
-    /// by GMRES, or K^-1 r if that does not come to an end.
+    /// Returns K(u)^-1 @p r, zero in prescribed DoFs; r need not be condensed.
+    /// Requires solvers. Follower loads may add an unsymmetric part A to the
+    /// tangent, outside the factors: then solves
+    ///   (1 + K^-1 A) x = K^-1 r
+    /// by GMRES, or returns K^-1 r if that does not converge.
     BlockVector
     solve(BlockVector r) const;
 
-    /// The largest diagonal entry of the condensed stiffness of @p body, force
-    /// over length where the DoF is a displacement. Where there are no solvers
-    /// (`full`) the first call assembles the body's matrix to see.
+    /// Returns the largest diagonal entry of the condensed stiffness of @p body
+    /// (force over length for displacement DoFs). Without solvers (`full`) the
+    /// first call assembles the matrix of the body.
     double
     largest_stiffness(const unsigned int body) const;
 
-    /// The largest estimate of a condition number of the bodies' stiffnesses, a
-    /// lower bound; 0 if unknown.
+    /// Returns the largest estimate, a lower bound, of the condition numbers of
+    /// the stiffnesses; 0 if unknown.
     double
     condition_estimate() const;
 
   private:
-    /// Makes the rows and reductions of bodies whose rows turn.
+    /// Creates the rows and reductions of bodies with finite-rotation rows.
     void
     move_supports();
 
-    /// What solves with the stiffness of @p body and its @p springs.
+    /// Returns the solver for the stiffness of @p body with its @p springs.
     std::unique_ptr<LinearSolver>
     make_solver(const unsigned int             body,
                 const SolverKind               asked,
@@ -148,10 +147,10 @@ namespace lamella
                 const std::vector<SpringTerm> &springs,
                 const SolverMonitor           &monitor) const;
 
-    /// K^-1 @p r.
+    /// Returns K^-1 @p r.
     BlockVector
     solve_symmetric(BlockVector r) const;
-    /// A @p w.
+    /// Returns A @p w.
     BlockVector
     skew_part(const BlockVector &w) const;
 
@@ -159,21 +158,23 @@ namespace lamella
     const BlockVector                          state;
     const LoadFactor                           factor;
     std::vector<std::unique_ptr<LinearSolver>> solvers;
-    /// Where no rows turn empty; of each row what it measures in the state.
+    /// Moved rows, and the value of each in the state; empty without
+    /// finite-rotation rows.
     std::vector<PrescribedRow>                 moved_rows;
     std::vector<double>                        measured;
     std::vector<std::unique_ptr<RowReduction>> moved_reductions;
-    /// largest_stiffness() where no solver knows it, once asked for.
+    /// Cached largest_stiffness() without solvers.
     mutable std::vector<double> stiffest;
   };
 
-  /// That of u = 0 with solvers: of linear bodies the one there is.
+  /// Returns the tangent at u = 0 with solvers, valid for all states of linear
+  /// bodies.
   std::shared_ptr<const Linearisation>
   linearised(const Structure                  &structure,
              const SolverKind                  asked   = SolverKind::automatic,
              const Linearisation::BodyMonitor &monitor = {});
 
-  /// That of u = 0 without solvers: what the `full` strategy takes.
+  /// Returns the tangent at u = 0 without solvers, for the `full` strategy.
   std::shared_ptr<const Linearisation>
   linearised_without_solvers(const Structure &structure);
 } // namespace lamella

@@ -18,30 +18,29 @@
 
 namespace lamella
 {
-  /// What a load step came to: a state that may be trusted, and what was
-  /// checked of it.
+  /// Result of a load step: a checked state.
   struct SolvedStep
   {
-    /// t: what multiplies loads and prescribed displacements.
+    /// Load factor t, which multiplies loads and prescribed displacements.
     LoadFactor load_factor;
     State      state;
     Checks     checks;
-    /// In how many parts it was done, and where these were sought by how much
-    /// the last doubling changed it (change_of()).
+    /// Number of substeps; for automatic substeps also the change by the last
+    /// doubling (change_of()).
     unsigned int          substeps = 1;
     std::optional<double> change   = {};
-    /// How often it was halved on the way.
+    /// Number of bisections on the way.
     unsigned int cuts = 0;
   };
 
   /**
-   * How far @p one is from @p other, two ways from @p before to the same load
-   * factor: the largest of what forces of supports and contacts, the forces
-   * of friction among them alone, displacements, and the energy dissipated on
-   * the way differ by, each over the largest of its kind; friction over a
-   * hundredth of the largest force or the strain energy, if that is more.
-   * Forces and displacements of @p before, whose largest are @p before_force
-   * and its own, count among the largest: after unloading there is nothing.
+   * Returns the distance of @p one from @p other, two solutions from @p before
+   * to the same load factor: the largest relative difference of the forces of
+   * supports and contacts, the friction forces alone, the displacements, and
+   * the dissipated energy. Each is relative to the largest of its kind;
+   * friction to at least a hundredth of the largest force or of the strain
+   * energy. The largest force @p before_force and displacement of @p before
+   * count too, as after unloading little is left.
    */
   double
   change_of(const SolvedStep &one,
@@ -49,54 +48,52 @@ namespace lamella
             const State      &before,
             const double      before_force = 0.);
 
-  /// A load step of a scene: from a state to the state at a load factor, and
-  /// the checks of that. Which kinematics it has nobody need know. Collective.
+  /// Interface of a load step, from a state to the state at a load factor with
+  /// its checks, independent of the kinematics. Collective.
   class Step
   {
   public:
     virtual ~Step() = default;
 
-    /// From @p before, empty where there is none, which is that of the factors
-    /// @p from, to @p to. Throws NumericsError for what cannot be solved or is
-    /// not to be trusted. One that is not the @p last of its load step is not
-    /// held against large deflections.
+    /// Solves from @p before (empty if none), at the factors @p from, to @p to.
+    /// Throws NumericsError if the solution fails or is not reliable. Only the
+    /// @p last substep of a load step is checked for large deflections.
     virtual SolvedStep
     operator()(const State      &before,
                const LoadFactor &from,
                const LoadFactor &to,
                const bool        last = true) = 0;
 
-    /// The checks of @p state, which is one at @p factor. Throws as above.
+    /// Returns the checks of @p state at @p factor. Throws as operator() does.
     virtual Checks
     check(const State      &state,
           const LoadFactor &factor,
           const bool        last = true) = 0;
 
-    /// Goes on from @p last, a state at @p factor that another run has come
-    /// to. Of linear kinematics there is nothing to do.
+    /// Continues from @p last, a state at @p factor from another run. No effect
+    /// for linear kinematics.
     virtual void
     go_on_from(const State &, const LoadFactor &)
     {}
   };
 
   /**
-   * The step of linear kinematics:
+   * Load step of linear kinematics:
    *   1. The linear solution without contact (ContactSolver::solve_free()),
-   *   2. contact on top of it, from the active rows of the state before, and
-   *      the release of stabilising springs,
-   *   3. checks, which throw if the state is not to be trusted, or if a
-   *      contact's search distance was too short.
-   * Without friction the state before decides on rounds and not on the result.
+   *   2. the solution with contact, starting from the previous active set, and
+   *      the release of stabilizing springs,
+   *   3. checks, which throw if the state is not reliable, or if the search
+   *      distance of a contact was too short.
+   * Without friction the previous state affects the number of rounds only.
    *
-   * Refers to all that it is made of, `timer` too, which counts the seconds of
-   * each Phase.
+   * Refers to all constructor arguments, including `timer`, which counts the
+   * seconds of each Phase.
    */
   class LinearStep : public Step
   {
   public:
-    /// With all @p contacts of the scene and the lives of each: paired once,
-    /// since kinematics is linear, they tell whether the search distance was
-    /// enough. @p n_supports are those of the scene.
+    /// Creates a step with all @p contacts of the scene. @p lives, paired once,
+    /// check the search distances. @p n_supports is the number of supports.
     LinearStep(ContactSolver                       &solver,
                const std::vector<ContactInterface> &contacts,
                const Contacts                      &lives,
@@ -126,42 +123,39 @@ namespace lamella
     dealii::TimerOutput                 &timer;
   };
 
-  /**
-   * The load factors that a scene goes through, up and down, and how far it has
-   * come: each step starts from the state of the one before. Beside the path
-   * branches end at other factors, on the way of a step or beyond the last;
-   * they start from a state that is stored and leave the path where it is.
-   */
+  /// Sequence of the load factors of a scene, increasing or decreasing, and the
+  /// progress along it. Each step starts from the previous state. Branches end
+  /// at other factors, within a step or beyond the last one; they start from a
+  /// stored state and do not affect the path.
   class LoadPath
   {
   public:
-    /// How far one end of a load step is from another, beside change_of(), with
-    /// the state before it: what the user asks for, say.
+    /// Additional measure of the distance between two results of a load step,
+    /// beside change_of(), such as a quantity of interest.
     using Watch = std::function<double(const SolvedStep &one,
                                        const SolvedStep &other,
                                        const State      &before)>;
 
-    /// From no state at all through @p factors, the way to each in
-    /// @p substeps. @p branches says whether states are to be stored for some.
+    /// Starts from the unloaded state with the load @p factors, each reached in
+    /// @p substeps. @p branches enables the storage of states for branches.
     LoadPath(std::shared_ptr<Step>          step,
              const std::vector<LoadFactor> &factors,
              const Substeps                &substeps = {},
              const bool                     branches = false);
 
-    /// Substeps that are sought have to settle @p more, too.
+    /// Adds @p more as a criterion for automatic substeps.
     void
     watch(Watch more)
     {
       watches = std::move(more);
     }
 
-    /// Goes on after the first @p n_done steps, of which the last, at least
-    /// one, came to @p last. What another run checked is not kept with its
-    /// state: checks are made again.
+    /// Resumes after the first @p n_done >= 1 steps, of which the last gave
+    /// @p last. Checks are not stored with a state and are evaluated again.
     void
     resume(const unsigned int n_done, State last);
 
-    /// The steps that are done.
+    /// Returns the number of completed steps.
     unsigned int
     n_done() const
     {
@@ -172,32 +166,31 @@ namespace lamella
     {
       return done < factors.size();
     }
-    /// That of the next step.
+    /// Returns the load factor of the next step.
     const LoadFactor &
     next_factor() const
     {
       return factors[done];
     }
-    /// That of the last step that is done; empty before the first.
+    /// Returns the state of the last completed step; empty before the first.
     const State &
     state() const
     {
       return last;
     }
 
-    /// Does the next step. Where it throws (Step) the path stays where it was.
+    /// Performs the next step. If it throws (Step), the path is unchanged.
     SolvedStep
     advance();
 
-    /// The state at @p factor on the way of step @p leg, of that after the last
-    /// one on the way on; is stored. It starts from the stored state nearest to
-    /// it, and where bodies rub from the nearest one that the way has passed,
-    /// in as many parts as a step. What of these is not stored, since the path
-    /// has been resumed behind it, is solved for again.
+    /// Returns and stores the state at @p factor on the way of step @p leg, or
+    /// beyond the last step. Starts from the nearest stored state, or with
+    /// friction from the nearest one already passed, with as many substeps as a
+    /// step. States missing after a resume are solved for again.
     SolvedStep
     branch(const double factor, const unsigned int leg);
 
-    /// The checks of the last step that is done, once more.
+    /// Returns the checks of the last completed step, evaluated again.
     Checks
     check_again() const
     {
@@ -205,20 +198,21 @@ namespace lamella
     }
 
   private:
-    /// From @p before, at @p from, to @p to in @p n parts.
+    /// Solves from @p before, at @p from, to @p to in @p n substeps.
     SolvedStep
     in_parts(const State       &before,
              const LoadFactor  &from,
              const LoadFactor  &to,
              const unsigned int n) const;
-    /// The same in as many parts as the scene wants.
+    /// Solves from @p before, at @p from, to @p to in the number of substeps
+    /// that the scene requests.
     SolvedStep
     as_wanted(const State      &before,
               const LoadFactor &from,
               const LoadFactor &to) const;
 
-    /// A state that branches start from: at a factor, the first one on the way
-    /// of a step.
+    /// Stored state from which branches start: its factor, and the first step
+    /// with that factor.
     struct Stored
     {
       double       factor = 0.;
@@ -226,18 +220,19 @@ namespace lamella
       State        state;
     };
 
-    /// Where branches are, keeps @p state; of one factor on a way the first.
+    /// Stores @p state if branches are enabled; the first one per factor and
+    /// step.
     void
     store(const double factor, const unsigned int leg, const State &state);
-    /// The one nearest to @p factor; of two that are as near the newer one,
-    /// whose rows are known.
+    /// Returns the stored state nearest to @p factor; the newer of two equally
+    /// near ones, whose rows are known.
     Stored
     nearest(const double factor) const;
-    /// The one nearest to @p factor of those that the way of step @p leg has
-    /// passed there.
+    /// Returns the stored state nearest to @p factor of those that step @p leg
+    /// has passed there.
     Stored
     passed(const double factor, const unsigned int leg);
-    /// The end of step @p leg.
+    /// Returns the state at the end of step @p leg.
     Stored
     end_of(const unsigned int leg);
 
@@ -248,7 +243,7 @@ namespace lamella
     Watch                         watches;
     unsigned int                  done = 0;
     State                         last;
-    /// The largest of supports and contacts there.
+    /// Largest force of supports and contacts in the last state.
     double last_force = 0.;
 
     std::vector<Stored> stored;

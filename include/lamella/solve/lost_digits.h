@@ -7,9 +7,9 @@
 
 namespace lamella
 {
-  /// What cannot be solved for in double precision: a stiffness that is not
-  /// positive definite, corrections that do not settle, forces that do not
-  /// balance. Other fields of the same body may do better.
+  /// Exception: a problem that double precision cannot solve, such as a
+  /// stiffness that is not positive definite, corrections that do not converge,
+  /// or unbalanced forces. Other fields for the same body may succeed.
   class LostDigits : public NumericsError
   {
   public:

@@ -10,44 +10,40 @@
 namespace lamella
 {
   /**
-   * Memory that is known before it is spent: that of the matrices before they
-   * are assembled, that of a factor before it is computed. What would not fit
-   * is refused with an InputError, on all processes alike, rather than left to
-   * the system, which would end the run without a word.
+   * Estimate of the memory of matrices before assembly and of factors before
+   * factorization. Throws an InputError on all processes if it exceeds the
+   * limit, as the system would end the run without a message.
    *
-   * A matrix is counted with 24 bytes a non-zero (value, column, the pattern
-   * that it comes from, the half that a solver asks for in its own format),
-   * shared evenly by the processes; a factor with what its symbolic analysis
-   * says. Needs are summed over the processes of a machine and held against
-   * what that machine has left. All functions are collective.
+   * A matrix takes 24 bytes per nonzero (value, column, initial pattern, and
+   * the half in the format of the solver), shared evenly by the processes; a
+   * factor takes the size of its symbolic analysis. Sums over the processes of
+   * a machine are compared with its free memory. Collective.
    */
   class MemoryBudget
   {
   public:
-    /// @p limit bytes on each machine, or what it has if that is 0.
+    /// Sets @p limit bytes per machine, or the available memory if it is 0.
     explicit MemoryBudget(const double limit = 0.);
 
-    /// Returns what the matrices of @p structure will take, in words: DoFs,
-    /// non-zeros, gigabytes, and what is available. Throws InputError if that
-    /// is less.
+    /// Returns a text on the matrices of @p structure: DoFs, nonzeros, required
+    /// and available gigabytes. Throws InputError if they do not fit.
     std::string
     require_matrices(const Structure &structure) const;
 
-    /// Returns what the factor of @p body will take, in words, with what the
-    /// run will come to. Throws InputError if it does not fit. @p size is this
-    /// process's own share of bytes.
+    /// Returns a text on the factor of @p body and the total of the run. Throws
+    /// InputError if it does not fit. @p size holds the bytes of this process.
     std::string
     require_factor(const Body &body, const FactorSize &size) const;
 
   private:
-    /// Throws InputError if the processes of some machine lack @p bytes, of
-    /// each process; @p what begins the message, @p remedy ends it.
+    /// Throws InputError if the processes of a machine lack @p bytes each;
+    /// @p what begins the message, @p remedy ends it.
     void
     require(const double       bytes,
             const std::string &what,
             const std::string &remedy) const;
 
-    /// Bytes on each machine for the whole run, 0 for none.
+    /// Bytes per machine for the whole run; 0: no limit given.
     double limit;
   };
 } // namespace lamella

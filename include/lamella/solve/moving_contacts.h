@@ -14,9 +14,9 @@
 
 namespace lamella
 {
-  /// The forces of gap rows, and what friction remembers of them, by where
-  /// their points are on the body that carries them, contact by contact: what
-  /// stays the same when contacts pair anew and rows get other numbers.
+  /// Transfer of contact forces and friction variables when contacts are paired
+  /// anew and rows get other numbers. The key is the position of a point on the
+  /// body that carries it, per contact.
   class PressedPlaces
   {
   public:
@@ -24,31 +24,31 @@ namespace lamella
     PressedPlaces(const std::vector<ContactInterface> &contacts,
                   const State                         &state);
 
-    /// Gives @p state these in the rows of @p contacts; nothing in those whose
-    /// points are not among them.
+    /// Assigns the stored values to the rows of @p contacts in @p state; zero
+    /// for points that are not stored.
     void
     give(const std::vector<ContactInterface> &contacts, State &state) const;
 
   private:
-    /// The contact, and the cell and the place in it.
+    /// Contact, cell, and position in the cell.
     using Key = std::array<double, 5>;
     static Key
     key(const unsigned int c, const ContactInterface::Point &point);
 
-    /// Of a row its force, and of FrictionState what there is of it.
+    /// Force of a row, and its part of FrictionState.
     struct Pressed
     {
       double               force = 0.;
       dealii::Tensor<1, 3> shear, direction, before;
       double               length = 0., dissipated = 0.;
     };
-    /// Gives what rows that are no more among those of @p contacts have
-    /// dissipated to the first of their contact, so that its sum stays.
+    /// Adds the dissipation of rows that are no longer in @p contacts to the
+    /// first row of their contact, so that its sum is kept.
     void
     keep_dissipated(const std::vector<ContactInterface> &contacts,
                     FrictionState                       &of) const;
 
-    /// All rows where any contact rubs, else those that bear a force.
+    /// Stored rows: all with friction in any contact, else those with a force.
     std::map<Key, Pressed> places;
   };
 
@@ -60,8 +60,8 @@ namespace lamella
   };
 
   /// Exception: ends of bodies press in contacts whose discretization is
-  /// automatic and has no constraints at the nodes there. More load steps do
-  /// not help, so that it is no NumericsError.
+  /// automatic and has no constraints at the nodes there. It is no
+  /// NumericsError, since more load steps do not help.
   struct MissingEnds : public std::runtime_error
   {
     MissingEnds(const std::string &message, std::vector<EndInContact> ends)
@@ -73,10 +73,10 @@ namespace lamella
   };
 
   /**
-   * The contacts of bodies that move far: their gap rows are moved with the
-   * surfaces, and surfaces that come to face each other are paired anew. Where
-   * they rub slips are those since the step began, and shear forces turn with
-   * the frames of their rows. Refers to the lists of the scene, which it writes
+   * Contacts with finite motion: gap rows move with the surfaces, and surfaces
+   * are paired anew when they come to face each other. With friction, slips are
+   * measured from the beginning of the step, and shear forces rotate with the
+   * frames of their rows. Refers to the lists of the scene and modifies them
    * (Contact).
    */
   class MovingContacts
@@ -91,7 +91,7 @@ namespace lamella
       return lives.empty();
     }
 
-    /// The interfaces, with rows as the last move() left them.
+    /// Returns the interfaces, with the rows of the last move().
     const std::vector<ContactInterface> &
     interfaces() const
     {
@@ -103,8 +103,8 @@ namespace lamella
       return numbered;
     }
 
-    /// What each contact has come to, and all of them as they were then, in
-    /// the state @p u at @p factor (Contact::recall()).
+    /// Returns the history of each contact, or restores it in the state @p u at
+    /// @p factor (Contact::recall()).
     std::vector<ContactMemory>
     memory() const;
     void
@@ -112,57 +112,56 @@ namespace lamella
            const BlockVector                &u,
            const LoadFactor                 &factor);
 
-    /// Takes the rows to @p state at @p factor (Contact::move()). Where one
-    /// that bears a force finds nothing to bear it on, past an end of the other
-    /// body or through it, it lets go of that if the ends of the other body
-    /// have rows (`edge to surface`), which take over; else throws MissingEnds
-    /// if the discretization is automatic, or NumericsError.
+    /// Moves the rows to @p state at @p factor (Contact::move()). An active
+    /// constraint whose projection leaves the other surface, past an end or
+    /// through it, is deactivated if that end has its own constraints (`edge to
+    /// surface`). Otherwise throws MissingEnds if the discretization is
+    /// automatic, else NumericsError.
     void
     move(State &state, const LoadFactor &factor);
 
-    /// Has a step begin in @p state at @p factor, where the rows are taken, in
-    /// which nothing is lost yet.
+    /// Begins a step in @p state at @p factor, to which the rows belong, and
+    /// clears why_lost().
     void
     begin_step(State &state, const LoadFactor &factor);
 
-    /// Why a contact is lost since begin_step(), or would be if nothing takes
-    /// over from rows that let go, a sentence; empty if none is.
+    /// Returns a sentence on why a contact was lost since begin_step(), or
+    /// would be unless others replace the deactivated constraints; empty if
+    /// none was.
     const std::string &
     why_lost() const
     {
       return lost;
     }
 
-    /// f += B^T lambda of the forces of @p state.
+    /// Adds B^T lambda of the forces of @p state to @p f.
     void
     add_forces(const State &state, BlockVector &f) const;
 
-    /// The same with the rows that bear the forces of @p state where @p u is
-    /// and not it; rows stay. Whether all of them face something there.
+    /// Adds B^T lambda of @p state with its active rows moved to @p u; the
+    /// stored rows are unchanged. Returns true if all of them have a projection
+    /// there.
     bool
     add_forces_at(const State       &state,
                   const BlockVector &u,
                   const LoadFactor  &factor,
                   BlockVector       &f) const;
 
-    /// The largest |g + a lambda| of an active row of @p state, -g of any
-    /// other and friction_error() at @p factor, a length; rows are those of the
-    /// state.
+    /// Returns the largest of |g + a lambda| of active rows of @p state, -g of
+    /// all others, and friction_error() at @p factor [length]. The rows must be
+    /// those of the state.
     double
     law_error(const State &state, const LoadFactor &factor) const;
 
-    /**
-     * Looks whether surfaces that touch in @p state, at @p factor, have rows
-     * for it, and pairs those contacts anew that have not; the state's forces
-     * go with their points. Says whether there were any. Throws NumericsError
-     * where nothing faces the other side any more.
-     */
+    /// Pairs contacts anew whose surfaces touch without a row in @p state at
+    /// @p factor, and transfers the forces. Returns true if there were any.
+    /// Throws NumericsError if nothing faces the other side anymore.
     bool
     see_what_touches(State &state, const LoadFactor &factor);
 
-    /// Throws NumericsError where from @p before at @p from to @p state at @p
-    /// to a body went through a roller, so that nothing touches it, or rows let
-    /// go and nothing bears a force between their bodies.
+    /// Throws NumericsError if between @p before at @p from and @p state at
+    /// @p to a body passed through a roller, so that nothing touches it, or if
+    /// constraints were deactivated and none between their bodies has a force.
     void
     require_kept(const BlockVector &before,
                  const LoadFactor  &from,
@@ -170,22 +169,22 @@ namespace lamella
                  const LoadFactor  &to);
 
   private:
-    /// Takes rows, but not the shear forces that are along them, to @p state.
+    /// Moves the rows to @p state, without rotating the shear forces.
     void
     move_rows(State &state, const LoadFactor &factor);
-    /// Throws NumericsError: @p how contact @p c is lost.
+    /// Throws NumericsError: @p how contact @p c was lost.
     [[noreturn]] void
     lose(const unsigned int c, const std::string &how);
     /// Throws MissingEnds or NumericsError: a constraint of contact @p c has a
     /// force and faces nothing.
     [[noreturn]] void
     lose_facing(const unsigned int c);
-    /// Whether another contact has rows for the ends of the body that faces the
-    /// points of contact @p c.
+    /// Returns true if another contact has rows for the ends of the body that
+    /// faces the points of contact @p c.
     bool
     ends_have_rows(const unsigned int c) const;
-    /// Whether a row in @p state bears a force between the bodies of contact
-    /// @p c.
+    /// Returns true if a row between the bodies of contact @p c has a force in
+    /// @p state.
     bool
     is_pressed(const unsigned int c, const State &state) const;
     /// Pairs contact @p c anew.
@@ -195,7 +194,7 @@ namespace lamella
     const std::vector<ContactInterface> &all;
     const Contacts                      &lives;
     GapRows                              numbered;
-    /// Since begin_step(): contacts of which a row let go, and why_lost().
+    /// Contacts with a deactivated row, and why_lost(), since begin_step().
     std::set<unsigned int> let_go;
     std::string            lost;
   };

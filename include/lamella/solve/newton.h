@@ -16,134 +16,130 @@
 
 namespace lamella
 {
-  /// When Newton's iterations end, and what is done where they do not.
+  /// Tolerances, limits and remedies of Newton's method.
   struct NewtonParameters
   {
     unsigned int max_iterations = 30;
-    /// Unbalanced forces over the larger one of internal forces and loads, in
-    /// the Euclidean norm, that are equilibrium.
+    /// Tolerance of equilibrium: Euclidean norm of the unbalanced forces over
+    /// the larger one of internal forces and loads.
     double balanced = arithmetic::rounding_of_solutions;
-    /// Forces of slender bodies end at their rounding, some (L / h)^3 1e-16:
-    /// below `floor` they do once two iterations on end leave more than
-    /// `stalls` of them; and below `near` where the correction is this share of
-    /// the size of the scene.
+    /// Limits for slender bodies, whose forces have a rounding of about (L /
+    /// h)^3 1e-16. Below `floor`, iterations end once two successive ones leave
+    /// more than `stalls` of the residual; below `near`, if the correction is
+    /// at most `still` of the size of the scene.
     double floor = arithmetic::alike, stalls = 0.5, near = 1e-3,
            still = arithmetic::same_place;
-    /// Forces that are left beyond this, over those that the step began with,
-    /// are a failure; below `nothing` of these they are rounding.
+    /// Residual growth, relative to the start of the step, that is a failure;
+    /// below `nothing` of that start, forces are rounding.
     double diverged = 1e12, nothing = arithmetic::rounding_of_sums;
-    /// What gaps may miss the law by, of the largest displacement, or of the
-    /// size of the scene if that is more. Where there are more rows than the
-    /// surfaces can follow it is less than their forces are known to: below
-    /// `floor` of the displacement they end as forces do.
+    /// Tolerance of the contact law: the larger of `law` times the largest
+    /// displacement and `touching` times the size of the scene. With more rows
+    /// than surface DoFs it may be finer than the accuracy of the forces: below
+    /// `floor` of the displacement the iterations end as for forces.
     double law = arithmetic::negligible, touching = arithmetic::rounding;
-    /// How rows turn (Newton::turn_of_rows()) is found from a way of
-    /// `difference` of the size of the scene. It is followed until this share
-    /// of a correction is left, in at most so many back substitutions.
+    /// Relative step of the differences in Newton::turn_of_rows(), and the
+    /// share of a correction at which its iteration ends, in at most
+    /// `max_follows` back substitutions.
     double       difference = arithmetic::alike, follows = 1e-3;
     unsigned int max_follows = 20;
-    /// By how much further than with stabilising springs an iteration goes
-    /// without them, at most.
+    /// Largest factor between corrections without and with stabilizing springs.
     double released = 10.;
-    /// Corrections of this share of the size of the scene are small where
-    /// springs make them so.
+    /// Correction, relative to the size of the scene, that is small if springs
+    /// determine it.
     double settles = 1e-7;
-    /// A motion that springs hold is unstable where its stiffness is below
-    /// minus that share of what presses over the size of the scene, and else
+    /// A motion held by springs is unstable if its stiffness is below minus
+    /// this share of the contact force over the size of the scene, else
     /// neutral.
     double falls = 0.2;
-    /// How often contacts pair anew in a step.
+    /// Limit of the new pairings in a step.
     unsigned int max_pairings = 3;
-    /// A last correction of this share of the way of a step ends it without a
-    /// look at the tangent where it led.
+    /// Last correction, as a share of the increment of the step, that needs no
+    /// final check of the tangent.
     double settled = 0.01;
-    /// The largest spin of an iteration [rad]: a longer change is shortened.
+    /// Largest rotation increment of an iteration [rad]; longer ones are
+    /// shortened.
     double spin = 1.;
-    /// How often a step is halved.
+    /// Limit of the bisections of a step.
     unsigned int max_cuts = 6;
-    /// How far supports turn at most in a step [rad]: a place knows nothing of
-    /// how often it has been round.
+    /// Largest rotation of a support in a step [rad], since a position does not
+    /// determine the number of revolutions.
     double turn = 2.;
   };
 
-  /// A state that bodies which turn are in equilibrium in, with what presses
-  /// them.
+  /// Equilibrium state with finite rotations and its contact forces.
   struct Equilibrium
   {
-    /// Its iterations are those on the way to it, those of attempts that failed
-    /// among them.
+    /// State; its iterations include those of failed attempts on the way.
     State      state;
     LoadFactor factor;
-    /// How often a step was halved on the way.
+    /// Number of bisections on the way.
     unsigned int cuts = 0;
-    /// Unbalanced forces over internal forces or loads; the length by which
-    /// gaps miss the contact law.
+    /// Unbalanced forces over internal forces or loads, and violation of the
+    /// contact law [length].
     double residual = 0., law_error = 0.;
-    /// The length of the last correction where all forces are rounding, of
-    /// bodies that supports carry away; else 0.
+    /// Length of the last correction if all forces are rounding, for bodies
+    /// moved by supports; else 0.
     double rounding = 0.;
   };
 
   /**
-   * Newton's method for structures whose internal forces are not linear,
+   * Newton's method for structures with nonlinear internal forces,
    *   f_int(u) = f(t) + B(u)^T lambda,   u = G v + u_p(t),
-   * with the contact law of the gaps g(u, t) >= 0 of surfaces that have moved,
-   * B their gradient, from one load factor to the next.
+   * with the contact law of the current gaps g(u, t) >= 0 and their gradient B,
+   * from one load factor to the next.
    *
-   * At each iterate the forces are linear with the tangent K, and gaps with B:
-   * the contact problem of that is solved whole, by the strategy of linear
-   * bodies on the compliance of K (ContactStrategy::settle()), and its rows'
-   * forces are totals. What B turns by as it is pressed is left out of K. The
-   * first iteration takes up what supports move by, as forces K du_p: a
-   * prescribed motion alone would tear the elements at the support; obstacles
-   * move along the normals that they have at the start.
+   * Each iteration linearizes the forces with the tangent K and the gaps with
+   * B, and solves the resulting contact problem by the strategy of linear
+   * bodies (ContactStrategy::settle()), with total contact forces. K omits the
+   * rotation of B under contact forces. The first iteration applies support
+   * motion as forces K du_p, since a prescribed motion alone would tear the
+   * elements at the support. Obstacles move along the initial normals.
    *
-   * The stress of the geometric part of K is the one that the last correction
-   * predicted (GreenAnswer): from 17 iterations down to 7 in a cantilever that
-   * rolls up in one step. Where that fails the step is tried with the
-   * stress as it is, and then in halves.
+   * The geometric part of K uses the stress predicted by the last correction
+   * (GreenAnswer): 7 instead of 17 iterations in a cantilever that rolls up in
+   * one step. If a step fails, it is repeated with the actual stress, then in
+   * halves.
    *
-   * Stabilising springs are in K alone: they are without force where each
-   * iterate is, and hold back corrections of what nothing but contact holds.
+   * Stabilizing springs contribute to K only: they have no force at the
+   * iterate, and limit corrections of motions that only contact restrains.
    *
-   * It ends where forces balance, gaps keep the law, and no surfaces touch that
-   * are not paired; else these are paired anew and it goes on. (Which of rows
-   * that depend on each other are active is not asked: it may be others in each
-   * iteration.) K is positive definite there, as its
-   * Cholesky factor exists: the equilibrium is a minimum of the energy. (With
-   * couples there is none, but in their plane; that the symmetric part of K is
-   * positive definite is enough for stability, and more than it takes.) Where
-   * nothing but an obstacle holds a body, K with LeaningRows is.
+   * Iterations end if forces balance, gaps satisfy the law, and no unpaired
+   * surfaces touch; otherwise these are paired anew. (The active set may
+   * change, as dependent constraints are exchangeable.) The Cholesky factor of
+   * K then proves a minimum of the energy. (Couples have no energy except in
+   * their plane; a positive definite symmetric part of K is sufficient for
+   * stability.) For bodies held by an obstacle only, K with LeaningRows takes
+   * its place.
    *
    * Refers to the structure and the contacts. Collective.
    */
   class Newton
   {
   public:
-    /// Takes a line of text.
+    /// Callback for a line of text.
     using Progress = std::function<void(const std::string &)>;
 
-    /// Without contact.
+    /// Creates a solver without contact.
     explicit Newton(const Structure        &structure,
                     const SolverKind        asked      = SolverKind::automatic,
                     const NewtonParameters &parameters = NewtonParameters());
 
-    /// With @p contacts, whose rows are left as the last state has them.
+    /// Creates a solver with @p contacts, whose rows stay at the last state.
     Newton(const Structure        &structure,
            const MovingContacts   &contacts,
            const SolverKind        asked,
            const NewtonParameters &parameters);
 
-    /// Called with a line of text per iteration; does nothing by default.
+    /// Callback for a line of text per iteration; no output by default.
     Progress progress;
-    /// Told of each factorisation.
+    /// Callbacks of each factorization.
     Linearisation::BodyMonitor monitor;
 
-    /// The state without loads, of a path to @p factor.
+    /// Returns the unloaded state of a path to @p factor.
     Equilibrium
     at_rest(const LoadFactor &factor = 1.) const;
 
-    /// Has contacts as they were in @p state at @p factor
+    /// Restores the contacts of @p state at @p factor
     /// (MovingContacts::recall()).
     void
     recall(const State &state, const LoadFactor &factor)
@@ -151,13 +147,13 @@ namespace lamella
       contacts.recall(state.pairings, state.u, factor);
     }
 
-    /// That at load factor @p to, on from @p start, whose rows are those that
-    /// the contacts have now. Throws NumericsError with the last factor that
-    /// was reached if it cannot be had in 2^max_cuts parts of the way.
+    /// Returns the equilibrium at load factor @p to, from @p start, to which
+    /// the current rows of the contacts belong. Throws NumericsError with the
+    /// last factor reached if it fails in 2^max_cuts parts.
     Equilibrium
     advance(const Equilibrium &start, const LoadFactor &to);
 
-    /// The contacts as they are.
+    /// Returns the contacts in their current state.
     const MovingContacts &
     moving() const
     {
@@ -165,9 +161,8 @@ namespace lamella
     }
 
   private:
-    /// What a step begins with: by what supports move on the way, the
-    /// unbalanced forces with what that does to the body, and the size of
-    /// forces.
+    /// Start of a step: support motion, unbalanced forces including its effect,
+    /// and reference force.
     struct Beginning
     {
       BlockVector moved, r;
@@ -176,41 +171,43 @@ namespace lamella
     Beginning
     beginning(const LoadFactor &to, const Equilibrium &at) const;
 
-    /// The largest angle by which a support turns what it holds on the way.
+    /// Returns the largest rotation angle of a support between the factors.
     double
     largest_turn(const LoadFactor &from, const LoadFactor &to) const;
 
-    /// Ends a step that has come to @p state at @p to from forces that
-    /// @p began it: what friction remembers.
+    /// Updates the friction history at the end of a step to @p state at @p to;
+    /// the step @p began with these forces.
     void
     end_friction(const PressedPlaces &began,
                  const LoadFactor    &to,
                  State               &state) const;
 
-    /// One step from what is @p pressed, with the stress that corrections
-    /// predict or without; whether it ended. Counts its iterations in @p at.
+    /// Performs one step from the forces @p pressed, with predicted stresses if
+    /// @p predicted. Returns true on convergence. Counts its iterations in
+    /// @p at.
     bool
     step(const LoadFactor    &to,
          const PressedPlaces &pressed,
          const bool           predicted,
          Equilibrium         &at);
 
-    /// The same both ways; where it fails @p at stays but for the count.
+    /// Tries step() with and without prediction; on failure only the count in
+    /// @p at changes.
     bool
     attempt(const LoadFactor &to, Equilibrium &at);
 
-    /// What an iteration has changed, whether rows had to lean for it, and
-    /// whether what they rub with is stable.
+    /// Result of an iteration: the increment, whether active constraints were
+    /// used to make K definite, and whether friction is unstable.
     struct Correction
     {
       BlockVector du;
       bool        leans = false, is_unstable = false;
     };
 
-    /// One iteration: adds to @p state the correction that @p r, the unbalanced
-    /// forces, makes about it, and what supports have @p moved by with it, with
-    /// the rows that this closes; returns it. The last @p correction predicts
-    /// stresses, unless it is empty.
+    /// Performs one iteration: adds to @p state the correction due to the
+    /// unbalanced forces @p r, with the support motion @p moved and the contact
+    /// constraints, and returns it. The last @p correction predicts stresses
+    /// unless it is empty.
     Correction
     correct(const BlockVector &r,
             const BlockVector &moved,
@@ -218,28 +215,28 @@ namespace lamella
             const LoadFactor  &to,
             State             &state) const;
 
-    /// What makes a tangent definite that has no other hold: rows that lean, or
-    /// stabilising springs that are as many times firmer.
+    /// Regularization of an indefinite tangent: active constraints, or
+    /// stabilizing springs scaled by `firmer`.
     struct Aid
     {
       std::unique_ptr<const LeaningRows> leaning;
       double                             firmer = 1.;
     };
 
-    /// The tangent of @p state, after the @p correction that led there, at @p
-    /// to; with an @p aid where it needs one. Throws LostDigits where none is
-    /// enough.
+    /// Returns the tangent of @p state at @p to, after the last @p correction,
+    /// with a regularization @p aid if needed. Throws LostDigits if none
+    /// suffices.
     Linearisation
     tangent(const State       &state,
             const BlockVector &correction,
             const LoadFactor  &to,
             Aid               &aid) const;
 
-    /// Throws LostDigits where the tangent of @p state at @p to is not definite
-    /// with the rows that bear a force there. That of the last correction was,
-    /// and is not looked at again if this was small beside the way from
-    /// @p before and leant on nothing: rows may have opened. Throws
-    /// NumericsError where what rubs is unstable.
+    /// Throws LostDigits if the tangent of @p state at @p to, with the active
+    /// constraints, is not definite. The tangent of the last correction was; it
+    /// is not checked again if this correction was small beside the increment
+    /// from @p before and used no regularization. Throws NumericsError if
+    /// friction is unstable.
     void
     require_minimum(const BlockVector &before,
                     const Correction  &last,
@@ -247,37 +244,36 @@ namespace lamella
                     const LoadFactor  &to) const;
 
     /**
-     * Throws NumericsError where @p state at @p to is stable by its springs
-     * alone, LostDigits where it is not even by them. Whether it was looked at:
-     * not where nothing presses, and what rubs is judged by its own law.
+     * Throws NumericsError if @p state at @p to is stable by its springs only,
+     * LostDigits if not even then. Returns false if not checked: without
+     * contact force, and with friction, which has its own criterion.
      *
-     * With R their rows, so that R^T R is what they have in K, and C the
-     * compliance of K with the rows that bear a force held, the motions
-     * V = C R^T are all that they hold, of the energy
+     * With the spring rows R, scaled such that R^T R is their part of K, and
+     * the compliance C of K with the active constraints held, the motions V = C
+     * R^T are all that the springs hold. Their energy
      *   V^T (K - R^T R - H) V = G - G G - V^T H V,   G = R C R^T,
-     * which must not be negative beside the work of what presses on the way of
-     * such a motion over the size of the scene. Neutral ones are let pass, as
-     * of a block that may slide.
+     * must not be negative beside the work of the contact forces over such a
+     * motion, relative to the size of the scene. Neutral motions, such as those
+     * of a sliding block, are accepted.
      */
     bool
     require_held(const State &state, const LoadFactor &to) const;
 
-    /// Presses the gaps of @p rows in @p state at @p to by the @p strategy: its
-    /// forces and active rows, and what that moves bodies by, which is in what
-    /// is returned.
+    /// Solves the contact problem of @p rows in @p state at @p to by
+    /// @p strategy for forces and active set, and returns it with the
+    /// displacement increment.
     ContactSolution
     press(ContactStrategy  &strategy,
           const GapRows    &rows,
           const LoadFactor &to,
           State            &state) const;
 
-    /// What the correction @p du of the state @p u becomes where rows turn as
-    /// bodies move, and no spring is to hold them: with H = sum lambda Hess g
-    /// of the forces of @p state, which come along, and S the springs in K, so
-    /// many times @p firmer,
-    ///   K du - B^T dlambda = r + (H + S) du,
-    /// for the rows that are active, by GMRES; @p du itself where that does not
-    /// end.
+    /// Returns the correction @p du of the state @p u with the rotation of rows
+    /// included and no spring force. With H = sum lambda Hess g of the forces
+    /// of @p state, which are updated, and the springs S in K, scaled by
+    /// @p firmer, solves
+    ///   K du - B^T dlambda = r + (H + S) du
+    /// for the active rows by GMRES; returns @p du if that does not converge.
     BlockVector
     follow_rows(ContactStrategy   &strategy,
                 const BlockVector &u,
@@ -286,42 +282,42 @@ namespace lamella
                 const LoadFactor  &to,
                 State             &state) const;
 
-    /// f += S w of the stabilising springs, so many times @p firmer.
+    /// Adds the forces S w of the stabilizing springs, scaled by @p firmer, to
+    /// @p f.
     void
     add_spring_forces(const double       firmer,
                       const BlockVector &w,
                       BlockVector       &f) const;
 
-    /// H @p w about the state @p u, by central differences of B^T lambda; zero
-    /// where a row is lost on the way.
+    /// Returns H @p w about the state @p u by central differences of B^T
+    /// lambda; zero if a row loses its projection.
     BlockVector
     turn_of_rows(const State       &state,
                  const BlockVector &u,
                  const BlockVector &w,
                  const LoadFactor  &to) const;
 
-    /// The largest displacement that the numbers of @p u make, of bodies whose
-    /// rows turn by the sizes of their DoFs: warpings are no lengths.
+    /// Returns the largest displacement due to @p u, for bodies with rotating
+    /// rows by the sizes of their DoFs, as warping amplitudes are no lengths.
     double
     length_of(const BlockVector &u) const;
-    /// Shortens the @p change of bodies that would turn too far in it.
+    /// Scales down the @p change of bodies that would rotate too far.
     void
     shorten(BlockVector &change) const;
 
-    /// f(t) + B^T lambda - f_int of @p state, not condensed; contacts are where
-    /// it is.
+    /// Returns f(t) + B^T lambda - f_int of @p state, not condensed; the
+    /// contacts must be at that state.
     BlockVector
     unbalanced(const State &state, const LoadFactor &factor) const;
 
-    /// The unbalanced forces @p r, condensed @p here.
+    /// Returns the unbalanced forces @p r, condensed by @p here.
     static BlockVector
     condensed(const Linearisation &here, BlockVector r);
 
-    /// Says in @p at, and to who listens, what is left of forces and gaps: the
-    /// unbalanced forces @p r @p here at @p factor, condensed, over the loads
-    /// or the internal forces, and 0 where they are rounding of those that the
-    /// step
-    /// @p began with. Whether that is within bounds.
+    /// Stores in @p at, and reports, the residuals of forces and gaps: the
+    /// condensed forces @p r at @p factor over loads or internal forces, or 0
+    /// if they are rounding of the forces that the step @p began with. Returns
+    /// true if they are within bounds.
     bool
     measure(const Linearisation &here,
             const BlockVector   &r,
@@ -329,7 +325,7 @@ namespace lamella
             double              &began,
             Equilibrium         &at) const;
 
-    /// What the last three iterations left.
+    /// Residuals of the last three iterations.
     struct Decay
     {
       double now     = std::numeric_limits<double>::max(),
@@ -337,43 +333,43 @@ namespace lamella
              earlier = std::numeric_limits<double>::max();
       void
       add(const double left);
-      /// Whether two of them on end left more than @p share.
+      /// Returns true if two successive iterations left more than @p share.
       bool
       stands(const double share) const;
     };
 
-    /// Whether iterations end where this share is @p unbalanced, and the last
-    /// correction is a @p change of that length.
+    /// Returns true if iterations end with the residual @p unbalanced and the
+    /// last correction @p change [length].
     bool
     is_equilibrium(const Decay &unbalanced, const double change) const;
 
-    /// Whether the forces @p r @p here are, on each body, no more than the last
-    /// digits of the displacements @p u make.
+    /// Returns true if the forces @p r on each body are within the rounding of
+    /// the displacements @p u.
     bool
     is_rounding(const Linearisation &here,
                 const BlockVector   &r,
                 const BlockVector   &u) const;
 
-    /// Throws NumericsError: how far it came, and what became of the rest.
+    /// Throws NumericsError with the factor reached and the cause of failure.
     [[noreturn]] void
     fail_beyond(const LoadFactor &reached, const LoadFactor &to) const;
 
-    /// Whether to move bodies by @p way leaves them where they are: what
-    /// supports are still to do, or a correction.
+    /// Returns true if a displacement @p way, remaining support motion or a
+    /// correction, is negligible.
     bool
     is_still(const BlockVector &way) const;
 
-    /// Whether gaps that miss the contact law by these lengths, at
-    /// displacements of that @p size, are those of the law.
+    /// Returns true if the gap violations @p missed [length] satisfy the
+    /// contact law at displacements of that @p size.
     bool
     keeps_law(const Decay &missed, const double size) const;
 
     const Structure &structure;
-    /// Of bodies whose rows turn Body::dof_sizes(), empty for all others.
+    /// Body::dof_sizes() of bodies with rotating rows, empty for all others.
     std::vector<std::vector<double>> sizes;
     MovingContacts                   contacts;
-    /// What the last attempt that threw said, and of the last one why a contact
-    /// is lost; empty if none is.
+    /// Message of the last failed attempt, and why a contact was lost in it;
+    /// empty if none was.
     std::string            last_failure, lost_contact;
     const SolverKind       asked;
     const NewtonParameters parameters;

@@ -13,13 +13,13 @@
 
 namespace lamella
 {
-  /// What becomes of a linear result that is no approximation of what large
-  /// deflections do (`Beyond linear range`).
+  /// Treatment of a linear result beyond the range of linear kinematics
+  /// (`Beyond linear range`).
   enum class OutOfRange
   {
     undefined,
     refuse, ///< the run ends with a NumericsError (require_linear_range())
-    accept  ///< it is written, with the notes that say so
+    accept  ///< the result is written with a warning
   };
 
   template <>
@@ -30,13 +30,13 @@ namespace lamella
                                                   "accept"}};
   };
 
-  /// How far bodies of a scene may turn (`Rotations`).
+  /// Kinematics of the rotations of a scene (`Rotations`).
   enum class Rotations
   {
     undefined,
-    linear,   ///< by small angles: the linear strain of Eq. 5
-    large,    ///< by any angle: Green's strain (GreenBeam), Newton
-    automatic ///< linear where that leaves nothing out, else large
+    linear,   ///< small rotations: the linear strain of Eq. 5
+    large,    ///< finite rotations: Green's strain (GreenBeam), Newton
+    automatic ///< linear where its error is negligible, else large
   };
 
   template <>
@@ -47,11 +47,11 @@ namespace lamella
                                                 {Rotations::automatic, "auto"}};
   };
 
-  /// The axes in which stresses of bodies that turn are told (`Stress axes`).
+  /// Axes of the stress output for finite rotations (`Stress axes`).
   enum class StressAxes
   {
     undefined,
-    material, ///< those that have turned with the material
+    material, ///< axes that rotate with the material
     scene
   };
 
@@ -63,53 +63,53 @@ namespace lamella
                                                  {StressAxes::scene, "scene"}};
   };
 
-  /// In how many equal parts the way from one load step to the next is done.
+  /// Number of equal substeps between load steps.
   struct Substeps
   {
-    /// 0: so many that another doubling changes forces, displacements and what
-    /// is dissipated by less than `tolerance`, a share.
+    /// Fixed number, or 0: doubled until forces, displacements and dissipation
+    /// change by less than `tolerance`, relatively.
     unsigned int number    = 1;
     double       tolerance = 0.01;
-    /// Of each load step, in place of `number`: those that another run took.
+    /// Number for each load step, in place of `number`, from another run.
     std::vector<unsigned int> each = {};
-    /// Of those that are not given.
+    /// Largest automatic number.
     static constexpr unsigned int most = 64;
   };
 
-  /// What a scene says of the solution, in the entries of its top level. The
-  /// values here stand before a scene is read; its defaults are in declare().
+  /// Solution parameters at the top level of a scene. The values here apply
+  /// before a scene is read; its defaults are in declare().
   struct SolveParameters
   {
-    /// t of each load step, in their order, at least one: multiplies all loads
-    /// and prescribed displacements, those of obstacles among them.
+    /// Load factor t of each load step, in order, at least one. Multiplies all
+    /// loads and prescribed displacements, those of obstacles included.
     std::vector<LoadFactor> load_factors;
     Substeps                substeps;
     Rotations               rotations   = Rotations::undefined;
     StressAxes              stress_axes = StressAxes::material;
     Strategy                strategy    = Strategy::undefined;
-    /// Of which a scene sets the iterations only.
+    /// Parameters of the contact loop; a scene sets the iterations only.
     SolverParameters loop;
     NewtonParameters newton;
-    /// What solves with a body's stiffness, under the condensed strategy.
+    /// Solver for the stiffness of a body in the condensed strategy.
     SolverKind solver = SolverKind::automatic;
-    /// Bytes on each machine; 0: what it has.
+    /// Bytes per machine; 0: the available memory.
     double memory_limit = 0.;
-    /// The largest rotation for which linear kinematics (Eq. 5) may speak, in
-    /// rad; beyond it a run fails.
+    /// Largest rotation for linear kinematics (Eq. 5) [rad]; a larger one is an
+    /// error.
     double     rotation_limit = 0.;
     OutOfRange beyond_linear  = OutOfRange::refuse;
-    /// Whether somebody reads how far results are from what large deflections
-    /// do, and whether they look like a slip of units. No entry: models that
-    /// are made to be compared with say no.
+    /// Enables the estimates of large-deflection effects and the check for
+    /// inconsistent units. Not an entry of the scene; reference models disable
+    /// it.
     bool is_judged = true;
 
     /// Declares the entries with their defaults and documentation.
     static void
     declare(dealii::ParameterHandler &prm);
 
-    /// From the top level of a scene. Throws InputError for no load factor, for
-    /// numbers out of range, and for a linear solver that `full` cannot use
-    /// (it factorises with MUMPS).
+    /// Reads the top level of a scene. Throws InputError without a load factor,
+    /// for numbers out of range, and for a linear solver that `full` cannot use
+    /// (it factorizes with MUMPS).
     static SolveParameters
     parse(const Entries &in);
   };

@@ -17,14 +17,13 @@
 
 namespace lamella
 {
-  /// A term of K^p, weight times b_of^T b_on: of a gap or a slip with itself,
-  /// where it is its penalty, or, where friction couples them, with another of
-  /// the same row.
+  /// A term of K^p, weight times b_of^T b_on: the penalty of a gap or slip, or,
+  /// with friction, a coupling within the same row.
   struct PenaltyTerm
   {
     /// Numbers of gaps or slips (GapRows).
     unsigned int of, on;
-    /// [force / length]
+    /// Weight [force / length].
     double weight;
 
     bool
@@ -35,24 +34,21 @@ namespace lamella
   };
 
   /**
-   * The matrix of the paper's Newton step (Eqs. 22 and 23): of a whole scene,
+   * The matrix of the paper's Newton step (Eqs. 22 and 23) of a whole scene,
    *   K + K^p,   K^p = B_A^T diag(1/d) B_A,
-   * with K of a Linearisation and the gap rows B_A that are active, each with
-   * its softness d (a length over a force). Condensed by the supports. With
-   * friction there are terms between gaps and slips, and it is not symmetric
-   * (FullStrategy).
+   * condensed by the supports, with K of a Linearisation and the active rows
+   * B_A, each with its compliance d (length over force). With friction, terms
+   * couple gaps and slips, and the matrix is not symmetric (FullStrategy).
    *
-   * K and K^p are assembled through the supports' AffineConstraints into
-   * Trilinos' matrix. Its pattern has room for all rows that were active so far
-   * (room for all that might be is many times the fill) and is analysed when
-   * others join; MUMPS factorises it on all processes whenever the terms
-   * change. Time and memory are those of a factor of the whole scene. A hard
-   * penalty costs digits, as K drowns in the rounding of K^p: warnings() tells
-   * how many.
+   * K and K^p are assembled through the supports' AffineConstraints into a
+   * Trilinos matrix. Its pattern includes all rows that were ever active (all
+   * candidates would fill it many times over), and is analyzed again when
+   * others join. MUMPS factorizes it on all processes whenever the terms
+   * change, with the time and memory of a factor of the whole scene. A hard
+   * penalty costs digits, as K drowns in the rounding of K^p: see warnings().
    *
-   * Collective: all processes call all functions. Each owns a contiguous part
-   * of the DoFs of all bodies, the rows of its share of the matrix. Refers to
-   * the structure and, through a view, to the rows.
+   * Collective. Each process owns a contiguous part of the DoFs of all bodies,
+   * and these matrix rows. Refers to the structure and views the contact rows.
    */
   class PenaltyMatrix
   {
@@ -60,65 +56,64 @@ namespace lamella
     /// Assembles K of @p linearisation, which needs no solvers.
     PenaltyMatrix(const Linearisation &linearisation, const GapRows &rows);
 
-    /// Factorises K + K^p of @p terms, if that is not what was factorised last.
-    /// Throws NumericsError where it is not positive definite in doubles or,
-    /// with friction, singular.
+    /// Factorizes K + K^p of @p terms unless already done. Throws NumericsError
+    /// if it is not positive definite in doubles or, with friction, singular.
     void
     factorise(const std::vector<PenaltyTerm> &terms);
 
-    /// Of what was factorised last (RepeatedFactorisation).
+    /// Returns the sign of the determinant of the last factorization
+    /// (RepeatedFactorisation).
     int
     sign_of_determinant() const
     {
       return factor->sign_of_determinant();
     }
 
-    /// (K + K^p)^-1 @p f of what was factorised last; forces @p f need not be
-    /// condensed, and displacements are expanded, zero in what supports
-    /// prescribe.
+    /// Returns (K + K^p)^-1 @p f of the last factorization. The forces @p f
+    /// need not be condensed; displacements are expanded, zero in prescribed
+    /// DoFs.
     BlockVector
     solve(BlockVector f) const;
 
-    /// The rows that the pattern has room for, ascending: they decide in which
-    /// order MUMPS eliminates.
+    /// Returns the rows in the pattern, ascending; they affect the elimination
+    /// order of MUMPS.
     std::vector<unsigned int>
     known_rows() const;
-    /// Makes room for @p known_rows when it is factorised next.
+    /// Includes @p known_rows in the pattern of the next factorization.
     void
     recall(const std::vector<unsigned int> &known_rows);
 
-    /// A sentence if the hardest penalty so far leaves an error of more than
+    /// Returns a sentence if the hardest penalty so far leaves an error above
     /// 1e-4 by the estimate eps N t / k of Nour-Omid and Wriggers (1987; N
-    /// DoFs, t the rounding of doubles), the reasoning behind Eq. 24
-    /// (doc/penalty.md).
+    /// DoFs, t the rounding of doubles), the basis of Eq. 24 (doc/penalty.md).
     std::vector<std::string>
     warnings() const;
 
   private:
-    /// Those of the supports and theories of all bodies, u = G v, in the
-    /// numbering of the scene: body after body.
+    /// Returns the constraints u = G v by supports and theories of all bodies,
+    /// in the numbering of the scene: body after body.
     Constraints
     constraints_of_all() const;
-    /// K of all bodies with their springs, condensed.
+    /// Assembles K of all bodies with their springs, condensed.
     void
     assemble_stiffness(const Linearisation &linearisation);
-    /// Diagonal entries of eliminated DoFs become the largest of all others;
-    /// keeps the diagonal.
+    /// Sets the diagonal entries of eliminated DoFs to the largest of all
+    /// others, and stores the diagonal.
     void
     fill_diagonal();
-    /// Makes room in K + K^p for the rows of @p terms, too, with their slips;
-    /// drops the factor and its symbolic analysis if some of them are new.
+    /// Includes the rows of @p terms with their slips in the pattern of K +
+    /// K^p; drops the factor and its symbolic analysis if some are new.
     void
     make_room(const std::vector<PenaltyTerm> &terms);
     /// Adds @p term to K^p (Eq. 23 with the row b in the place of n).
     void
     add_penalty(const PenaltyTerm &term);
-    /// This process's entries of K + K^p, the upper half of them if it is
-    /// symmetric: what MUMPS takes.
+    /// Returns this process's entries of K + K^p for MUMPS, the upper half if
+    /// symmetric.
     MatrixEntries
     entries() const;
-    /// Keeps the hardest of the penalties among @p terms over what the DoFs of
-    /// the row offer, k = 1 / sum(b_i^2 / K_ii).
+    /// Updates the hardest penalty of @p terms relative to the stiffness of the
+    /// DoFs of its row, k = 1 / sum(b_i^2 / K_ii).
     void
     measure_hardness(const std::vector<PenaltyTerm> &terms);
 
@@ -127,21 +122,21 @@ namespace lamella
     const Symmetry   symmetry;
     /// constraints_of_all().
     Constraints constraints;
-    /// Of a process: a contiguous part of the DoFs of all bodies.
+    /// DoFs of this process, a contiguous part of those of all bodies.
     dealii::IndexSet owned;
     /// K, and K + K^p of the last active set; this process's rows of each.
     SharedMatrix stiffness, system;
-    /// That of K, whole on each process.
+    /// Diagonal of K, whole on each process.
     Vector diagonal;
-    /// Of `system`; null until it is analysed.
+    /// Factor of `system`; null until analyzed.
     std::unique_ptr<RepeatedFactorisation> factor;
-    /// The rows that `system` has room for.
+    /// Rows in the pattern of `system`.
     std::set<unsigned int> known;
-    /// What `factor` was made for.
+    /// Terms that were factorized last.
     std::vector<PenaltyTerm> factorised_for;
     bool                     is_factorised = false;
 
-    /// The largest eps / k so far, a number, and its eps (force / length).
+    /// Largest eps / k so far, and its eps (force / length).
     double hardest = 0., hardest_penalty = 0.;
   };
 } // namespace lamella

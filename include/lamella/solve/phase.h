@@ -10,15 +10,15 @@
 
 namespace lamella
 {
-  /// What a run spends its time on, in the order of its work.
+  /// Timed phases of a run, in the order of its work.
   enum class Phase
   {
     setup,         ///< meshes, sections, bodies, supports, loads, probes
     assembly,      ///< stiffness matrices
-    factorisation, ///< what makes them ready to be solved with
+    factorisation, ///< factorization, or setup of iterative solvers
     solve,         ///< linear solution, refinement, checks
-    contact,       ///< search and pairing, and the search for active rows
-    beyond,        ///< what large deflections would change (BeyondLinear)
+    contact,       ///< search, pairing and active set
+    beyond,        ///< effects of large deflections (BeyondLinear)
     output         ///< fields at probes, lines and cuts; files
   };
 
@@ -35,7 +35,7 @@ namespace lamella
                                             {Phase::output, "output"}};
   };
 
-  /// The names of all phases, in their order; a static that lives as long as
+  /// Returns the names of all phases, in order; a static that lives as long as
   /// the program.
   const std::vector<std::string> &
   phase_names();

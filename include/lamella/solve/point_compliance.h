@@ -9,37 +9,34 @@
 
 namespace lamella
 {
-  /// Of each point of a contact what its normal row and its tangential rows
-  /// have, (n, t_1, t_2): forces or lengths. Of tangents that a point has not,
-  /// zero.
+  /// Components (n, t_1, t_2) of each contact point: forces or lengths. Missing
+  /// tangents are zero.
   using PointVectors = std::vector<dealii::Tensor<1, 3>>;
 
-  /// The length of the tangential part of @p x.
+  /// Returns the length of the tangential part of @p x.
   double
   tangential_norm(const dealii::Tensor<1, 3> &x);
 
-  /// @p x without its normal part.
+  /// Returns @p x without its normal part.
   dealii::Tensor<1, 3>
   tangential_part(dealii::Tensor<1, 3> x);
 
-  /// x . y over all points.
+  /// Returns x . y, summed over all points.
   double
   inner_product(const PointVectors &x, const PointVectors &y);
 
-  /// The largest component.
+  /// Returns the largest absolute component.
   double
   largest_component(const PointVectors &x);
 
-  /**
-   * The dense compliance W = B K^-1 B^T of points that may touch, whose rows
-   * follow upon each other: of each the normal one, then its tangential ones,
-   * none, one or two. Forces lambda move the points by W lambda.
-   */
+  /// The dense compliance W = B K^-1 B^T of candidate contact points. Each
+  /// point has consecutive rows, the normal one and zero to two tangential
+  /// ones. Forces lambda displace the points by W lambda.
   struct PointCompliance
   {
-    /// The first row of each point, and one past the last of all.
+    /// First row of each point, and one past the last of all.
     std::vector<unsigned int> first{0};
-    /// The entries of W, column by column; symmetric.
+    /// Entries of W, column by column; symmetric.
     std::vector<double> matrix;
 
     unsigned int
@@ -52,7 +49,7 @@ namespace lamella
     {
       return first.back();
     }
-    /// One and the number of tangents of @p point.
+    /// Returns one plus the number of tangents of @p point.
     unsigned int
     size(const unsigned int point) const
     {
@@ -69,17 +66,18 @@ namespace lamella
       return matrix[std::size_t(j) * n_rows() + i];
     }
 
-    /// By points, and by rows again.
+    /// Converts between vectors by rows and by points.
     PointVectors
     by_points(const std::vector<double> &rows) const;
     std::vector<double>
     by_rows(const PointVectors &points) const;
 
-    /// W lambda.
+    /// Returns W lambda.
     PointVectors
     times(const PointVectors &lambda) const;
 
-    /// v += W_(.,i) change: what the force of @p point alone moves.
+    /// Adds W_(.,i) change to @p v, the displacement due to the force of
+    /// @p point alone.
     void
     add_of_point(const unsigned int          point,
                  const dealii::Tensor<1, 3> &change,

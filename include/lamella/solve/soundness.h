@@ -12,13 +12,13 @@
 namespace lamella
 {
   /**
-   * Throws NumericsError if the state is not to be trusted, looked at in this
-   * order: stabilising springs that hold more than a tenth of the energy, last
-   * corrections above 1e-6 of the displacements, balance of forces or moments,
-   * residual or balance of energy above 1e-3, a contact force below zero or
-   * gaps off the contact law by more than 1e-6 of the displacements, numbers
-   * that are none, or a rotation above @p rotation_limit (rad). A check that is
-   * not a number counts as failed.
+   * Throws NumericsError if the state is not reliable, checked in this order:
+   * stabilizing springs with more than a tenth of the energy; last corrections
+   * above 1e-6 of the displacements; balance of forces or moments, residual or
+   * energy balance above 1e-3; a contact force below zero or gaps off the
+   * contact law by more than 1e-6 of the displacements; values that are not
+   * finite; a rotation above @p rotation_limit [rad]. A check that is not a
+   * number fails.
    */
   void
   require_sound(const State  &state,
@@ -26,23 +26,22 @@ namespace lamella
                 const double  rotation_limit);
 
   /**
-   * Throws NumericsError where a support of sections that turn, at load factor
-   * @p at and the state of @p here, is off its place: others hold the same
-   * places, and they agree with it to first order only. (Where sections warp,
-   * rows that depend on others are off to second order: ten times what turning
-   * the warpings does to their displacements is let pass.)
+   * Throws NumericsError if a support of rotating sections misses its
+   * prescribed position at load factor @p at in the state of @p here, because
+   * other supports hold the same points and agree with it to first order only.
+   * (With warping, dependent rows deviate to second order: ten times the effect
+   * of rotated warping on the displacements is accepted.)
    */
   void
   require_followed(const Linearisation &here, const LoadFactor &at);
 
   /**
-   * What the user should know of a state that is sound, a sentence each without
-   * a full stop: penetrations above 1e-3 of the displacements, gaps whose
-   * averages miss more than 1e-2 of them, bodies that overlap from the start;
-   * rotations beyond 0.1 rad, stabilising springs with more than 1e-3 of the
-   * energy, balances that hold to worse than 1e-7, and digits that the
-   * assembled matrix lost (a first correction above 1e-7). @p contacts are
-   * those of check_state().
+   * Returns warnings about a reliable state, one sentence each without a full
+   * stop: penetrations above 1e-3 of the displacements; gap averages that miss
+   * more than 1e-2 of them; initial overlaps; rotations beyond 0.1 rad;
+   * stabilizing springs with more than 1e-3 of the energy; balances worse than
+   * 1e-7; and digits lost by the assembled matrix (a first correction above
+   * 1e-7). @p contacts are those of check_state().
    */
   std::vector<std::string>
   warnings_of(const State                         &state,

@@ -13,52 +13,52 @@
 
 namespace lamella
 {
-  /// The primal and dual unknowns of a scene at one load factor: displacements
-  /// and contact forces, and how they were come by. Empty: no state at all, as
-  /// before the first load step.
+  /// Primal and dual unknowns of a scene at one load factor: displacements and
+  /// contact forces, with data on the iterations. Empty before the first load
+  /// step.
   struct State
   {
-    /// Displacements of all bodies, a block each: expanded, so prescribed DoFs
-    /// have their values.
+    /// Displacements of all bodies, one block each: expanded, with the values
+    /// of prescribed DoFs.
     BlockVector u;
-    /// Of each body: the largest displacement of the linear solution without
-    /// contact, at the same load factor; empty where stabilising springs hold a
-    /// body, which moves far without contact. Of bodies that turn a hundred
-    /// times the largest on the way to it.
+    /// Largest displacement of each body in the linear solution without contact
+    /// at the same load factor; empty with stabilizing springs, as these bodies
+    /// move far without contact. With finite rotations, a hundred times the
+    /// largest on the way.
     std::vector<double> free_sizes;
-    /// Of each gap row: the contact force lambda, positive in compression; zero
-    /// in rows that are not active. It loads the bodies with B^T lambda.
+    /// Contact force lambda of each gap row, positive in compression; zero in
+    /// inactive rows. Loads the bodies with B^T lambda.
     std::vector<double> force;
     /// Numbers of the active rows, ascending.
     std::vector<unsigned int> active;
-    /// Empty unless a contact has friction.
+    /// Friction variables; empty without friction.
     FrictionState friction;
-    /// Of bodies that turn: what each contact has come to, whose rows the
-    /// forces are of.
+    /// History of each contact for finite rotations, whose rows the forces
+    /// belong to.
     std::vector<ContactMemory> pairings;
 
-    /// Where the stabilising springs are without force; empty: at u = 0.
+    /// Offsets of the stabilizing springs; empty: zero force at u = 0.
     SpringRest rest;
 
-    /// Rounds of the search for the active rows, those of all releases of the
-    /// springs added up.
+    /// Rounds of the active-set search, summed over all releases of the
+    /// springs.
     unsigned int iterations = 0;
-    /// Maximum norm of each correction over that of u: of the free linear
-    /// solution, and of the solution with contact on its last active set. The
+    /// Maximum norm of each correction over that of u: of the linear solution
+    /// without contact, and of the contact solution on its last active set. The
     /// first of `free_corrections` (the solution itself is left out) measures
-    /// the digits that the assembled matrix lost.
+    /// the digits lost by the assembled matrix.
     std::vector<double> free_corrections, contact_corrections;
 
-    /// Lengths of @p body below this are what rounding leaves where loads
-    /// cancel, as of leaves that equal pressures press on each other and that
-    /// do not move: of what they would move by without contact.
+    /// Returns the length below which displacements of @p body are rounding,
+    /// relative to its displacement without contact. It matters where loads
+    /// cancel, such as in leaves pressed together by equal pressures.
     double
     rounding(const unsigned int body) const
     {
       return free_sizes.empty() ? 0. : arithmetic::rounding * free_sizes[body];
     }
 
-    /// The largest of all bodies.
+    /// Returns the largest rounding() of all bodies.
     double
     rounding() const
     {

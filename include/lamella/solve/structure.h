@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-// The room `solve`: equilibrium. It owns the structure (bodies with what holds
-// and loads them), the strategies that find which gap rows carry force, the
-// loop over load steps, the checks of what came out, and Results, which is all
-// that others need of a run. It never writes a file and never knows what a beam
-// or a solid is.
+// Module `solve`: equilibrium. It owns the structure (bodies with supports and
+// loads), the strategies for the active set, the loop over load steps, the
+// checks, and Results, the interface to all other modules. It writes no files
+// and is independent of the type of body.
 
 #ifndef lamella_solve_structure_h
 #define lamella_solve_structure_h
@@ -23,45 +22,42 @@
 
 namespace lamella
 {
-  /// The offsets r_0 of the stabilising springs in their law
-  /// f = -k (r(u) - r_0): what each spring of each body measures where it is
-  /// without force, a length, [body][spring]. Empty: zero for all of them.
+  /// Offsets r_0 of the stabilizing springs in f = -k (r(u) - r_0): the value
+  /// of each spring row at zero force [length], as [body][spring]. Empty: all
+  /// zero.
   using SpringRest = std::vector<std::vector<double>>;
 
   /**
-   * The linear part of a scene, the discrete form of the principle of virtual
-   * displacements (Eqs. 8 to 11) without the work of contact: bodies with
-   * their supports, springs and loads. Contact couples the bodies through rows
-   * only, so each has its own matrix: the stiffness K of the scene is block
-   * diagonal, and a BlockVector has one block a body, in the order of the
-   * scene.
+   * The linear part of a scene, the discrete principle of virtual displacements
+   * (Eqs. 8 to 11) without contact: bodies with supports, springs and loads.
+   * Contact couples the bodies through rows only, so K is block diagonal, and a
+   * BlockVector has one block per body in the order of the scene.
    *
-   * Displacements are u = G v + u_p(t) at load factor t (RowReduction), where v
-   * are the DoFs that supports and the theories' own constraints leave free, G
-   * expands them and u_p fulfils the prescribed displacements. What solvers see
-   * is the condensed stiffness
+   * Displacements are u = G v + u_p(t) at load factor t (RowReduction), with
+   * the DoFs v that supports and the constraints of the theories leave free,
+   * their expansion G and the prescribed displacements u_p. Solvers use the
+   * condensed stiffness
    *   G^T (K + sum_k s_k r_k^T r_k) G,
-   * with the stabilising springs of stiffness s_k and row r_k.
+   * with the stabilizing springs of stiffness s_k and row r_k. A Linearisation
+   * is the tangent at a state with its solvers.
    *
-   * Owns the bodies jointly with whoever else holds the pointers, and alone
-   * the reductions and springs. Its tangent at a state, and what solves with
-   * it, is a Linearisation. Strategies, checks and reports refer
-   * to it, so it has to outlive them. Every process knows all of it and holds
-   * whole vectors; what costs most, the elements, they share.
+   * Shares ownership of the bodies, and owns the reductions and springs.
+   * Strategies, checks and reports refer to it, so it must outlive them. Each
+   * process holds all of it and whole vectors; the element work is distributed.
    */
   class Structure
   {
   public:
     /**
-     * Makes the prescribed rows of @p supports, eliminates them, makes the
-     * springs and integrates @p loads; no matrix yet. @p bodies must not be
-     * empty; regions of supports and loads name bodies by their place in it.
-     * @p stabilisations has one for each body, or is empty: none. Throws
-     * InputError if a region is not in its body, if supports contradict each
-     * other, or if a body can still move and has no stabilisation (the message
-     * names how). Bodies are heated by the temperatures among @p loads, and
-     * their weight under @p gravity (scene axes, length / s^2) is one more
-     * load, the last, if that is not zero. Collective.
+     * Creates and eliminates the prescribed rows of @p supports, creates the
+     * springs and integrates @p loads; assembles no matrix. @p bodies must not
+     * be empty; regions of supports and loads refer to bodies by index.
+     * @p stabilisations has one entry per body, or none. Temperatures among
+     * @p loads heat the bodies; their weight under @p gravity (scene axes,
+     * length / s^2) is an additional last load, unless zero. Throws InputError
+     * if a region is not in its body, if supports contradict each other, or if
+     * a body has a free rigid motion and no stabilization (the message names
+     * the motion). Collective.
      */
     Structure(Bodies                            bodies,
               const std::vector<Support>       &supports,
@@ -69,29 +65,29 @@ namespace lamella
               const std::vector<Stabilisation> &stabilisations = {},
               const dealii::Tensor<1, 3>       &gravity        = {});
 
-    /// In the order of the scene, which is that of the blocks of vectors.
+    /// Returns the bodies in the order of the scene, that of the vector blocks.
     const Bodies &
     bodies() const
     {
       return all_bodies;
     }
 
-    /// G and u_p of @p body, and the forces in its prescribed rows.
+    /// Returns G and u_p of @p body, and the forces in its prescribed rows.
     const RowReduction &
     reduction(const unsigned int body) const
     {
       return *reductions[body];
     }
 
-    /// The prescribed rows of all supports on all bodies, R u = t d; the
-    /// numbers that RowReduction::multipliers() gives are places in here.
+    /// Returns the prescribed rows R u = t d of all supports on all bodies;
+    /// RowReduction::multipliers() gives indices into them.
     const std::vector<PrescribedRow> &
     prescribed() const
     {
       return rows;
     }
 
-    /// Whether a support turns places of @p body.
+    /// Returns true if a support prescribes a rotation of points of @p body.
     bool
     is_turned(const unsigned int body) const
     {
@@ -100,64 +96,64 @@ namespace lamella
       });
     }
 
-    /// The stabilising springs of @p body, one for each rigid motion that its
-    /// supports leave free; none without a Stabilisation.
+    /// Returns the stabilizing springs of @p body, one per free rigid motion;
+    /// none without a Stabilisation.
     const std::vector<Spring> &
     springs(const unsigned int body) const
     {
       return all_springs[body];
     }
 
-    /// Of each load what it is in all, at load factor 1: force and moment
-    /// about the scene's origin, scene axes, in the order of the loads, weight
-    /// after them.
+    /// Returns the resultant of each load at load factor 1: force and moment
+    /// about the origin of the scene, scene axes, in the order of the loads,
+    /// then weight.
     const std::vector<LoadResultant> &
     load_resultants() const
     {
       return resultants;
     }
 
-    /// Whether any body has one: then its solution is to be released from them
-    /// (ContactSolver::release_springs()).
+    /// Returns true if any body has springs, so that its solution must be
+    /// released from them (ContactSolver::release_springs()).
     bool
     has_springs() const;
 
-    /// What the springs of all bodies measure in the state @p u, r_k(u): as a
-    /// rest it makes them free of force there.
+    /// Returns r_k(u) of the springs of all bodies at @p u: offsets that make
+    /// them free of force there.
     SpringRest
     spring_lengths(const BlockVector &u) const;
 
-    /// The load vector f(t, u) at load factor t = @p factor, not condensed: all
-    /// loads together, f . v is their work on the virtual displacement v
-    /// (Eq. 10). Those that depend on the state (TurningLoad) are of @p u; all
-    /// others do not ask.
+    /// Returns the load vector f(t, u) at load factor t = @p factor, not
+    /// condensed: f . v is the work of all loads on the virtual displacement v
+    /// (Eq. 10). Only follower loads (TurningLoad) depend on @p u.
     BlockVector
     load(const LoadFactor &factor, const BlockVector &u) const;
 
-    /// That of the undeformed bodies.
+    /// Returns the load vector of the undeformed bodies.
     BlockVector
     load(const LoadFactor &factor) const;
 
-    /// Whether a load on @p body depends on its state.
+    /// Returns true if a load on @p body depends on its state.
     bool
     has_turning_loads(const unsigned int body) const
     {
       return !turning[body].empty();
     }
 
-    /// Whether one of these has a derivative that is not symmetric.
+    /// Returns true if a follower load has an unsymmetric derivative.
     bool
     has_skew_loads() const;
 
-    /// f += df(t, u)/du @p w of these.
+    /// Adds df(t, u)/du @p w of the follower loads to @p f.
     void
     add_derivative_of_loads(const LoadFactor  &factor,
                             const BlockVector &u,
                             const BlockVector &w,
                             BlockVector       &f) const;
 
-    /// What these add to its tangent stiffness at load factor @p factor and
-    /// the displacement @p u of the body (TurningLoad).
+    /// Calls @p use with the contributions of the follower loads to the tangent
+    /// stiffness of @p body at load factor @p factor and its displacement @p u
+    /// (TurningLoad).
     void
     for_each_block_of_loads(
       const unsigned int                                 body,
@@ -166,25 +162,25 @@ namespace lamella
       const bool                                         with_values,
       const std::function<void(const StiffnessBlock &)> &use) const;
 
-    /// The load vector f_0 of heat (Body::add_heat()), which no load factor
-    /// multiplies; zero where nothing is heated, and of bodies that turn, where
-    /// load() has it.
+    /// Returns the thermal load vector f_0 (Body::add_heat()), which is
+    /// independent of the load factor. Zero without heat, and for bodies with
+    /// finite rotations, where load() includes it.
     const BlockVector &
     heat_load() const
     {
       return initial_load;
     }
 
-    /// Whether any body is.
+    /// Returns true if any body is heated.
     bool
     is_heated() const;
 
-    /// Whether any body turns by any angle (Body::turns()).
+    /// Returns true if any body has finite rotations (Body::turns()).
     bool
     turns() const;
 
-    /// integral epsilon_0 . C epsilon_0 / 2 dV over all bodies: what they would
-    /// store if they were heated and held everywhere.
+    /// Returns integral epsilon_0 . C epsilon_0 / 2 dV over all bodies: the
+    /// energy if they were heated and fully constrained.
     double
     heat_energy() const
     {
@@ -193,122 +189,121 @@ namespace lamella
                              0.);
     }
 
-    /// That of @p body alone.
+    /// Returns the heat energy of @p body alone.
     double
     heat_energy(const unsigned int body) const
     {
       return initial_energies[body];
     }
 
-    /// How vectors of the scene are divided among bodies.
+    /// Returns the division of scene vectors into bodies.
     const dealii::BlockIndices &
     blocks() const
     {
       return initial_load.get_block_indices();
     }
 
-    /// DoFs of all bodies, those that supports prescribe among them.
+    /// Returns the number of DoFs of all bodies, prescribed ones included.
     DofIndex
     n_dofs() const;
 
-    /// The diagonal of the box around all bodies, in scene axes: what lengths
-    /// are compared with.
+    /// Returns the diagonal of the bounding box of all bodies in scene axes,
+    /// the reference of lengths.
     double
     size() const;
 
-    /// A vector of zeros, a block per body.
+    /// Returns a vector of zeros, one block per body.
     BlockVector
     zero() const;
 
-    /// u_p(t) at load factor t = @p factor: the values that supports prescribe,
-    /// and zero in the free DoFs. Of small rotations:
-    /// Linearisation::way_to_supports() has those of bodies that turn.
+    /// Returns u_p(t) at load factor t = @p factor: the prescribed values, and
+    /// zero in free DoFs. For small rotations; see
+    /// Linearisation::way_to_supports() for finite ones.
     BlockVector
     particular(const LoadFactor &factor) const;
 
-    /// Whether supports and the theory hold @p row: it is zero in all states,
-    /// up to rounding.
+    /// Returns true if supports and theory constrain @p row to zero in all
+    /// states, up to rounding.
     bool
     holds(const BodyRow &row) const;
 
-    /// The stabilising springs of @p body as terms s_k r_k^T r_k of its
+    /// Returns the stabilizing springs of @p body as terms s_k r_k^T r_k of its
     /// stiffness: pairs of row and stiffness (force / length).
     std::vector<SpringTerm>
     spring_terms(const unsigned int body) const;
 
     /**
-     * The unbalanced forces without those of contact,
+     * Returns the unbalanced forces without contact,
      *   r = f(t) + f_0 - integral B^T C (B u) dV
      *       - sum_k s_k (r_k(u) - r_0k) r_k^T,
-     * t = @p factor, f_0 = heat_load(); not condensed. The springs are without
-     * force at @p rest.
-     * Strain first: at each quadrature point the strains B u are formed from
-     * @p u and the stresses C (B u) integrated, instead of K u with an
-     * assembled K. Where a slender body's K loses digits to cancellation this
-     * does not, which is why solutions are refined against it. Costs a loop
-     * over all elements; collective.
+     * with t = @p factor, f_0 = heat_load() and the spring offsets @p rest; not
+     * condensed. Strains B u are formed at each quadrature point and their
+     * stresses integrated, instead of K u: unlike an assembled K, this loses no
+     * digits to cancellation in slender bodies, so solutions are refined
+     * against it. Costs a loop over all elements; collective.
      */
     BlockVector
     residual(const BlockVector &u,
              const LoadFactor  &factor,
              const SpringRest  &rest = {}) const;
 
-    /// integral B^T C (B u) dV + sum_k s_k (r_k(u) - r_0k) r_k^T, likewise:
-    /// linear in @p u without a @p rest.
+    /// Returns integral B^T C (B u) dV + sum_k s_k (r_k(u) - r_0k) r_k^T,
+    /// evaluated as in residual(); linear in @p u without @p rest.
     BlockVector
     internal_forces(const BlockVector &u, const SpringRest &rest = {}) const;
 
-    /// The state that @p change makes of the state @p u (Body::updated()).
+    /// Returns the state @p u updated by @p change (Body::updated()).
     BlockVector
     updated(const BlockVector &u, const BlockVector &change) const;
 
-    /// G^T r in place, zero in the eliminated DoFs: the residual that
-    /// equilibrium sets to zero. (What is left in the eliminated ones before
-    /// that are the reactions.)
+    /// Computes G^T r in place, zero in the eliminated DoFs: the residual of
+    /// equilibrium. (The entries of eliminated DoFs before that are the
+    /// reactions.)
     void
     condense(BlockVector &r) const;
 
   private:
-    /// u_p of the rows that go with @p history, at load factor 1. Throws
-    /// InputError if rows that depend on each other do not go the same way;
-    /// @p names are those of supports.
+    /// Returns u_p of the rows with load history @p history, at load factor 1.
+    /// Throws InputError if dependent rows have different histories; @p names
+    /// are those of supports.
     BlockVector
     prescribed_in(const unsigned int              history,
                   const std::vector<std::string> &names) const;
 
-    /// Adds @p load to what its history multiplies or, where it turns along,
-    /// to what turns; and what it is in all.
+    /// Adds @p load to its history, or to the follower loads, and its
+    /// resultant.
     void
     take(const Load &load);
     void
     take_weight(const dealii::Tensor<1, 3> &gravity);
-    /// What heat does to bodies, which know their temperatures.
+    /// Adds the thermal loads of the bodies, which know their temperatures.
     void
     take_heat();
 
-    /// Throws InputError, with the @p names of supports, where one turns places
-    /// by any angle that another holds elsewhere.
+    /// Throws InputError, with the @p names of supports, if one prescribes a
+    /// finite rotation of points that another holds elsewhere.
     void
     check_turns(const std::vector<std::string> &names) const;
 
-    /// Throws InputError for the first body with a rigid motion that supports
-    /// leave free and no stabilisation holds.
+    /// Throws InputError for the first body with a free rigid motion and no
+    /// stabilization.
     void
     check_held(const std::vector<Stabilisation> &stabilisations) const;
 
     Bodies all_bodies;
     /// prescribed().
     std::vector<PrescribedRow> rows;
-    /// One a body, as are springs.
+    /// Reduction and springs of each body.
     std::vector<std::unique_ptr<RowReduction>> reductions;
     std::vector<std::vector<Spring>>           all_springs;
-    /// What each history multiplies at load factor 1, that of the scene first.
+    /// Load and prescribed displacements of each history at load factor 1, that
+    /// of the scene first.
     struct OfHistory
     {
       BlockVector load, particular;
     };
     std::vector<OfHistory> histories;
-    /// Of each body the loads that turn along, with their histories.
+    /// Follower loads of each body, with their histories.
     std::vector<
       std::vector<std::pair<std::unique_ptr<TurningLoad>, unsigned int>>>
                                turning;

@@ -20,7 +20,7 @@
 
 namespace lamella
 {
-  /// What decides on failure. Formulas and sources stand in doc/strength.md.
+  /// A failure criterion. Formulas and sources are in doc/strength.md.
   enum class Criterion
   {
     undefined,
@@ -30,7 +30,7 @@ namespace lamella
     tsai_wu,
     hoffman,
     hashin, ///< in three dimensions, of 1980
-    puck,   ///< fibre and inter-fibre fracture, with its action plane
+    puck,   ///< fiber and inter-fiber fracture, with its action plane
     von_mises,
     interlaminar, ///< quadratic, at interfaces between plies
     core_shear,
@@ -56,32 +56,32 @@ namespace lamella
       {Criterion::face_wrinkling, "face wrinkling"}};
   };
 
-  /// The names of all criteria, in their order.
+  /// Returns the names of all criteria, in their order.
   std::vector<std::string>
   criterion_names();
 
-  /// What of @p material @p criterion needs and nobody has given: the entry of
-  /// its subsection, `Strengths`; empty if nothing is missing. Of face
-  /// wrinkling nothing is asked of the face; its core needs its moduli alone.
+  /// Returns the missing entry of @p material that @p criterion needs, as
+  /// `Strengths`; empty if there is none. Face wrinkling needs no strengths of
+  /// the face, and the moduli of the core only.
   std::string
   missing_entry(const Criterion criterion, const Material &material);
 
-  /// Sizes of the compressive stresses along 1 and 2 of a face at which it
-  /// wrinkles, [force/length^2].
+  /// Magnitudes of the compressive stresses along 1 and 2 at which a face
+  /// wrinkles [force/length^2].
   struct WrinklingStresses
   {
     double along_1 = 0., along_2 = 0.;
   };
 
   /**
-   * Hoff's stresses of a face on a thick core (Hoff and Mautner, J. Aeronaut.
-   * Sci. 12 (1945) 285-297),
+   * Returns Hoff's wrinkling stresses of a face on a thick core (Hoff and
+   * Mautner, J. Aeronaut. Sci. 12 (1945) 285-297),
    *   sigma = 1/2 (E_f E_c G_c)^(1/3),
-   * where along d = 1, 2 of the face E_f is its Young's modulus along d, E_c
-   * that of the core along 3, and G_c the core's shear modulus in the plane of
-   * d and 3: G13 cos^2 + G23 sin^2 of the angle from the core's axis 1 to d,
-   * @p face_angle - @p core_angle in degrees (ply_axes()), and a right angle
-   * more of d = 2. Nothing is checked.
+   * along d = 1, 2 of the face, with its Young's modulus E_f along d, E_c of
+   * the core along 3, and the core's shear modulus G_c in the plane of d and 3:
+   * G13 cos^2 + G23 sin^2 of the angle from the core's axis 1 to d. That is
+   * @p face_angle - @p core_angle in degrees (ply_axes()), plus 90 for d = 2.
+   * Nothing is checked.
    */
   WrinklingStresses
   wrinkling_stresses(const EngineeringConstants &face,
@@ -89,69 +89,68 @@ namespace lamella
                      const double                face_angle,
                      const double                core_angle);
 
-  /// How near a stress is to failure.
+  /// Distance of a stress from failure.
   struct Assessment
   {
-    /// The criterion's value f, of several modes the largest: 1 at failure.
+    /// The criterion's value f, the largest of its modes: 1 at failure.
     double index = 0.;
-    /// The smallest R >= 0 at which f(R sigma_mech + sigma_res) comes to 1;
-    /// none where it never does, or not up to 1e6. 0 if the residual stress
-    /// alone fails.
+    /// Reserve factor, the smallest R >= 0 with f(R sigma_mech + sigma_res) =
+    /// 1; none if there is none up to 1e6, 0 if the residual stress alone
+    /// fails.
     std::optional<double> reserve;
-    /// What fails at that R, or without one has the largest f: `tension 1`.
+    /// Failure mode at R, or without R that of largest f: `tension 1`.
     std::string_view mode;
-    /// Of Puck's inter-fibre fracture: from axis 2 to the normal of the action
-    /// plane, positive towards 3, in degrees from -90 to 90.
+    /// Angle of Puck's inter-fiber fracture from axis 2 to the normal of the
+    /// action plane, positive towards 3, in degrees from -90 to 90.
     std::optional<double> angle;
   };
 
   /**
-   * One criterion for one material: where its failure surface f(sigma) = 1
-   * lies. Stresses are in the material's own axes, {11, 22, 33, 12, 13, 23}.
+   * Failure surface f(sigma) = 1 of one criterion for one material. Stresses
+   * are in the material's own axes, {11, 22, 33, 12, 13, 23}.
    *
-   * All criteria but Puck's are pieces of quadratic forms,
+   * All criteria but Puck's are piecewise quadratic, by the signs of sigma_11,
+   * sigma_22, sigma_33 and sigma_22 + sigma_33, with a form per mode:
    *   f = sum s_i sigma_i^2 + p_12 sigma_11 sigma_22 + p_13 sigma_11 sigma_33
-   *     + p_23 sigma_22 sigma_33 + sum l_i sigma_i,
-   * one a mode, which one by the signs of sigma_11, sigma_22, sigma_33 and
-   * sigma_22 + sigma_33. Along R sigma_mech + sigma_res each piece is a
-   * parabola in R, from sign change to sign change, and the reserve factor
-   * the first root of any mode. Where a criterion jumps at a sign change
-   * (Tsai-Hill, Hashin's fibre mode), f may pass 1 there; R is that place.
+   *     + p_23 sigma_22 sigma_33 + sum l_i sigma_i.
+   * Along R sigma_mech + sigma_res each piece is a parabola in R, and the
+   * reserve factor is the first root of any mode. If a criterion jumps past 1
+   * at a sign change (Tsai-Hill, Hashin's fiber mode), R is that point.
    *
-   * Puck's inter-fibre exposure is homogeneous of degree 1, so R = 1/f without
-   * a residual stress; with one the first root is bracketed and bisected.
+   * Puck's inter-fiber exposure is homogeneous of degree 1, so R = 1/f without
+   * residual stress; with one the first root is bracketed and bisected.
    *
-   * Made once a material: some hundred numbers. assess() allocates nothing.
+   * assess() allocates nothing.
    */
   class FailureSurface
   {
   public:
-    /// missing_entry() must be empty. @p wrinkling counts for that criterion
-    /// alone.
+    /// Requires an empty missing_entry(). @p wrinkling is used by face
+    /// wrinkling only.
     FailureSurface(const Criterion          criterion,
                    const Material          &material,
                    const WrinklingStresses &wrinkling = {});
 
-    /// Of @p mechanical, which grows with the loads, and @p residual, which
-    /// stays (of cure, say).
+    /// Assesses the sum of @p mechanical, proportional to the loads, and the
+    /// constant @p residual (as of cure).
     Assessment
     assess(const Voigt &mechanical, const Voigt &residual = Voigt()) const;
 
-    /// f(@p stress) = assess(@p stress).index, at less cost.
+    /// Returns assess(@p stress).index at less cost.
     double
     index(const Voigt &stress) const;
 
   private:
-    /// A quadratic form in stresses, as above.
+    /// A quadratic form of one mode.
     struct Form
     {
       std::string_view mode;
       Voigt            squares = {}, linear = {};
-      /// Of 11 22, 11 33 and 22 33.
+      /// Coefficients of 11 22, 11 33 and 22 33.
       std::array<double, 3> products{};
 
-      /// Its part of second degree as a symmetric bilinear form, so that
-      /// bilinear(s, s) is that part of f(s).
+      /// Returns the symmetric bilinear form of the quadratic part: bilinear(s,
+      /// s) is that part of f(s).
       double
       bilinear(const Voigt &s, const Voigt &t) const;
       double
@@ -161,50 +160,51 @@ namespace lamella
       }
     };
 
-    /// The signs that choose a piece, bit by bit: sigma_11 < 0, sigma_22 < 0,
-    /// sigma_33 < 0, sigma_22 + sigma_33 < 0.
+    /// Bits that select a piece: sigma_11 < 0, sigma_22 < 0, sigma_33 < 0,
+    /// sigma_22 + sigma_33 < 0.
     using Signs                    = unsigned int;
     static constexpr Signs n_signs = 16;
     static Signs
     signs_of(const Voigt &stress);
 
-    /// The modes of one piece, of each criterion in its order.
+    /// Returns the modes of one piece of @p criterion, in its order.
     std::vector<Form>
     forms_of(const Criterion          criterion,
              const Material          &material,
              const WrinklingStresses &wrinkling,
              const Signs              signs) const;
 
-    /// The first R in (@p from, @p to] at which a mode of the piece @p signs
-    /// comes to 1, `from` where one is there already, and that mode.
+    /// Returns the first R in (@p from, @p to] at which a mode of the piece
+    /// @p signs reaches 1 (`from` if one has), and that mode.
     std::optional<std::pair<double, const Form *>>
     first_root(const Signs  signs,
                const Voigt &mechanical,
                const Voigt &residual,
                const double from,
                const double to) const;
-    /// The largest f(@p stress) of the modes of its piece, and that mode.
+    /// Returns the largest f(@p stress) of the modes of its piece, and that
+    /// mode.
     std::pair<double, std::string_view>
     largest_form(const Voigt &stress) const;
-    /// assess() without Puck's inter-fibre fracture.
+    /// Assesses without Puck's inter-fiber fracture.
     Assessment
     assess_forms(const Voigt &mechanical, const Voigt &residual) const;
 
-    /// Puck's stress exposure for inter-fibre fracture on the plane whose
-    /// normal is @p angle (in rad) from axis 2 towards 3.
+    /// Returns Puck's stress exposure for inter-fiber fracture on the plane
+    /// whose normal is at @p angle [rad] from axis 2 towards 3.
     double
     exposure(const Voigt &stress, const double angle) const;
-    /// The largest over all planes, and its angle.
+    /// Returns the largest exposure over all planes, and its angle.
     std::pair<double, double>
     action_plane(const Voigt &stress) const;
-    /// Puck's inter-fibre fracture.
+    /// Assesses Puck's inter-fiber fracture.
     Assessment
     assess_planes(const Voigt &mechanical, const Voigt &residual) const;
 
     std::array<std::vector<Form>, n_signs> forms;
 
-    /// Of Puck: tension across the fibre, shear along it, and the resistance
-    /// of the action plane against shear across it; the inclinations.
+    /// Data of Puck: strength in tension across the fiber, shear along it, and
+    /// resistance of the action plane to shear across it; inclinations.
     bool             has_planes = false;
     double           Rt = 0., Rl = 0., Ra = 0.;
     PuckInclinations p;

@@ -15,84 +15,80 @@
 
 namespace lamella
 {
-  /// What a run itself says of the error of one of its values, in the unit of
-  /// the value: GoalResult without its reasons.
+  /// Error bar of a value by the run itself, in the unit of the value:
+  /// GoalResult without reasons.
   struct OwnBar
   {
-    /// The estimated error, to be added to the value, and what bounds it.
+    /// Estimated error, to be added to the value, and its bound.
     double estimate = 0., bar = 0.;
-    /// Whether the bar can be held to. There is no bar if not.
+    /// True if the bar can be relied on; there is none otherwise.
     bool trusted = false;
   };
 
-  /// What a rung of a trade cost and gave.
+  /// Cost and values of a variant of a trade.
   struct RungResult
   {
-    /// As in LadderEntry.
+    /// Name and theory of the LadderEntry.
     std::string name, theory;
-    /// Why there is no result; empty if there is one.
+    /// Reason why there is no result; empty if there is one.
     std::string failure;
-    /// Wall seconds of the whole process but for the making of error bars that
-    /// it does not need (a run to a tolerance does), and of its phases.
+    /// Wall seconds of the whole process, without error bars that the run does
+    /// not need (a run to a tolerance needs them).
     double seconds = 0.;
-    /// By the name of the phase, and `total`, which is without the start of
-    /// the process. Of a run to a tolerance those of its last pass.
+    /// Wall seconds by phase, and `total` without the start of the process; for
+    /// a run to a tolerance those of its last pass.
     std::map<std::string, double> phases;
-    /// Of all bodies, of the last pass of a run to a tolerance; 0 if the rung
+    /// DoFs of all bodies, for a run to a tolerance in the last pass; 0 if
     /// failed.
     unsigned int dofs = 0;
-    /// Peak, of the process [MB].
+    /// Peak memory of the process [MB].
     double memory = 0.;
-    /// Of each quantity of the trade, in the scene's units; empty if the rung
-    /// failed.
+    /// Values of the trade's quantities, in the scene's units; empty if failed.
     std::vector<double> values;
-    /// How much finer than the scene's its meshes are, and whether other
-    /// entries were changed.
+    /// Refinement factors on the scene's meshes; true if other entries changed.
     double axis = 1., section = 1.;
     bool   overridden = false;
-    /// As in LadderEntry.
+    /// Tolerance of the LadderEntry.
     std::optional<double> tolerance = {};
-    /// Of each quantity of the trade, none where the rung makes none of it;
-    /// empty if it makes none at all.
+    /// Bar of each quantity, if the variant makes one; empty if it makes none
+    /// at all.
     std::vector<std::optional<OwnBar>> bars = {};
-    /// As in BeyondLinear, the worst of all load steps.
+    /// Worst values of BeyondLinear of all load steps.
     double                stiffening      = 0.;
     std::optional<double> buckling_factor = {};
   };
 
-  /**
-   * What a rung's process sends home and its record keeps: its numbers, all of
-   * them, so that another trade of the same ladder may ask for others without
-   * running it again, and what it cost.
-   */
+  /// Numbers and costs of a variant, as sent by its process and stored in its
+  /// record. All numbers are kept, so that another trade may use them for other
+  /// quantities without a new run.
   class RungValues : public ResultNumbers
   {
   public:
-    /// Those of a rung that failed: none.
+    /// Creates the numbers of a failed variant: none.
     RungValues() = default;
 
-    /// Throws InputError if no step was solved. The bars are those of the goals
-    /// in @p results.
+    /// Takes the numbers of @p results with the bars of their goals. Throws
+    /// InputError if no step was solved.
     explicit RungValues(const Results &results);
 
-    /// Those that to_json() has written. Throws nlohmann::json::exception for
+    /// Reads @p json written by to_json(). Throws nlohmann::json::exception for
     /// anything else.
     explicit RungValues(const nlohmann::json &json);
 
-    /// An object whose doubles come back to the last bit.
+    /// Returns an object from which doubles are restored exactly.
     nlohmann::json
     to_json() const;
 
-    /// DoFs, seconds by phase and memory, and how far it is from what large
-    /// deflections do, into @p result.
+    /// Writes DoFs, seconds by phase, memory and the effects of large
+    /// deflections into @p result.
     void
     tell(RungResult &result) const;
 
-    /// The rung's own bar of @p quantity; none if that was no goal of the run.
+    /// Returns the bar of @p quantity; none if it was no goal of the run.
     std::optional<OwnBar>
     bar(const NamedQuantity &quantity) const;
 
-    /// Whether the run made bars of anything.
+    /// Returns whether the run made any bars.
     bool
     has_bars() const
     {
@@ -100,13 +96,13 @@ namespace lamella
     }
 
   private:
-    /// By the label of the goal.
+    /// Bars by the label of the goal.
     std::map<std::string, OwnBar> bars;
     unsigned int                  dofs = 0;
-    /// Peak [MB], and wall seconds by phase.
+    /// Peak memory [MB], and wall seconds by phase.
     double                        memory = 0.;
     std::map<std::string, double> seconds;
-    /// As in RungResult.
+    /// Stiffening and buckling factor, see RungResult.
     double                stiffening = 0.;
     std::optional<double> buckling_factor;
   };

@@ -14,69 +14,65 @@
 
 namespace lamella
 {
-  /// Forces by the number of the node, scene components, at load factor 1.
+  /// Forces by number of the node, in scene components, at load factor 1.
   using NodalForces = std::map<unsigned int, dealii::Tensor<1, 3>>;
 
   /**
-   * The supports and loads of a scene on the nodes of a deck.
+   * Supports and loads of a scene on the nodes of a deck.
    *
-   * Loads become the forces that do the same work on the element's own
-   * displacements, f_i = int N_i f dA; on a face of 20-node elements those at
-   * corners point backwards. A node that two supports hold belongs to the first
-   * of them, so that their reactions add up.
-   *
-   * Supports are not condensed, as they are in Lamella (RowReduction), but
-   * prescribe nodes; all components are along the scene's axes. Loads are
-   * integrated by Lamella's own points and weights and may be anywhere. Refers
-   * to the scene, not to the mesh.
+   * Loads become consistent nodal forces, f_i = int N_i f dA, of opposite sign
+   * at the corners of faces of 20-node elements. They are integrated with
+   * Lamella's points and weights and may be anywhere. Supports are not
+   * condensed as in Lamella (RowReduction) but prescribe nodes, in components
+   * along the scene's axes. A node of two supports belongs to the first, so
+   * that their reactions add up. Refers to the scene, not to the mesh.
    */
   class CalculixConditions
   {
   public:
-    /// Throws InputError for supports that nodes cannot express: of lines and
-    /// points beside nodes, of normals oblique to the scene's axes, two that
-    /// contradict each other; and for bodies that nothing but contact holds,
-    /// with stabilising springs or without: CalculiX would solve a singular
-    /// system.
+    /// Throws InputError for supports that nodes cannot express: lines and
+    /// points off the nodes, normals oblique to the scene's axes, contradictory
+    /// ones. Throws it also for bodies that only contact holds, with
+    /// stabilizing springs or without: the system of CalculiX would be
+    /// singular.
     CalculixConditions(const Scene &scene, const CalculixMesh &mesh);
 
-    /// Nodes of support @p s, from 0, whose component @p c (0 to 2) is
-    /// prescribed by it: CalculiX' reaction of the support is the sum over
-    /// them.
+    /// Returns the nodes whose component @p c (0 to 2) support @p s, from 0,
+    /// prescribes. CalculiX' reaction of the support is the sum over them.
     const std::set<unsigned int> &
     nodes(const unsigned int s, const unsigned int c) const
     {
       return held[s][c];
     }
 
-    /// The sum of the loads on those, in direction @p c, at load factor 1, a
-    /// force: CalculiX adds them to the reactions, and who reads these takes
-    /// them off.
+    /// Returns the sum of the loads on nodes(s, c) in direction @p c at load
+    /// factor 1, a force. CalculiX adds it to the reactions; readers subtract
+    /// it.
     double
     load_on(const unsigned int s, const unsigned int c) const;
 
-    /// The name of the set of nodes(s, c): SUPPORT1_X, ...
+    /// Returns the name of the set of nodes(s, c): SUPPORT1_X, ...
     static std::string
     set_name(const unsigned int s, const unsigned int c);
 
-    /// The node sets of the supports, one a component, that reactions are
-    /// printed for.
+    /// Writes the node sets for the reactions of the supports, one per
+    /// component.
     void
     write_sets(std::ostream &deck) const;
 
-    /// What belongs into the load step of @p factor: all prescribed
-    /// displacements and nodal forces, times it.
+    /// Writes the prescribed displacements and nodal forces of the load step,
+    /// multiplied by @p factor.
     void
     write_step(std::ostream &deck, const double factor) const;
 
   private:
-    /// Holds the nodes of support number @p s in what it prescribes: u in the
-    /// scene's components, or a displacement along outward normals.
+    /// Prescribes the nodes of support number @p s: u in the scene's
+    /// components, or a displacement along outward normals.
     void
     add_support(const unsigned int s, const CalculixMesh &mesh);
-    /// Prescribes @p value (a length) for a component of @p node, on behalf of
-    /// support @p s if no other has it. Throws InputError if another one says
-    /// another value.
+    /// Prescribes @p value (a length) for a component of @p node, as part of
+    /// support @p s unless another one has it. Throws InputError if another one
+    /// prescribes another value.
     void
     hold(const unsigned int  node,
          const unsigned int  component,
@@ -85,11 +81,11 @@ namespace lamella
          const CalculixMesh &mesh);
 
     const Scene &scene;
-    /// Of each node and component the prescribed displacement.
+    /// Prescribed displacement of each node and component.
     std::map<std::pair<unsigned int, unsigned int>, double> values;
     /// nodes() of each support and component.
     std::vector<std::array<std::set<unsigned int>, 3>> held;
-    /// Of all loads together.
+    /// Sum of all loads.
     NodalForces nodal_forces;
   };
 } // namespace lamella

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-// The room `export`: scenes in the words of other programs, so far those of
-// CalculiX. It owns the deck and the list of what its sets mean. It never
-// solves, and what it cannot express it refuses.
+// The room `export`: scenes in the formats of other programs, so far CalculiX.
+// It owns the deck and the list of its sets. It never solves, and refuses what
+// the format cannot express.
 //
-// Where to start reading: export_calculix() puts together a CalculixMesh (the
-// hexahedra), CalculixConditions (supports and loads on their nodes) and
-// CalculixContacts (surfaces and laws), each of which writes its own cards.
+// Start with export_calculix(). It combines a CalculixMesh (hexahedra),
+// CalculixConditions (supports and loads on nodes) and CalculixContacts
+// (surfaces and laws), each of which writes its own cards.
 
 #ifndef lamella_export_calculix_deck_h
 #define lamella_export_calculix_deck_h
@@ -17,32 +17,32 @@
 
 namespace lamella
 {
-  /// What a user says of the deck, word for word.
+  /// Options of a deck, as typed by the user.
   struct DeckRequest
   {
-    /// Its file; the name must end in .inp.
+    /// Output file; the name must end in .inp.
     std::string output;
-    /// A name that CalculixElement knows; C3D20R if empty.
+    /// Name known to CalculixElement; C3D20R if empty.
     std::string element;
-    /// A pressure over a penetration, force / length^3; empty or `auto`: from
-    /// the scene (CalculixContacts).
+    /// Pressure over penetration, force / length^3; empty or `auto`: from the
+    /// scene (CalculixContacts).
     std::string contact_stiffness;
   };
 
   /**
-   * Writes @p scene as an input deck of CalculiX, a finite-element program that
-   * we did not write, and beside it a .json of the same name that says which
-   * sets of the deck are which supports and contacts and where the probes are
-   * (doc/calculix.md). What was done goes to @p out.
+   * Writes @p scene as an input deck of CalculiX, an independent
+   * finite-element program. A .json of the same name lists the sets of
+   * supports and contacts and the places of the probes (doc/calculix.md). A
+   * summary goes to @p out.
    *
-   * The model is the scene's with other approximations: bodies, whatever their
-   * theory, become hexahedra with plies of their own, contact a linear penalty
-   * between surfaces. Meshes and the points of loads are Lamella's, stiffness,
-   * contact and solution are not. Each load factor is a step of linear statics.
+   * The model has other approximations than the scene: all bodies become
+   * hexahedra with plies of their own, contact a linear penalty between
+   * surfaces. Meshes and integration points of loads are Lamella's; stiffness,
+   * contact and solution are CalculiX'. Each load factor is a step of linear
+   * statics.
    *
-   * Throws InputError for what a deck cannot express, for a request that cannot
-   * be understood and for files that cannot be written; what was there before
-   * then stays. For one process.
+   * Throws InputError for scenes that a deck cannot express, invalid requests,
+   * and files that cannot be written; existing files stay then. Not parallel.
    */
   void
   export_calculix(const Scene       &scene,

@@ -16,156 +16,151 @@ namespace lamella
 {
   class Solid;
 
-  /// Faces of elements: the element's number and deal.II's of its face.
+  /// Faces of elements: number of the element, and deal.II's number of its
+  /// face.
   using CalculixFaces = std::vector<std::pair<unsigned int, unsigned int>>;
 
   /**
-   * The bodies of a scene as hexahedra of CalculiX, whatever their theories:
-   * those that `Theory = solid-2` (or solid-1) makes of them, without the nodes
-   * that CalculiX' element does not have. Nodes and elements are numbered from
-   * 1, body by body; nodes stand in the scene's axes.
+   * Bodies of a scene as hexahedra of CalculiX, whatever their theories: the
+   * solids of `Theory = solid-2` (or solid-1), without nodes that the element
+   * lacks. Nodes and elements are numbered from 1, body by body; positions are
+   * in the scene's axes.
    *
-   * A cell of the section times an element of the axis is one hexahedron, and
-   * it lies in one ply, so plies are element sets with an orientation each:
-   * layer-wise, as LE-N is. Where regions are and which points probes have is
-   * asked of the solids that Lamella itself makes of the scene, which this
-   * owns. The scene is referred to.
+   * A section cell times an axis element is a hexahedron within one ply; plies
+   * are element sets with an orientation each. Regions and probes are located
+   * by Lamella's own solids of the scene, which this object owns. Refers to
+   * the scene.
    */
   class CalculixMesh
   {
   public:
     /// Makes the solids of @p scene, of the degree of @p element, and numbers
-    /// their nodes and cells. Throws InputError where the mesh would have
-    /// hanging nodes (Refine near), which a deck cannot hold, and for C3D20R
-    /// where a body is a single row of cells.
+    /// their nodes and cells. Throws InputError for hanging nodes (Refine
+    /// near), which a deck does not allow, and for C3D20R if a body is a single
+    /// row of cells.
     CalculixMesh(const Scene &scene, const CalculixElement &element);
 
-    /// Solids, in the order of the scene: what regions, locations and surfaces
-    /// are asked of. Cells of theirs are elements here, see element_of().
+    /// Returns the solids in the order of the scene, for regions, locations and
+    /// surfaces. Their cells are elements (element_of()).
     const Bodies &
     bodies() const
     {
       return solids;
     }
 
-    /// The one kind of element that all bodies are made of.
+    /// Returns the element type of all bodies.
     const CalculixElement &
     element() const
     {
       return element_type;
     }
 
-    /// The position of the node @p number, from 1, in the scene's axes.
+    /// Returns the position of node @p number, from 1, in the scene's axes.
     const dealii::Point<3> &
     node(const unsigned int number) const
     {
       return nodes[number - 1];
     }
 
-    /// Of all bodies; obstacles' come behind them (CalculixContacts).
+    /// Returns the number of nodes of all bodies; those of obstacles follow
+    /// (CalculixContacts).
     unsigned int
     n_nodes() const
     {
       return nodes.size();
     }
 
-    /// Of all bodies.
+    /// Returns the number of elements of all bodies.
     unsigned int
     n_elements() const
     {
       return elements.size();
     }
 
-    /// Numbers of the first node and the first element of @p body (0, 1, ...);
-    /// with body = number of bodies one past the last.
+    /// Returns the first node and the first element of @p body (0, 1, ...); for
+    /// the number of bodies one past the last.
     const std::pair<unsigned int, unsigned int> &
     first_of(const unsigned int body) const
     {
       return firsts[body];
     }
 
-    /// The number of the element that is the solid's cell @p cell, as a
-    /// Location::Place has it.
+    /// Returns the element of the solid's cell @p cell (Location::Place).
     unsigned int
     element_of(const unsigned int body, const unsigned int cell) const
     {
       return firsts[body].second + cell;
     }
 
-    /// The numbers of the nodes of the element @p number, in CalculiX' order.
+    /// Returns the nodes of element @p number, in CalculiX' order.
     const std::vector<unsigned int> &
     nodes_of(const unsigned int number) const
     {
       return elements[number - 1];
     }
 
-    /// The faces that make up @p surface of @p body (bottom, start, ...).
+    /// Returns the faces of @p surface of @p body (bottom, start, ...).
     CalculixFaces
     faces(const unsigned int body, const std::string &surface) const;
 
-    /// The number of the node of @p body at @p location, or 0 if there is none:
-    /// no unit coordinates may differ by more than 1e-6 from the node's.
+    /// Returns the node of @p body at @p location, within 1e-6 in each unit
+    /// coordinate, or 0 if there is none.
     unsigned int
     node_at(const unsigned int body, const Location &location) const;
 
-    /**
-     * The numbers of the nodes on @p region: what stands for it in a support.
-     * Throws InputError, of the subsection @p path, if a point is no node, a
-     * line runs through elements and not along edges, or there is no such
-     * place or surface.
-     */
+    /// Returns the nodes of @p region, for a support. Throws InputError, of the
+    /// subsection @p path, if a point is not a node, a line does not follow
+    /// edges, or there is no such place or surface.
     std::set<unsigned int>
     region_nodes(const Region &region, const std::string &path) const;
 
-    /// The cards of nodes, elements, materials, ply axes and sections, with the
-    /// sets BODY1 (nodes) and BODY1_PLY1 (elements), bodies and plies counted
-    /// from 1. Materials are isotropic by E and nu where their constants are
-    /// so, else orthotropic by nine engineering constants in the ply's axes,
-    /// which an orientation turns into the scene's.
+    /// Writes the cards of nodes, elements, materials, ply axes and sections,
+    /// with the sets BODY1 (nodes) and BODY1_PLY1 (elements), counted from 1.
+    /// Isotropic materials have E and nu, others nine engineering constants in
+    /// the ply's axes, which an orientation rotates to the scene's.
     void
     write(std::ostream &deck) const;
 
   private:
-    /// Adds nodes and elements of @p body; nodes that no element of CalculiX
-    /// has get no number.
+    /// Adds nodes and elements of @p body. Nodes without an element of CalculiX
+    /// get no number.
     void
     number(const unsigned int body);
     /// Throws InputError if @p body, the last one numbered, is one hexahedron
-    /// wide in two directions: rows of C3D20R hourglass, and nothing holds
-    /// them. (Two cells in one of the directions hold each other.)
+    /// wide in two directions: single rows of C3D20R have unconstrained
+    /// hourglass modes. (Two cells in one of the directions suppress them.)
     void
     refuse_single_row(const unsigned int body) const;
-    /// region_nodes() of a line: looked at where it crosses from element to
-    /// element and half way between, so on straight edges.
+    /// Returns region_nodes() of a line, checked where it enters elements and
+    /// half way between, hence for straight edges.
     std::set<unsigned int>
     line_nodes(const Region &region, const std::string &path) const;
-    /// MATERIAL1, ..., by rising name in the scene.
+    /// Writes MATERIAL1, ..., in ascending order of names.
     void
     write_materials(std::ostream &deck) const;
-    /// Which material and axes the plies of @p body have.
+    /// Writes material and axes of the plies of @p body.
     void
     write_sections(std::ostream &deck, const unsigned int body) const;
 
     const Scene    &scene;
     CalculixElement element_type;
     Bodies          solids;
-    /// Of each body, and one past the last: first node, first element.
+    /// First node and first element of each body, and one past the last.
     std::vector<std::pair<unsigned int, unsigned int>> firsts;
-    /// By number less one.
+    /// Nodes and elements by their number less one.
     std::vector<dealii::Point<3>>          nodes;
     std::vector<std::vector<unsigned int>> elements;
-    /// Of each element, number in its section's plies, from 0 at the bottom.
+    /// Ply of each element in its section, from 0 at the bottom.
     std::vector<unsigned int> plies;
   };
 
-  /// Numbers as CalculiX reads them, which takes 20 characters: 13 digits with
-  /// an exponent.
+  /// Returns @p value as CalculiX reads it, in up to 20 characters: 13 digits
+  /// with an exponent.
   std::string
   calculix_number(const double value);
 
-  /// The lines of a node and of an element in a deck: the number, then the
-  /// coordinates, or the numbers of the element's nodes (of twenty in two
-  /// lines, as CalculiX takes sixteen entries in one).
+  /// Writes the line of a node or an element: its number, then coordinates or
+  /// nodes (twenty in two lines: CalculiX allows sixteen entries per line).
   void
   write_node(std::ostream           &deck,
              const unsigned int      number,
@@ -175,8 +170,8 @@ namespace lamella
                 const unsigned int               number,
                 const std::vector<unsigned int> &nodes);
 
-  /// Lines of a deck with the card @p keyword and the numbers of @p set,
-  /// sixteen a line at most.
+  /// Writes the card @p keyword and the numbers of @p set, up to sixteen per
+  /// line.
   void
   write_set(std::ostream                 &deck,
             const std::string            &keyword,
