@@ -201,9 +201,10 @@ namespace lamella
     /// Largest |curl u| / 2 at the integration points [rad], for finite
     /// rotations (Body::turns()) the largest angle. solve/checks.h limits it.
     double max_rotation = 0.;
-    /// For finite rotations: the largest principal value of Green's strain, the
-    /// largest root mean square of the axial strain over a section, and, of
-    /// total Lagrangian bodies, the largest rotation over one element [rad].
+    /// Extremes at finite rotations: the largest principal value of Green's
+    /// strain, the largest root mean square of the axial strain over a section,
+    /// and, of total Lagrangian bodies, the largest rotation over one element
+    /// [rad].
     double max_strain = 0., max_mean_strain = 0., max_element_turn = 0.;
     /// Largest share, along the axis, of the moments and torques of rigidly
     /// rotating sections that the change of their shape by bending and twisting

@@ -78,8 +78,7 @@ namespace lamella
     void
     resume(std::vector<StepResults> steps);
 
-    /// What is solved so far; before solve() names, notes and loads only. It
-    /// lives as long as this object.
+    /// Returns the results so far; before solve() names, notes and loads only.
     const Results &
     results() const
     {
@@ -107,15 +106,14 @@ namespace lamella
     void
     count_costs();
 
-    /// What is solved; where solve() takes all fields it is built anew.
+    /// Returns the scene's model, which solve() may build anew.
     const BuiltScene &
     model() const
     {
       return *built;
     }
 
-    /// What solves it, which is there once solve() was called: of linear
-    /// kinematics.
+    /// Returns the contact solver of linear kinematics. Call solve() first.
     ContactSolver &
     contact_solver() const
     {
@@ -130,7 +128,7 @@ namespace lamella
       return revised;
     }
 
-    /// Where progress goes.
+    /// Returns the stream for progress.
     std::ostream &
     output() const
     {
@@ -170,32 +168,31 @@ namespace lamella
     /// does load steps.
     void
     prepare();
-    /// What does the steps of linear kinematics, with the solver that it makes,
-    /// and that of large rotations, which makes solvers as it goes.
+    /// Returns the load step of linear kinematics, and makes its solver.
     std::unique_ptr<Step>
     make_linear_step(const MemoryBudget &budget);
+    /// Returns the load step of large rotations, which makes its own solvers.
     std::unique_ptr<Step>
     make_large_step(const MemoryBudget &budget);
-    /// Where bodies turn contacts may have paired anew: everybody counts
-    /// their rows again.
+    /// Numbers the contact constraints again, after contacts of large rotations
+    /// have been paired anew.
     void
     number_moved_rows();
     void
     make_solver(const MemoryBudget &budget);
-    /// The stiffness with what solves with each body; tells how large a factor
-    /// becomes.
+    /// Returns the stiffness with a solver for each body; prints the sizes of
+    /// factors.
     std::shared_ptr<const Linearisation>
     linearise(const MemoryBudget &budget);
-    /// The state at load factor zero of heated bodies: what stays of the
-    /// stresses when loads grow. Null where nobody asks.
+    /// Returns the state of heated bodies at load factor zero, whose stresses
+    /// do not grow with loads; null if nothing needs it.
     std::shared_ptr<const BlockVector>
     cured_state(Step &step);
-    /// Gives the last of the steps that an earlier run has solved, of which
-    /// there are the state and what was said of it, its checks and rows again:
-    /// there is something to be done with it though no step is left.
+    /// Computes checks and contact results of the last step of an earlier run,
+    /// of which only the state is known.
     void
     complete_last_step();
-    /// All load steps that are left.
+    /// Solves the load steps that are left.
     void
     do_steps(const Observer &observer);
     /// The next load step, and one more element of the results' steps.
@@ -223,7 +220,7 @@ namespace lamella
     /// Marks bodies with an automatic axis, or that of a model beside a run or
     /// of a run to a tolerance.
     std::vector<bool> may_refine;
-    /// Whether the last step comes from an earlier run and has its state only.
+    /// True if the last step comes from an earlier run and has its state only.
     bool last_is_bare = false;
     bool revised      = false;
   };

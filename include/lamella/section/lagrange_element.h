@@ -282,8 +282,8 @@ namespace lamella
     std::vector<unsigned int> levels;
     std::vector<Cell>         cells;
     bool                      in_columns = false;
-    /// For a grid, 0 if the section is wide, 1 if it is high; and the length
-    /// that makes the coordinate along a column dimensionless.
+    /// Direction of a grid, 0 if the section is wide, 1 if it is high, and the
+    /// length that makes the coordinate along a column dimensionless.
     unsigned int long_side     = 0;
     double       column_length = 1.;
   };
