@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-// Module `contact`: search, pairing, and the contact law. It owns the gap rows
-// with their geometry, rigid obstacles, penalties and other enforcements, the
-// traction of the row forces, and the checks of the pairing assumptions. It
-// formulates the contact problem; `solve` determines the active set.
+// The room `contact`: search, pairing, and the contact law. It owns the gap
+// rows with their geometry, rigid obstacles, penalties and other enforcements,
+// the traction of the row forces, and the checks of the pairing assumptions. It
+// formulates the contact problem and never determines the active set, as
+// `solve` does.
 
 #ifndef lamella_contact_gap_rows_h
 #define lamella_contact_gap_rows_h

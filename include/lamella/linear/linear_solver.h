@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-// Module `linear`: matrices and their solvers. It owns the assembled stiffness,
-// the factorizations by CHOLMOD, MUMPS and dense blocks, conjugate gradients,
-// and the half-solved products B K^-1 B^T of contact rows, all behind
-// LinearSolver. It is independent of beams, supports and contacts.
+// The room `linear`: matrices and their solvers. It owns the assembled
+// stiffness, the factorizations by CHOLMOD, MUMPS and dense blocks, conjugate
+// gradients, and the half-solved products B K^-1 B^T of contact rows, all
+// behind LinearSolver. It never depends on beams, supports or contacts.
 
 #ifndef lamella_linear_linear_solver_h
 #define lamella_linear_linear_solver_h

@@ -2,8 +2,8 @@
 
 // The room `report`: output of results. It owns the folder of a run with all
 // files in it (tables, summary, VTU, restart) and the console output, made
-// from Results. It computes nothing else except the stiffness of sections, and
-// reads none of its files except the restart. `lamella report` makes a page
+// from Results. It never computes results, except the stiffness of sections, or
+// reads its files, except the restart. `lamella report` makes a page
 // from these files by a Python program that page.h starts.
 
 #ifndef lamella_report_results_writer_h

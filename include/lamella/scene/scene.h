@@ -3,7 +3,7 @@
 // The room `scene`: the text of a scene and its meaning. It owns the grammar,
 // the messages with line, entry, value, rule and remedy, and the descriptions
 // that the text is resolved into. Each subject defines its own entries; this
-// room assembles them. A scene is data: nothing is run here.
+// room assembles them. A scene is data: this room never runs it.
 //
 // Start with SceneText (the text with its lines), read_scene() (makes a Scene
 // of it) and Simulation (run/simulation.h, made of a Scene).

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-// Module `solve`: equilibrium. It owns the structure (bodies with supports and
-// loads), the strategies for the active set, the loop over load steps, the
-// checks, and Results, the interface to all other modules. It writes no files
-// and is independent of the type of body.
+// The room `solve`: equilibrium. It owns the structure (bodies with supports
+// and loads), the strategies for the active set, the loop over load steps, and
+// the checks. It never writes files or depends on the type of body.
 
 #ifndef lamella_solve_structure_h
 #define lamella_solve_structure_h

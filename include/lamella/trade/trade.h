@@ -3,8 +3,8 @@
 // The room `trade`: accuracy against cost. It owns ladders of theories and
 // meshes, the runs of their variants, each in a process of its own, and their
 // results, of which scripts/trade.py makes a table, sentences on the cheapest
-// variant, and a picture. A variant is an ordinary scene; only its Results are
-// read.
+// variant, and a picture. A variant is an ordinary scene, of which
+// this room never reads more than the Results.
 
 #ifndef lamella_trade_trade_h
 #define lamella_trade_trade_h
