@@ -24,7 +24,6 @@ namespace lamella
     // Share of the depth of the cell below: bodies side by side bulge by a
     // thousandth of their thickness.
     constexpr double deep = 0.1;
-
   } // namespace
 
 

@@ -81,12 +81,7 @@ namespace lamella
     const std::string what = "Body " + body.name +
                              ": shorter elements at y = " + to_text(missed.y) +
                              " of its axis, for a contact between its points";
-    out << what << std::endl;
-    // Load steps of another axis cannot be resumed.
-    shorter.resolved += "# " + what + "\n";
-    revised = true;
-    forget_solver();
-    build(shorter, built->rules());
+    revise(std::move(shorter), what);
     return true;
   }
 
@@ -123,25 +118,32 @@ namespace lamella
   {
     if (last_is_bare)
       return false;
-    Scene with_ends = built->anew();
+    Scene       with_ends = built->anew();
+    std::string added;
     for (const EndInContact &end : missing.ends)
-      {
-        const std::string added = add_end(end, with_ends);
-        out << "Once more: " << added << std::endl;
-        // Load steps of other contacts cannot be resumed.
-        with_ends.resolved += "# " + added + "\n";
-      }
-    revised = true;
-    forget_solver();
+      added += (added.empty() ? "" : "; ") + add_end(end, with_ends);
     try
       {
-        build(with_ends, built->rules());
+        revise(std::move(with_ends), "Once more: " + added);
       }
     catch (const InputError &)
       {
         return false;
       }
     return true;
+  }
+
+
+
+  void
+  Simulation::revise(Scene changed, const std::string &what)
+  {
+    out << what << std::endl;
+    // No other run can resume the load steps of the changed scene.
+    changed.resolved += "# " + what + "\n";
+    revised = true;
+    forget_solver();
+    build(changed, built->rules());
   }
 
 

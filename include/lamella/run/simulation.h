@@ -154,6 +154,9 @@ namespace lamella
     bool
     shorten_elements(const UndetectedPenetration &missed);
 
+    /// Prints @p what was changed and rebuilds all for the scene @p changed.
+    void
+    revise(Scene changed, const std::string &what);
     /// Rebuilds the scene with contact constraints at nodes of the ends that
     /// @p missing names: faces lose what slides over an end, and the mean gap
     /// over an element lets an end sink in. Returns false, without any change,
