@@ -36,7 +36,7 @@ Converged values are C3D20R of CalculiX 2.20 on series of meshes
 
 def introduction(bench):
     text = INTRODUCTION.format(how=" --reduced" if bench.reduced else "")
-    if bench.output != ROOT / "doc":
+    if bench.output != ROOT / "doc/verification":
         # The other pages are not beside it.
         text = re.sub(r"\[([^\]]*)\]\([^)]*\)", r"\1", text)
     if bench.reduced:

@@ -46,7 +46,7 @@ def beam(elements, breaks=""):
 
 
 # Converged: CalculiX 2.20, C3D20R, mesh series until nothing moves (linear
-# kinematics, frictionless); doc/hertz.md, doc/laminated-beams.md, doc/sandwich.md.
+# kinematics, frictionless); doc/verification/hertz.md, doc/verification/laminated-beams.md, doc/verification/sandwich.md.
 HERTZ = Scene(
     "hertz.prm", "Two cylinders (Sec. 4.1)",
     ["Section half/Sectors=16", "Section half/Finest cell=8"] + axis(1),

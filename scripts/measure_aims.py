@@ -220,7 +220,7 @@ def middle_force(run, contact):
 
 
 def flexure():
-    """prm/flexure_test.prm: the quantities of doc/flexure-test.md, off the richest run
+    """prm/flexure_test.prm: the quantities of doc/verification/flexure-test.md, off the richest run
     in %; LE-2's own error among them."""
     cases = [("SV-6", 2), ("SV-10", 2), ("LE-2", None), ("SV-6", 3), ("SV-10", 3),
              ("SV-16", 3), ("SV-24", 3), ("SV-40", 3)]

@@ -10,7 +10,7 @@ WITHOUT = "Goals/Error bars=false"
 
 
 def corners():
-    """doc/sections.md: errors of deflections, equal cells, cells divided, layers at corners."""
+    """doc/reference/sections.md: errors of deflections, equal cells, cells divided, layers at corners."""
     graded = ["Body beam/Kinematics/Axis breaks=", "Body beam/Kinematics/Axis elements=auto"]
     for name, scene, section, goal, truth, axis in (
             ("double-T", ROOT / "tests/scenes/double_t.prm", "beam", "edge: uz",

@@ -55,7 +55,7 @@ def row_of(run, name):
 
 
 def leaves():
-    """doc/leaf-spring.md: meshes and theories, exact against penalty, 2 to 32 leaves."""
+    """doc/verification/leaf-spring.md: meshes and theories, exact against penalty, 2 to 32 leaves."""
     forces, tip = closed_form(6)
     rows = [["closed form, bending only", "", f"{tip:.5g}", f"{forces[-1]:.5g}",
              f"{forces[0]:.5g}", "0", ""]]

@@ -46,7 +46,7 @@ def errors(degree, discretisation, n):
 
 
 def rates():
-    """doc/contact.md: errors of pressure and deflection for 2, 4, 8 elements."""
+    """doc/theory/contact.md: errors of pressure and deflection for 2, 4, 8 elements."""
     rows = []
     for discretisation in ("node to node", "surface to surface", "node to surface"):
         row = [f"`{discretisation}`"]

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Tables, sentences and pictures of a trade out of its numbers, DIR/trade.json (doc/trade.md).
+"""Tables, sentences and pictures of a trade out of its numbers, DIR/trade.json (doc/guides/convergence-study.md).
 
 Usage: trade.py DIR (by `lamella trade`, which writes that file)
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Errors against costs of the rungs of a trade: numbers and sentences (doc/trade.md)."""
+"""Errors against costs of the rungs of a trade: numbers and sentences (doc/guides/convergence-study.md)."""
 
 import math
 
@@ -160,7 +160,7 @@ class Table:
             parts.append("buckling factor " + text(rung["buckling_factor"], 4))
         return parts and (
             "All rungs are linear, and none of these errors says what large deflections do. By "
-            f"{rung['name']}: {', '.join(parts)} (doc/beyond-linear.md).") or ""
+            f"{rung['name']}: {', '.join(parts)} (doc/theory/beyond-linear.md).") or ""
 
     def count_of_bars(self):
         """How many bars of values that have an error are at least that; empty without bars."""

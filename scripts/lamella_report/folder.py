@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What a run left in its folder (doc/output.md), read."""
+"""What a run left in its folder (doc/reference/output.md), read."""
 
 import csv
 import json

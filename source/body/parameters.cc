@@ -195,7 +195,7 @@ namespace lamella
     {
       // Forces of a beam come out of displacements that differ by (h / L)^2 of
       // themselves: at 1e6 three of sixteen digits are left
-      // (doc/stable-basis.md).
+      // (doc/theory/stable-basis.md).
       constexpr double most = 1e7, sensible = 1e6;
 
       const auto corners = dealii::GridTools::compute_bounding_box(mesh.mesh)

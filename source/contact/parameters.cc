@@ -13,7 +13,8 @@ namespace lamella
   namespace
   {
     // The penetration that this leaves is a millionth of what the cells below
-    // the contact are compressed by; doc/penalty.md shows the plateau it is on.
+    // the contact are compressed by; doc/theory/penalty.md shows the plateau it
+    // is on.
     constexpr double automatic_multiple = 1e6;
 
 
@@ -64,7 +65,7 @@ namespace lamella
       selection<Discretisation>(),
       "auto: node to node where every node that faces the other surface faces "
       "one of its nodes, line to roller on rollers that are small beside the "
-      "elements (doc/contact.md), else surface to surface, with edge to "
+      "elements (doc/theory/contact.md), else surface to surface, with edge to "
       "surface beside it where an end of a body presses; "
       "node to node: rows between nodes that face each other; node to surface: "
       "between the nodes of one side and the places of the other that they "

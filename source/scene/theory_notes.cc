@@ -159,7 +159,7 @@ namespace lamella
     {
       // Elements longer than `coarse` widths are reported, `fine` ones
       // suffice. `cost` is the error of the deflection per stiffening and
-      // share of the length (measured, doc/theories.md).
+      // share of the length (measured, doc/theory/theories.md).
       constexpr double coarse = 0.5, fine = 0.25, cost = 0.16, worth = 2e-3;
 
       const BodyDescription  &body    = scene.bodies[number];

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-// The quadratic forms of each criterion (doc/strength.md).
+// The quadratic forms of each criterion (doc/theory/strength.md).
 
 #include <lamella/strength/criterion.h>
 

@@ -873,7 +873,7 @@ BOOST_AUTO_TEST_CASE(chosen_fields_keep_the_digits)
   // Neither fewer fields nor lists that differ from node to node cost digits:
   // the condition of the scaled stiffness is that of LE-2 within a factor of
   // three, and the refinement has as little to mend
-  // (doc/saint-venant-fields.md, lines that begin with a bar).
+  // (doc/theory/saint-venant-fields.md, lines that begin with a bar).
   BOOST_TEST_MESSAGE("| fields | L/h | DoFs | condition | first correction |");
   // Others and further lists are in the document; they take their time.
   for (const double slenderness : {1000.})

@@ -230,7 +230,7 @@ BOOST_AUTO_TEST_CASE(node_to_surface_leaves_an_error)
 {
   // Forces stand at points of the other side, where they are not in balance
   // with the shares of a uniform pressure: an error of the method, which
-  // doc/contact.md states.
+  // doc/theory/contact.md states.
   for (const auto &[points_on, largest, resultant] :
        {std::make_tuple(PointsOn::first, 0.2096, -0.0299),
         std::make_tuple(PointsOn::second, 0.1311, -0.0075)})

@@ -2,8 +2,8 @@
 
 // Every theory from a block to a hair. Any drift that beam theory does not
 // explain is lost digits. --log_level=message prints a table, lines that begin
-// with a bar; that of doc/stable-basis.md is by scripts/measure stability. See
-// stability.cc for other extremes.
+// with a bar; that of doc/theory/stable-basis.md is by scripts/measure
+// stability. See stability.cc for other extremes.
 
 #include "strip.h"
 

@@ -514,8 +514,8 @@ BOOST_AUTO_TEST_CASE(pieces_by_hand)
 BOOST_AUTO_TEST_CASE(condition_numbers)
 {
   // Of a cantilever's stiffness scaled to a unit diagonal, largest over
-  // smallest eigenvalue. Printed for doc/stable-basis.md. That of nodes of
-  // lower degree is part of it, with eigenvalues in between.
+  // smallest eigenvalue. Printed for doc/theory/stable-basis.md. That of nodes
+  // of lower degree is part of it, with eigenvalues in between.
   const auto axis    = make_axis(2., 2);
   const auto measure = [&](std::unique_ptr<Beam> beam) {
     const unsigned int first = beam->dofs().first(1),

@@ -147,8 +147,9 @@ BOOST_AUTO_TEST_CASE(rates)
 
 BOOST_AUTO_TEST_CASE(node_to_surface_does_not_converge_in_pressure)
 {
-  // On meshes that do not match it fails the patch test (doc/contact.md), and
-  // no refinement mends that: pressures stay 5 to 10 % off.
+  // On meshes that do not match it fails the patch test
+  // (doc/theory/contact.md), and no refinement mends that: pressures stay 5 to
+  // 10 % off.
   for (const unsigned int degree : {1, 2})
     {
       const Errors fine = errors(strips(degree, "node to surface", 8));

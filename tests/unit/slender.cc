@@ -5,7 +5,7 @@
 // F L^3 / (192 EI) with EI of classical lamination theory, tends to a constant
 // near one: 4 B4 hold the cubic between clamp and load exactly, and what is
 // left is how the section's edges depart from lamination theory. Any drift is
-// lost digits. See doc/stable-basis.md.
+// lost digits. See doc/theory/stable-basis.md.
 
 #include "fixtures.h"
 
@@ -112,7 +112,7 @@ BOOST_AUTO_TEST_CASE(the_first_correction_tells_the_digits_that_were_lost)
 {
   // Without refinement the result is off by about what the first correction of
   // the refined run reports: the detector of lost digits. The table of
-  // doc/stable-basis.md is what this prints with --log_level=message.
+  // doc/theory/stable-basis.md is what this prints with --log_level=message.
   BOOST_TEST_MESSAGE("L/h   refined ratio   off without refinement   detector");
   for (const double slenderness : {1e2, 1e3, 1e4, 1e5, 1e6})
     {

@@ -3,7 +3,7 @@
 // Theories at the extremes: from a square to a sheet, from compressible to
 // nearly incompressible; see hair.cc for slender beams and units.cc for soft
 // cores in any units. Any drift that beam theory does not explain is lost
-// digits. The table of doc/stable-basis.md is what this prints with
+// digits. The table of doc/theory/stable-basis.md is what this prints with
 // --log_level=message, lines that begin with a bar.
 
 #include "strip.h"

@@ -5,8 +5,8 @@
 //
 // By hand, with the strengths Xt, Xc = 1000, 800, Yt, Yc = 50, 200, Zt, Zc =
 // 40, 160, S12, S13, S23 = 100, 80, 60: each expected index is the formula of
-// doc/strength.md with these numbers put in. Puck in plane stress has the
-// closed forms of its modes A, B and C (Puck and Schuermann, Compos. Sci.
+// doc/theory/strength.md with these numbers put in. Puck in plane stress has
+// the closed forms of its modes A, B and C (Puck and Schuermann, Compos. Sci.
 // Technol. 58 (1998) 1045-1067); C holds where p_pp = p_pl R_A / S12.
 
 #include <lamella/strength/criterion.h>

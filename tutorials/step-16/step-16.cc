@@ -4,9 +4,9 @@
 //
 // What step-9 leaves is to know the dual and the truth, which nobody does: both
 // would take the rich model. So a bar solves richer models of the same scene,
-// twice, and looks whether they agree (doc/error-bars.md). The program has the
-// library make bars of three goals for six theories, and holds them against
-// the true errors. See README.md in this folder.
+// twice, and looks whether they agree (doc/theory/error-bars.md). The program
+// has the library make bars of three goals for six theories, and holds them
+// against the true errors. See README.md in this folder.
 
 #include <lamella/base/exceptions.h>
 #include <lamella/base/mpi_session.h>

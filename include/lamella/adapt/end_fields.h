@@ -12,8 +12,9 @@
 
 namespace lamella
 {
-  /// Constants of end_fields(), all measured (doc/saint-venant-fields.md). H is
-  /// the smaller extent of the section, B the larger one.
+  /// Constants of end_fields(), all measured
+  /// (doc/theory/saint-venant-fields.md). H is the smaller extent of the
+  /// section, B the larger one.
   struct EndFieldRules
   {
     /// Length of the piece over B.

@@ -22,8 +22,8 @@
 namespace lamella
 {
   /// Constants of the choice of fields, all measured
-  /// (doc/saint-venant-fields.md). H is the smaller extent of the section, h_e
-  /// the shortest axis element that is touched.
+  /// (doc/theory/saint-venant-fields.md). H is the smaller extent of the
+  /// section, h_e the shortest axis element that is touched.
   struct FieldRules
   {
     /// Smallest wave number over the larger extent of the section, and that of

@@ -10,7 +10,7 @@
 namespace lamella
 {
   /// Thresholds for rows to count as a touch of a section. Judged, not
-  /// optimized; doc/saint-venant-fields.md uses them throughout.
+  /// optimized; doc/theory/saint-venant-fields.md uses them throughout.
   struct TouchRules
   {
     /// Independent part of a unit load vector below which it is dropped.

@@ -294,9 +294,9 @@ namespace lamella
     }
 
     /// Returns the level of @p dof in the hierarchical basis
-    /// (doc/stable-basis.md): 0 for rigid motions and nodal bases, higher for
-    /// finer DoFs. Supports eliminate coarse DoFs first, which keeps the digits
-    /// of slender beams.
+    /// (doc/theory/stable-basis.md): 0 for rigid motions and nodal bases,
+    /// higher for finer DoFs. Supports eliminate coarse DoFs first, which keeps
+    /// the digits of slender beams.
     virtual unsigned int
     dof_level(const DofIndex) const
     {
@@ -395,10 +395,10 @@ namespace lamella
 
     /// Adds the internal forces, f += integral B^T sigma(B u) dV, equal to f +
     /// K u in exact arithmetic. Strains come first: rounding of an assembled
-    /// matrix loses the bending energy of slender bodies (doc/stable-basis.md).
-    /// No constraints are applied: entries of @p f at constrained DoFs are the
-    /// forces there. @p u and @p f are whole, equal on all processes.
-    /// Collective.
+    /// matrix loses the bending energy of slender bodies
+    /// (doc/theory/stable-basis.md). No constraints are applied: entries of @p
+    /// f at constrained DoFs are the forces there. @p u and @p f are whole,
+    /// equal on all processes. Collective.
     virtual void
     add_internal_forces(const Vector &u, Vector &f) const = 0;
 

@@ -89,8 +89,8 @@ namespace lamella
    *
    * @p meshes has all sections of the descriptions. Throws InputError for a
    * body longer than 1e7 times the extent of its section, whose rigid motions
-   * cannot be distinguished in doubles (doc/stable-basis.md), for a beam with
-   * fewer axis nodes than processes, and as HexahedralMesh does.
+   * cannot be distinguished in doubles (doc/theory/stable-basis.md), for a beam
+   * with fewer axis nodes than processes, and as HexahedralMesh does.
    */
   Bodies
   make_bodies(const std::vector<BodyDescription> &descriptions,

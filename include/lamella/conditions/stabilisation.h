@@ -29,7 +29,7 @@ namespace lamella
   /// motions, as a share (such as 1e-6; 0: no springs) of the body's axial
   /// stiffness. The result is free of spring forces: the solution is repeated
   /// from the previous state until they vanish (the proximal point method,
-  /// doc/contact.md).
+  /// doc/theory/contact.md).
   struct Stabilisation
   {
     double share = 0.;

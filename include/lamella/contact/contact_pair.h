@@ -14,8 +14,8 @@
 namespace lamella
 {
   /// Discretization of the gap function (Eq. 16) along two surfaces.
-  /// doc/contact.md compares them on patch tests: only `surface to surface`
-  /// passes with any meshes.
+  /// doc/theory/contact.md compares them on patch tests: only `surface to
+  /// surface` passes with any meshes.
   enum class Discretisation
   {
     undefined,

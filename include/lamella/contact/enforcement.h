@@ -9,8 +9,8 @@ namespace lamella
 {
   /// Enforcement of the contact constraints. All follow one law, g + a lambda =
   /// 0 in contact, with the compliance a = 1 / eps [length / force] for
-  /// `penalty` and a = 0 for the other two. doc/contact.md describes their
-  /// solution by each strategy.
+  /// `penalty` and a = 0 for the other two. doc/theory/contact.md describes
+  /// their solution by each strategy.
   enum class Enforcement
   {
     undefined,
@@ -29,9 +29,9 @@ namespace lamella
       {Enforcement::exact, "exact"}};
   };
 
-  /// Unit of a penalty. doc/penalty.md measures its effect: if too small,
-  /// bodies penetrate; if too large, the stiffness of the bodies drowns in
-  /// rounding (Eq. 24).
+  /// Unit of a penalty. doc/theory/penalty.md measures its effect: if too
+  /// small, bodies penetrate; if too large, the stiffness of the bodies drowns
+  /// in rounding (Eq. 24).
   enum class PenaltyKind
   {
     undefined,

@@ -169,8 +169,8 @@ namespace lamella
    * Returns node-to-surface gaps: the slave points @p points against the places
    * that they face, each with its tributary area. A single-pass method: master
    * nodes may penetrate the slave side, and a uniform pressure is not
-   * transmitted exactly (doc/contact.md). v = w = n at one place per side; rows
-   * are in the order of @p points.
+   * transmitted exactly (doc/theory/contact.md). v = w = n at one place per
+   * side; rows are in the order of @p points.
    */
   Gaps
   pair_node_to_surface(const Sides                     &sides,

@@ -29,7 +29,7 @@ namespace lamella
   inline bool
   are_coarse_on(const double spacing, const double radius)
   {
-    // [rad] Errors at longer spacings: doc/contact.md.
+    // [rad] Errors at longer spacings: doc/theory/contact.md.
     constexpr double coarse_angle = 3e-3;
     return 0.5 * spacing > coarse_angle * radius;
   }

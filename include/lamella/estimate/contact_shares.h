@@ -14,7 +14,7 @@
 namespace lamella
 {
   /// Factors from a change by contact to a bar, from measurements
-  /// (doc/friction.md).
+  /// (doc/theory/friction.md).
   struct ContactShareRules
   {
     /// Factor of the change by exact contact: no error is left then; doubled

@@ -9,7 +9,7 @@
 namespace lamella
 {
   /// Constants of error bars. With these 411 of the 414 bars of
-  /// doc/error-bars.md hold; most are several times too long.
+  /// doc/theory/error-bars.md hold; most are several times too long.
   struct BarRules
   {
     /// Largest ratio of successive changes that is extrapolated.

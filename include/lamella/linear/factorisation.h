@@ -124,9 +124,9 @@ namespace lamella
    *
    * The entries are freed once the factor exists. The ordering is minimum
    * degree, and nested dissection where that would leave much fill
-   * (doc/running-in-parallel.md). Throws NumericsError as factorise() does, and
-   * if entries are not finite. No condition estimate. The solved rows are
-   * RowProducts.
+   * (doc/guides/running-in-parallel.md). Throws NumericsError as factorise()
+   * does, and if entries are not finite. No condition estimate. The solved rows
+   * are RowProducts.
    */
   std::unique_ptr<LinearSolver>
   factorise_shared(const DofIndex       n,

@@ -151,7 +151,8 @@ namespace lamella
    *
    * Owns its data, so the matrix may be destroyed (`cg` shares its ownership).
    * Must outlive its SolvedRows. Refinement against the residual from strains
-   * removes the rounding errors of the assembled matrix (doc/stable-basis.md).
+   * removes the rounding errors of the assembled matrix
+   * (doc/theory/stable-basis.md).
    */
   class LinearSolver
   {

@@ -55,15 +55,13 @@ namespace lamella
 
   /**
    * Transverse stresses by equilibrium, `Stress = equilibrium`
-   * (doc/interlaminar-stress.md). In the column over each point (x, y) of a
-   * laminate,
-   *   sigma_xz,z = -(sigma_xx,x + sigma_xy,y)
-   *   sigma_yz,z = -(sigma_xy,x + sigma_yy,y)
-   *   sigma_zz,z = -(sigma_xz,x + sigma_yz,y)
-   * are integrated upwards from the traction on the lower face, with the
-   * in-plane stresses of the displacements (Rolfes and Rohwer, Int. J. Numer.
-   * Meth. Eng. 40 (1997) 51-60). The results are continuous between plies. All
-   * other components are those of `recovered`.
+   * (doc/theory/interlaminar-stress.md). In the column over each point (x, y)
+   * of a laminate, sigma_xz,z = -(sigma_xx,x + sigma_xy,y) sigma_yz,z =
+   * -(sigma_xy,x + sigma_yy,y) sigma_zz,z = -(sigma_xz,x + sigma_yz,y) are
+   * integrated upwards from the traction on the lower face, with the in-plane
+   * stresses of the displacements (Rolfes and Rohwer, Int. J. Numer. Meth. Eng.
+   * 40 (1997) 51-60). The results are continuous between plies. All other
+   * components are those of `recovered`.
    *
    * *Derivatives.* In-plane stresses are sampled at the p Gauss points of each
    * element, along the axis and (layer-wise) across, in the elements at the

@@ -11,7 +11,7 @@
 namespace lamella
 {
   /// Reserve factor of a ply by one criterion, at its critical point
-  /// (doc/strength.md).
+  /// (doc/theory/strength.md).
   struct PlyReserve
   {
     /// Number of the body in the scene; ply from 0 at the bottom.

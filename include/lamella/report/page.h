@@ -10,8 +10,8 @@ namespace lamella
   /**
    * Implements `lamella report DIR`: makes one self-contained HTML file
    * @p target of the results in @p folder. It replaces this process by
-   * scripts/report.py (doc/report.md), which then determines messages and exit
-   * status.
+   * scripts/report.py (doc/guides/report.md), which then determines messages
+   * and exit status.
    *
    * The script is searched for in `../share/lamella/scripts` beside this
    * program, then in its source tree. It reads the files of the folder, and is

@@ -64,7 +64,7 @@ namespace lamella
   section_stiffness(std::shared_ptr<const SectionMesh> mesh);
 
   /// Returns sections/NAME.json for @p section called @p name, with labels from
-  /// @p units and a final line feed (doc/section-properties.md).
+  /// @p units and a final line feed (doc/reference/section-properties.md).
   std::string
   section_json(const std::string      &name,
                const SectionStiffness &section,

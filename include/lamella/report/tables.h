@@ -16,10 +16,9 @@ namespace lamella
   /**
    * Returns the headers of probes.csv, history.csv, lines/NAME.csv,
    * cuts/NAME.csv and contact_NAME.csv, with their ends of line
-   * (doc/output.md). They depend on the names in @p results alone. Columns:
-   *   probes   step, probe, fields_header()
-   *   lines    s (arc length), step, line, fields_header()
-   *   cuts     step, cut, cell, i, j, fields_header()
+   * (doc/reference/output.md). They depend on the names in @p results alone.
+   * Columns: probes   step, probe, fields_header() lines    s (arc length),
+   * step, line, fields_header() cuts     step, cut, cell, i, j, fields_header()
    *   contacts step, both points, normal, area, initial_gap, gap, force,
    *            pressure (force over area), active (1 where it touches)
    *   history  step, load_factor, then three components of the force of each

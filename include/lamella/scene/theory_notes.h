@@ -36,7 +36,7 @@ namespace lamella
    * over that of LE-2 on this mesh, which costs a solution on the section;
    * reported from 5 % on. Clamps: the disturbance decays within about a width
    * of the section, but a long element spreads it over its own length;
-   * measured constants (doc/theories.md).
+   * measured constants (doc/theory/theories.md).
    */
   std::vector<std::string>
   notes_on_theories(const Scene &scene, const SectionMeshes &meshes);

@@ -61,10 +61,11 @@ namespace lamella
    * Its first three functions are 1, (x - x_c) / h and (z - z_c) / h,
    * differentiated analytically, so that rigid motions of the section are DoFs
    * of their own and slender beams keep their bending energy
-   * (doc/stable-basis.md). The others are warping: TaylorElement (equivalent
-   * single layer) and LagrangeElement (layer-wise) define them. Each cell is
-   * the image of the unit square under a map (xi, eta) -> (x, z). Functions are
-   * numbered over the whole section; cell_functions() returns those on a cell.
+   * (doc/theory/stable-basis.md). The others are warping: TaylorElement
+   * (equivalent single layer) and LagrangeElement (layer-wise) define them.
+   * Each cell is the image of the unit square under a map (xi, eta) -> (x, z).
+   * Functions are numbered over the whole section; cell_functions() returns
+   * those on a cell.
    */
   class CrossSectionElement
   {

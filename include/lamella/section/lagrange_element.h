@@ -44,7 +44,7 @@ namespace lamella
    * those up to degree q span LE-q, so that LE-1 < LE-2 < ... share one set of
    * S_pq. (It is not the default: for a single LE-p, factors and rows of
    * contact fill by some per cent more, and condition numbers double;
-   * doc/theories.md.)
+   * doc/theory/theories.md.)
    *
    * On curved cells the map is of degree p for all functions. 1, x, z are
    * functions of their own, so rigid motions are exact in each part, but the

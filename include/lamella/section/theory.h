@@ -14,8 +14,8 @@ namespace lamella
 {
   /**
    * A structural theory: the cross-section expansion of a beam and the
-   * completion of its strains (the paper's Sec. 2; doc/theories.md compares). A
-   * plain value, from which Section makes the fields.
+   * completion of its strains (the paper's Sec. 2; doc/theory/theories.md
+   * compares). A plain value, from which Section makes the fields.
    *
    * - EBBT, Euler-Bernoulli: sections stay plane and normal to the axis
    *   (Kirchhoff's constraint, exact, needs B4).

@@ -22,7 +22,8 @@ namespace lamella
    *
    * with nodes x_i on the arcs and Lagrange polynomials N_i at Gauss-Lobatto
    * points. Cells with straight sides are bilinear; the area of curved ones
-   * converges with the degree (doc/sections.md). Shares ownership of the mesh.
+   * converges with the degree (doc/reference/sections.md). Shares ownership of
+   * the mesh.
    */
   class SectionGeometry
   {

@@ -14,7 +14,8 @@
 
 namespace lamella
 {
-  /// Shape of a section, the entry `Shape`, with pictures in doc/sections.md.
+  /// Shape of a section, the entry `Shape`, with pictures in
+  /// doc/reference/sections.md.
   enum class ShapeKind
   {
     undefined,

@@ -85,7 +85,8 @@ namespace lamella
 
     /// Returns a sentence if the hardest penalty so far leaves an error above
     /// 1e-4 by the estimate eps N t / k of Nour-Omid and Wriggers (1987; N
-    /// DoFs, t the rounding of doubles), the basis of Eq. 24 (doc/penalty.md).
+    /// DoFs, t the rounding of doubles), the basis of Eq. 24
+    /// (doc/theory/penalty.md).
     std::vector<std::string>
     warnings() const;
 

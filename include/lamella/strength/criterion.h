@@ -20,7 +20,7 @@
 
 namespace lamella
 {
-  /// A failure criterion. Formulas and sources are in doc/strength.md.
+  /// A failure criterion. Formulas and sources are in doc/theory/strength.md.
   enum class Criterion
   {
     undefined,

@@ -29,8 +29,8 @@ namespace lamella
   /**
    * Writes @p findings to trade.json in @p directory and runs
    * scripts/trade.py there. The script prints tables and sentences, and
-   * writes trade.csv and the pictures (doc/trade.md). Its output goes to that
-   * of this process.
+   * writes trade.csv and the pictures (doc/guides/convergence-study.md). Its
+   * output goes to that of this process.
    *
    * Throws NumericsError if the rung of the reference, or every rung, failed;
    * InputError if there is no python3 or a file cannot be written.

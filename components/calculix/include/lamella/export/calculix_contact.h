@@ -40,8 +40,8 @@ namespace lamella
    * body, with a smallest extent d below a tenth of its largest one L, it is
    * 10 d / L times that: such a body is far more compliant in bending, and
    * CalculiX' contact iterations may end in wrong states if the contact is
-   * much stiffer than the body (doc/calculix.md). K is a penalty per area,
-   * eps_N of Eq. 20 [force / length^3].
+   * much stiffer than the body (doc/verification/calculix.md). K is a penalty
+   * per area, eps_N of Eq. 20 [force / length^3].
    *
    * The slave is the side named by `Points on`, else the one with smaller
    * faces on average, or the first if equal; against an obstacle it is the

@@ -32,8 +32,8 @@ namespace lamella
   /**
    * Writes @p scene as an input deck of CalculiX, an independent
    * finite-element program. A .json of the same name lists the sets of
-   * supports and contacts and the places of the probes (doc/calculix.md). A
-   * summary goes to @p out.
+   * supports and contacts and the places of the probes
+   * (doc/verification/calculix.md). A summary goes to @p out.
    *
    * The model has other approximations than the scene: all bodies become
    * hexahedra with plies of their own, contact a linear penalty between
